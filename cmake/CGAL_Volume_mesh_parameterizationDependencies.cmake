@@ -1,0 +1,10 @@
+# What the headers need; read by the build of this package and by projects that use the installed one.
+include(CMakeFindDependencyMacro)
+find_dependency(CGAL)
+find_dependency(Eigen3 3.3)
+include(CGAL_Eigen3_support)
+
+# Both optional: threads, and the faster direct solver.
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+include(${CMAKE_CURRENT_LIST_DIR}/CGAL_CHOLMOD_support.cmake)

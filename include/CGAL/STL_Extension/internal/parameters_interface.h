@@ -1,0 +1,25 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+// Puts the named parameters of this package in front of CGAL's list, by standing in for CGAL's header
+// of the same name. There is no guard: CGAL reads the list several times, each time with another
+// meaning of CGAL_add_named_parameter.
+
+#pragma GCC system_header // #include_next is an extension, which -pedantic would report
+
+// Tells the public headers that this file was found before CGAL's.
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
+
+// List of named parameters used in Volume_mesh_parameterization
+CGAL_add_named_parameter(energy_t, energy, energy)
+CGAL_add_named_parameter(boundary_map_t, boundary_map, boundary_map)
+CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
+
+// Comes last: since CGAL 6 the original undefines CGAL_add_named_parameter.
+#include_next <CGAL/STL_Extension/internal/parameters_interface.h>

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are needed and missing.
+set -euo pipefail
+
+packages=(g++ make cmake libcgal-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial libtbb-dev catch2)
+models=/usr/share/doc/libcgal-dev/data.tar.gz # CGAL's models, in package libcgal-demo
+
+missing=()
+for package in "${packages[@]}"; do
+  if [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2> /dev/null)" != installed ]; then
+    missing+=("$package")
+  fi
+done
+if [ ! -e "$models" ]; then
+  missing+=(libcgal-demo)
+fi
+if [ ${#missing[@]} -eq 0 ]; then
+  exit 0
+fi
+
+echo "Installing ${missing[*]}"
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  as_root=(sudo)
+fi
+# Slim systems leave out documentation, hence the models; reinstalling with this option brings them.
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends --reinstall \
+  -o Dpkg::Options::=--path-include="$models" "${missing[@]}"
