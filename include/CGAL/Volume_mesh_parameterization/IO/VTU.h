@@ -1,0 +1,146 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_IO_VTU_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_IO_VTU_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Text_writer.h>
+
+#include <array>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+namespace internal {
+
+// Writes the parts of an XML `UnstructuredGrid` with all values as text.
+class VTU_writer
+{
+public:
+  explicit VTU_writer(std::ostream& os)
+    : writer_(os)
+  {}
+
+  void begin_grid(std::size_t number_of_points, std::size_t number_of_cells)
+  {
+    writer_ << "<?xml version=\"1.0\"?>\n"
+            << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+            << "<UnstructuredGrid>\n"
+            << "<Piece NumberOfPoints=\"" << number_of_points
+            << "\" NumberOfCells=\"" << number_of_cells << "\">\n";
+  }
+
+  void end_grid()
+  {
+    writer_ << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  }
+
+  void begin(const char* element) { writer_ << "<" << element << ">\n"; }
+  void end(const char* element) { writer_ << "</" << element << ">\n"; }
+
+  template <std::size_t N, typename Number>
+  void write_tuples(const char* name, const std::vector<std::array<Number, N> >& tuples)
+  {
+    begin_array(type_name(Number()), name, N);
+    for(const std::array<Number, N>& tuple : tuples)
+    {
+      for(const Number& x : tuple)
+        writer_ << x << " ";
+      writer_ << "\n";
+    }
+    end_array();
+  }
+
+  // Writes `value(0)`, ..., `value(n - 1)`.
+  template <typename Value>
+  void write_values(const char* name, std::size_t n, const Value& value)
+  {
+    begin_array(type_name(decltype(value(n))()), name, 1);
+    for(std::size_t i = 0; i < n; ++i)
+      writer_ << value(i) << "\n";
+    end_array();
+  }
+
+private:
+  static const char* type_name(double) { return "Float64"; }
+  static const char* type_name(int) { return "Int32"; }
+  static const char* type_name(std::size_t) { return "Int64"; }
+
+  void begin_array(const char* type, const char* name, std::size_t number_of_components)
+  {
+    writer_ << "<DataArray type=\"" << type << "\" Name=\"" << name
+            << "\" NumberOfComponents=\"" << number_of_components << "\" format=\"ascii\">\n";
+  }
+
+  void end_array() { end("DataArray"); }
+
+  Text_writer writer_;
+};
+
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
+///
+/// All values are text from which reading restores the same bits. A failure to write is left in the state of the stream.
+///
+/// \param os the stream
+/// \param soup the mesh
+/// \param uvw the image of each point, written as the vectors `uvw` of the points
+/// \param cell_data arrays with one value per cell and their names, written beside the cell references `reference`
+inline void write_VTU(std::ostream& os,
+                      const Tetrahedron_soup_3& soup,
+                      const std::vector<std::array<double, 3> >& uvw,
+                      const std::vector<std::pair<std::string, std::vector<double> > >& cell_data)
+{
+  const std::size_t number_of_cells = soup.cells.size();
+  const int vtk_tetra = 10;
+
+  internal::VTU_writer writer(os);
+  writer.begin_grid(soup.points.size(), number_of_cells);
+
+  writer.begin("Points");
+  writer.write_tuples("Points", soup.points);
+  writer.end("Points");
+
+  writer.begin("Cells");
+  writer.write_tuples("connectivity", soup.cells);
+  writer.write_values("offsets", number_of_cells, [](std::size_t i) { return 4 * (i + 1); });
+  writer.write_values("types", number_of_cells, [](std::size_t) { return vtk_tetra; });
+  writer.end("Cells");
+
+  writer.begin("PointData");
+  writer.write_tuples("uvw", uvw);
+  writer.end("PointData");
+
+  writer.begin("CellData");
+  writer.write_values("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
+  for(const auto& [name, values] : cell_data)
+    writer.write_values(name.c_str(), number_of_cells, [&v = values](std::size_t i) { return v[i]; });
+  writer.end("CellData");
+
+  writer.end_grid();
+}
+
+} // namespace IO
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_VTU_H
