@@ -26,10 +26,10 @@ namespace Volume_mesh_parameterization {
 ///
 /// builds a mesh complex from a tetrahedron soup.
 ///
-/// All cells are in the complex; their subdomain indices are the references of the soup. So are the facets listed by the
-/// soup, with their references as patch indices, the other facets of the boundary, and those between different subdomains.
-/// Since index 0 means outside the complex, reference 0 and facets without reference get the smallest positive
-/// number that is not used as a reference.
+/// All cells are in the complex; their subdomain indices are the references of the soup. So are the facets of cells that the
+/// soup lists, with their references as patch indices, the other facets of the boundary, and those between different subdomains.
+/// Since index 0 means outside the complex, cells and facets with reference 0 and facets without reference get the smallest
+/// positive number that is not used as a reference.
 ///
 /// The cells may have several connected components and a non-manifold boundary. They are oriented positively
 /// if all are negative in the soup. A point without a cell gets no vertex: it keeps its index in

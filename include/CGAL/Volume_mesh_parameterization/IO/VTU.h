@@ -12,14 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cell_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Text_writer.h>
 
 #include <array>
 #include <cstddef>
 #include <ostream>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -99,19 +99,21 @@ namespace IO {
 ///
 /// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
 ///
+/// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
+/// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume of the image
+/// relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse).
 /// All values are text from which reading restores the same bits. A failure to write is left in the state of the stream.
 ///
 /// \param os the stream
 /// \param soup the mesh
-/// \param uvw the image of each point, written as the vectors `uvw` of the points
-/// \param cell_data arrays with one value per cell and their names, written beside the cell references `reference`
+/// \param uvw the image of each point
 inline void write_VTU(std::ostream& os,
                       const Tetrahedron_soup_3& soup,
-                      const std::vector<std::array<double, 3> >& uvw,
-                      const std::vector<std::pair<std::string, std::vector<double> > >& cell_data)
+                      const std::vector<std::array<double, 3> >& uvw)
 {
   const std::size_t number_of_cells = soup.cells.size();
   const int vtk_tetra = 10;
+  const std::vector<internal::Cell_distortion_3> distortions = internal::cell_distortions(soup, uvw);
 
   internal::VTU_writer writer(os);
   writer.begin_grid(soup.points.size(), number_of_cells);
@@ -132,11 +134,33 @@ inline void write_VTU(std::ostream& os,
 
   writer.begin("CellData");
   writer.write_values("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
-  for(const auto& [name, values] : cell_data)
-    writer.write_values(name.c_str(), number_of_cells, [&v = values](std::size_t i) { return v[i]; });
+  writer.write_values("angle_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].angle; });
+  writer.write_values("volume_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].volume; });
+  writer.write_values("det_J", number_of_cells, [&](std::size_t i) { return distortions[i].det_J; });
   writer.end("CellData");
 
   writer.end_grid();
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a mesh complex with its parameterization as a VTK XML file (`.vtu`).
+///
+/// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
+/// \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Triangulation::Vertex_handle` as key type
+///         and the point type of the geometric traits as value type
+template <typename C3t3, typename VertexUVWMap>
+void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
+{
+  Tetrahedron_soup_3 soup;
+  std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
+  mesh_complex_3_to_tetrahedron_soup(c3t3, soup, vertices);
+
+  std::vector<std::array<double, 3> > uvw;
+  uvw.reserve(vertices.size());
+  for(typename C3t3::Triangulation::Vertex_handle v : vertices)
+    uvw.push_back(internal::coordinates(get(uvw_map, v)));
+  IO::write_VTU(os, soup, uvw);
 }
 
 } // namespace IO

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -78,10 +79,13 @@ public:
     throw Input_error("line " + std::to_string(line_) + ": " + sentence);
   }
 
+  // the beginning of a word, fit for a terminal
   static std::string quote(std::string_view word)
   {
     const std::size_t longest = 30;
-    return "'" + std::string(word.substr(0, longest)) + (word.size() > longest ? "..." : "") + "'";
+    std::string text(word.substr(0, longest));
+    std::replace_if(text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return "'" + text + (word.size() > longest ? "..." : "") + "'";
   }
 
 private:

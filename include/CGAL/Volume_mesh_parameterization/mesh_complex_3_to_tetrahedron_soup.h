@@ -1,0 +1,82 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_MESH_COMPLEX_3_TO_TETRAHEDRON_SOUP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_MESH_COMPLEX_3_TO_TETRAHEDRON_SOUP_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+namespace internal {
+
+template <typename Point_3>
+std::array<double, 3> coordinates(const Point_3& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+} // namespace internal
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// collects the cells of a mesh complex and their vertices in a tetrahedron soup without marked facets.
+///
+/// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
+///
+/// \param c3t3 the complex
+/// \param soup gets the mesh, with the subdomain indices as cell references
+/// \param vertices gets the vertex handle of each point of the soup
+template <typename C3t3>
+void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3,
+                                        Tetrahedron_soup_3& soup,
+                                        std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
+{
+  typedef typename C3t3::Triangulation::Vertex_handle Vertex_handle;
+  typedef typename C3t3::Triangulation::Cell_handle Cell_handle;
+
+  const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();
+  std::unordered_map<Vertex_handle, std::size_t> indices;
+
+  soup = Tetrahedron_soup_3();
+  vertices.clear();
+  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+  {
+    const Cell_handle cell = it;
+    std::array<std::size_t, 4> simplex;
+    for(int i = 0; i < 4; ++i)
+    {
+      const Vertex_handle v = cell->vertex(i);
+      const auto [entry, is_new] = indices.emplace(v, vertices.size());
+      simplex[static_cast<std::size_t>(i)] = entry->second;
+      if(is_new)
+      {
+        vertices.push_back(v);
+        soup.points.push_back(internal::coordinates(point(c3t3.triangulation().point(v))));
+      }
+    }
+    soup.cells.push_back(simplex);
+    soup.cell_references.push_back(static_cast<int>(c3t3.subdomain_index(cell)));
+  }
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MESH_COMPLEX_3_TO_TETRAHEDRON_SOUP_H

@@ -1,0 +1,561 @@
+// Files to a soup and back, and a soup to a C3t3.
+#include "catch.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
+using Vertex_handle = C3t3::Vertex_handle;
+using Cell_handle = C3t3::Cell_handle;
+using Soup = VMP::Tetrahedron_soup_3;
+using Points = std::vector<std::array<double, 3> >;
+
+namespace {
+
+// The sentence of the Input_error that f() throws, or an empty string.
+template <typename F>
+std::string sentence(const F& f)
+{
+  try
+  {
+    f();
+  }
+  catch(const VMP::Input_error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+Soup read(const std::string& text)
+{
+  std::istringstream is(text);
+  Soup soup;
+  VMP::IO::read_MEDIT(is, soup);
+  return soup;
+}
+
+std::string reading_error(const std::string& text)
+{
+  return sentence([&]() { read(text); });
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  return text.replace(text.find(from), from.size(), to);
+}
+
+bool has_same_bits(const Points& a, const Points& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+}
+
+const std::string tetrahedron = "MeshVersionFormatted 1\nDimension 3\n"
+                                "Vertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n"
+                                "Tetrahedra\n1\n1 2 3 4 7\nEnd\n";
+
+Soup single_cell()
+{
+  return read(tetrahedron);
+}
+
+void add_cell(Soup& soup, const std::array<std::size_t, 4>& cell, int reference)
+{
+  soup.cells.push_back(cell);
+  soup.cell_references.push_back(reference);
+}
+
+// A box of nx * ny * nz unit cubes, each cut into six cells around its diagonal.
+Soup box(std::size_t nx, std::size_t ny, std::size_t nz)
+{
+  Soup soup;
+  for(std::size_t i = 0; i <= nx; ++i)
+    for(std::size_t j = 0; j <= ny; ++j)
+      for(std::size_t k = 0; k <= nz; ++k)
+        soup.points.push_back({double(i), double(j), double(k)});
+
+  const std::array<std::size_t, 3> step = {(ny + 1) * (nz + 1), nz + 1, 1};
+  for(std::size_t i = 0; i < nx; ++i)
+    for(std::size_t j = 0; j < ny; ++j)
+      for(std::size_t k = 0; k < nz; ++k)
+        for(std::size_t a = 0; a < 3; ++a)
+        {
+          const std::size_t origin = i * step[0] + j * step[1] + k;
+          const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+          const std::size_t opposite = origin + step[0] + step[1] + step[2];
+          add_cell(soup, {origin, origin + step[a], origin + step[a] + step[b], opposite}, 1);
+          add_cell(soup, {origin, origin + step[a] + step[c], origin + step[a], opposite}, 1);
+        }
+  return soup;
+}
+
+struct Built
+{
+  explicit Built(const Soup& soup)
+  {
+    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+  }
+
+  C3t3 c3t3;
+  std::vector<Vertex_handle> vertices;
+  std::vector<Cell_handle> cells;
+};
+
+std::string building_error(const Soup& soup)
+{
+  return sentence([&]() { Built built(soup); });
+}
+
+// Checks what must hold for every soup. The Euler relation in Tds::is_valid() holds only for balls.
+void check(const Built& built, const Soup& soup)
+{
+  const C3t3& c3t3 = built.c3t3;
+  const Tr& tr = c3t3.triangulation();
+  REQUIRE(tr.dimension() == 3);
+  for(auto it = tr.tds().cells_begin(); it != tr.tds().cells_end(); ++it)
+    REQUIRE(tr.tds().is_valid(Cell_handle(it)));
+  for(auto it = tr.tds().vertices_begin(); it != tr.tds().vertices_end(); ++it)
+    REQUIRE(tr.tds().is_valid(Vertex_handle(it)));
+
+  REQUIRE(built.cells.size() == soup.cells.size());
+  CHECK(c3t3.number_of_cells_in_complex() == soup.cells.size());
+  CHECK(tr.number_of_finite_cells() == soup.cells.size());
+  CHECK(std::size_t(std::distance(c3t3.facets_in_complex_begin(), c3t3.facets_in_complex_end()))
+        == c3t3.number_of_facets_in_complex());
+
+  REQUIRE(built.vertices.size() == soup.points.size());
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(built.vertices[v] != Vertex_handle())
+      CHECK(tr.point(built.vertices[v]) == K::Point_3(soup.points[v][0], soup.points[v][1], soup.points[v][2]));
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    for(std::size_t v : soup.cells[c])
+      CHECK(built.cells[c]->has_vertex(built.vertices[v]));
+  for(Cell_handle c : built.cells)
+    CHECK(tr.tetrahedron(c).orientation() == CGAL::POSITIVE);
+}
+
+Points targets_of(const std::string& lines, std::size_t number_of_vertices)
+{
+  std::istringstream is(lines);
+  Points targets;
+  VMP::IO::read_boundary_targets(is, number_of_vertices, targets);
+  return targets;
+}
+
+std::string targets_error(const std::string& lines)
+{
+  return sentence([&]() { targets_of(lines, 4); });
+}
+
+} // namespace
+
+TEST_CASE("A MEDIT file becomes a soup")
+{
+  const Soup soup = single_cell();
+  CHECK(soup.points == Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  CHECK(soup.cells == std::vector<std::array<std::size_t, 4> >{{0, 1, 2, 3}});
+  CHECK(soup.cell_references == std::vector<int>{7});
+  CHECK(soup.facets.empty());
+}
+
+TEST_CASE("The MEDIT reader takes sections in any order, comments and what it does not know")
+{
+  const Soup soup = read("# Made by hand\r\nMeshVersionFormatted\n2 # double\n"
+                         "Corners 2 1\n2\nTetrahedra 1 1 2\n3 4 -2\nHexahedra 0\nNormals 1 0 0 nan\n"
+                         "Triangles 2\n1 2 3 5\n4 3 2 0\nRequiredVertices\n1 1\n\n"
+                         "Vertices 4 0 0 0 0 +1 0 0 0\t0 1e0 -0 0 #last is 4\n0 .0 1 0\nDimension\n3\n");
+  CHECK(soup.points == single_cell().points);
+  CHECK(std::signbit(soup.points[2][2]));
+  CHECK(soup.cells == single_cell().cells);
+  CHECK(soup.cell_references == std::vector<int>{-2});
+  CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{0, 1, 2}, {3, 2, 1}});
+  CHECK(soup.facet_references == std::vector<int>{5, 0});
+}
+
+TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
+{
+  CHECK(reading_error("") == "line 1: this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
+  CHECK(reading_error("OFF\n4 4 6\n") == reading_error(""));
+  CHECK(reading_error(replaced(tetrahedron, "Formatted 1", "Formatted 3"))
+        == "line 1: the version of the format is 3 instead of 1 or 2");
+  CHECK(reading_error(replaced(tetrahedron, "Dimension 3", "Dimension 2")) == "line 2: the dimension is not 3");
+
+  // a truncated file
+  CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find("Tetrahedra")))
+        == "the mesh is not tetrahedral, there is no tetrahedron in the file");
+  CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find(" 3 4 7")))
+        == "line 11: the file ends where the number of a vertex should be");
+  CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find("\n1\n1 2 3 4")))
+        == "line 9: the file ends where a number of elements should be");
+  CHECK(reading_error(replaced(tetrahedron, "Vertices\n4", "Vertices\n5"))
+        == "line 9: 'Tetrahedra' is not a finite coordinate");
+  CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n", "Tetrahedra\n1000000000000000000\n"))
+        == "line 12: 'End' is not the number of a vertex");
+
+  // not tetrahedral
+  CHECK(reading_error(replaced(tetrahedron, "End", "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nEnd"))
+        == "line 13: the mesh is not tetrahedral, it has Hexahedra");
+  CHECK(reading_error(replaced(tetrahedron, "End", "Prisms 1\n"))
+        == "line 12: the mesh is not tetrahedral, it has Prisms");
+  CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n1 2 3 4 7", "Tetrahedra\n0"))
+        == "the mesh is not tetrahedral, there is no tetrahedron in the file");
+
+  // indices
+  CHECK(reading_error(replaced(tetrahedron, "1 2 3 4", "1 2 3 5"))
+        == "line 11: vertex 5 does not exist, the vertices are numbered from 1 to 4");
+  CHECK(reading_error(replaced(tetrahedron, "1 2 3 4", "0 2 3 4"))
+        == "line 11: vertex 0 does not exist, the vertices are numbered from 1 to 4");
+  CHECK(reading_error(replaced(tetrahedron, "1 2 3 4", "1 -2 3 4"))
+        == "line 11: vertex -2 does not exist, the vertices are numbered from 1 to 4");
+  CHECK(reading_error(replaced(tetrahedron, "1 2 3 4", "1 2.5 3 4")) == "line 11: '2.5' is not the number of a vertex");
+  CHECK(reading_error(replaced(tetrahedron, "3 4 7", "3 4 7000000000"))
+        == "line 11: '7000000000' is not an integral reference");
+
+  // numbers
+  for(const std::string bad : {"nan", "NaN", "inf", "-inf", "1e999", "0x1", "1,5", "1.5.2", "++1", "+-1", "-", "one"})
+    CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", bad + " 0 0 0"))
+          == "line 6: '" + bad + "' is not a finite coordinate");
+  CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1", "Tetrahedra\n-1"))
+        == "line 10: '-1' is not a number of elements");
+  CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "\x1b[2J" + std::string(100, 'x') + " 0 0 0"))
+        == "line 6: '?[2J" + std::string(26, 'x') + "...' is not a finite coordinate");
+
+  // too much
+  CHECK(reading_error(replaced(tetrahedron, "Vertices\n4", "Vertices\n3"))
+        == "line 8: '0' follows the last of the 3 elements of the section 'Vertices'");
+  CHECK(reading_error(replaced(tetrahedron, "Tetrahedra", "Vertices\n0\nTetrahedra"))
+        == "line 9: a second section 'Vertices'");
+  CHECK(reading_error(tetrahedron + "4 5 6") == "line 13: '4' after the keyword 'End'");
+}
+
+TEST_CASE("A soup is unchanged by a failure to read")
+{
+  std::istringstream is("MeshVersionFormatted 1\nDimension 3\nVertices\n1\n0 0 zero 0\n");
+  Soup soup = single_cell();
+  CHECK_THROWS_AS(VMP::IO::read_MEDIT(is, soup), VMP::Input_error);
+  CHECK(soup.cells.size() == 1);
+
+  CHECK(sentence([&]() { VMP::IO::read_MEDIT("no/such/file.mesh", soup); })
+        == "no/such/file.mesh: the file cannot be opened");
+  CHECK(sentence([&]() { VMP::IO::read_MEDIT(".", soup); }) != "");
+  CHECK(soup.cells.size() == 1);
+}
+
+TEST_CASE("Writing and reading a MEDIT file restores each bit")
+{
+  Soup soup = box(2, 2, 2);
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  soup.points[0] = {0.1, -0.0, 1. / 3};
+  soup.points[1] = {tiny, (std::numeric_limits<double>::max)(), std::nextafter(1., 2.)};
+  soup.cell_references[3] = -12;
+  soup.facets = {{0, 1, 3}, {4, 1, 0}};
+  soup.facet_references = {5, 0};
+
+  std::ostringstream os;
+  os.precision(3);
+  VMP::IO::write_MEDIT(os, soup);
+  const Soup copy = read(os.str());
+  CHECK(has_same_bits(copy.points, soup.points));
+  CHECK(copy.cells == soup.cells);
+  CHECK(copy.cell_references == soup.cell_references);
+  CHECK(copy.facets == soup.facets);
+  CHECK(copy.facet_references == soup.facet_references);
+}
+
+namespace {
+
+// the values of an array in a VTU file
+std::vector<double> array_of(const std::string& file, const std::string& name)
+{
+  const std::size_t attribute = file.find("Name=\"" + name + "\"");
+  REQUIRE(attribute != std::string::npos);
+  const std::size_t begin = file.find('>', attribute) + 1;
+  std::istringstream is(file.substr(begin, file.find('<', begin) - begin));
+  return std::vector<double>(std::istream_iterator<double>(is), std::istream_iterator<double>());
+}
+
+} // namespace
+
+TEST_CASE("A VTU file has the map and its distortions, bit by bit")
+{
+  const Soup soup = single_cell();
+  Points uvw = soup.points;
+  uvw[1] = {2, 0, 0};
+  uvw[2] = {0, 1. / 3, 0};
+  std::ostringstream os;
+  VMP::IO::write_VTU(os, soup, uvw);
+  const std::string file = os.str();
+
+  CHECK(file.find("NumberOfPoints=\"4\" NumberOfCells=\"1\"") != std::string::npos);
+  CHECK(array_of(file, "Points") == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
+  CHECK(array_of(file, "uvw") == std::vector<double>{0, 0, 0, 2, 0, 0, 0, 1. / 3, 0, 0, 0, 1});
+  CHECK(array_of(file, "connectivity") == std::vector<double>{0, 1, 2, 3});
+  CHECK(array_of(file, "offsets") == std::vector<double>{4});
+  CHECK(array_of(file, "types") == std::vector<double>{10});
+  CHECK(array_of(file, "reference") == std::vector<double>{7});
+  CHECK(std::abs(array_of(file, "det_J")[0] - 2. / 3) < 1e-14);
+  CHECK(std::abs(array_of(file, "volume_distortion")[0] - (2. / 3 + 3. / 2)) < 1e-14);
+  CHECK(std::abs(array_of(file, "angle_distortion")[0] - (6 + 1. / 6)) < 1e-13);
+}
+
+TEST_CASE("A VTU file is written of a C3t3 and a property map")
+{
+  const Built built(box(2, 1, 1));
+  std::unordered_map<Vertex_handle, K::Point_3> uvw;
+  for(Vertex_handle v : built.vertices)
+    uvw[v] = K::Point_3(v->point().x(), 2 * v->point().y(), v->point().z());
+  std::ostringstream os;
+  VMP::IO::write_VTU(os, built.c3t3, boost::make_assoc_property_map(uvw));
+  CHECK(array_of(os.str(), "reference") == std::vector<double>(12, 1));
+  for(double det_J : array_of(os.str(), "det_J"))
+    CHECK(std::abs(det_J - 2) < 1e-14);
+}
+
+TEST_CASE("Boundary targets are read from lines")
+{
+  const Points targets = targets_of("# targets\n2 0.1 -2e3 +5 # two\n\n0 1 2 3", 4);
+  REQUIRE(targets.size() == 4);
+  CHECK(targets[0] == std::array<double, 3>{1, 2, 3});
+  CHECK(targets[2] == std::array<double, 3>{0.1, -2e3, 5});
+  CHECK(std::isnan(targets[1][0]));
+  CHECK(std::isnan(targets[3][2]));
+
+  CHECK(targets_error("0 1 2 3\n4 1 2 3\n") == "line 2: vertex 4 does not exist, the mesh has 4 vertices, counted from 0");
+  CHECK(targets_error("-1 1 2 3\n") == "line 1: vertex -1 does not exist, the mesh has 4 vertices, counted from 0");
+  CHECK(targets_error("0 1 2 3\n1 1 2 3\n0 1 2 3\n") == "line 3: vertex 0 has a second line");
+  CHECK(targets_error("0 1 2\n1 0 0 0\n") == "line 1: the line has less than the three coordinates of vertex 0");
+  CHECK(targets_error("0 1 2 3 4\n") == "line 1: the line does not end after the three coordinates of vertex 0");
+  CHECK(targets_error("0 1 nan 3\n") == "line 1: 'nan' is not a finite coordinate");
+  CHECK(targets_error("0.5 1 2 3\n") == "line 1: '0.5' is not the index of a vertex");
+}
+
+TEST_CASE("Boundary targets are read from a mesh of the same connectivity")
+{
+  const std::string filename = "test_files_target.mesh";
+  const Soup source = box(2, 2, 1);
+  const auto error_of = [&](const Soup& target)
+  {
+    std::ofstream os(filename);
+    VMP::IO::write_MEDIT(os, target);
+    os.close();
+    return sentence([&]()
+    {
+      Points targets;
+      VMP::IO::read_boundary_targets(filename, source, targets);
+      CHECK(has_same_bits(targets, target.points));
+    });
+  };
+
+  Soup target = source;
+  target.points[5] = {0.1, 0.2, 0.3};
+  CHECK(error_of(target) == "");
+  std::reverse(target.cells.begin(), target.cells.end());
+  std::swap(target.cells[2][0], target.cells[2][3]);
+  CHECK(error_of(target) == "");
+
+  target.cells[0][0] = target.cells[0][0] == 0 ? 1 : 0;
+  CHECK(error_of(target) == filename + ": the cells of the target join other vertices than those of the source");
+  target = source;
+  target.points.push_back({0, 0, 0});
+  CHECK(error_of(target) == filename + ": the target has 19 vertices and the source has 18");
+  CHECK(error_of(box(1, 1, 1)) == filename + ": the target has 8 vertices and the source has 18");
+  target = source;
+  add_cell(target, {0, 1, 2, 3}, 0);
+  CHECK(error_of(target) == filename + ": the target has 25 cells and the source has 24");
+  std::remove(filename.c_str());
+}
+
+TEST_CASE("A soup of one component becomes a valid C3t3 in the order of the soup")
+{
+  const Soup soup = box(3, 2, 4);
+  const Built built(soup);
+  check(built, soup);
+  CHECK(built.c3t3.triangulation().tds().is_valid());
+  CHECK(built.c3t3.number_of_facets_in_complex() == 4 * (3 * 2 + 2 * 4 + 3 * 4));
+  CHECK(built.c3t3.triangulation().number_of_vertices() == soup.points.size());
+
+  const auto on_boundary = [](const K::Point_3& p)
+  {
+    return p.x() == 0 || p.x() == 3 || p.y() == 0 || p.y() == 2 || p.z() == 0 || p.z() == 4;
+  };
+  for(Vertex_handle v : built.vertices)
+    CHECK(built.c3t3.in_dimension(v) == (on_boundary(v->point()) ? 2 : 3));
+
+  Soup copy;
+  std::vector<Vertex_handle> vertices;
+  VMP::mesh_complex_3_to_tetrahedron_soup(built.c3t3, copy, vertices);
+  CHECK(copy.cells.size() == soup.cells.size());
+  CHECK(vertices.size() == soup.points.size());
+  CHECK(std::set<std::array<double, 3> >(copy.points.begin(), copy.points.end())
+        == std::set<std::array<double, 3> >(soup.points.begin(), soup.points.end()));
+}
+
+TEST_CASE("A complex that was in use is replaced")
+{
+  Built built(box(2, 2, 2));
+  const Soup soup = box(1, 1, 1);
+  VMP::tetrahedron_soup_to_mesh_complex_3(soup, built.c3t3, built.vertices, built.cells);
+  check(built, soup);
+}
+
+TEST_CASE("The points of another kernel")
+{
+  using Other_tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<CGAL::Simple_cartesian<double> >;
+  CGAL::Mesh_complex_3_in_triangulation_3<Other_tr> c3t3;
+  std::vector<Other_tr::Vertex_handle> vertices;
+  std::vector<Other_tr::Cell_handle> cells;
+  VMP::tetrahedron_soup_to_mesh_complex_3(box(1, 1, 1), c3t3, vertices, cells);
+  CHECK(c3t3.number_of_cells_in_complex() == 6);
+}
+
+TEST_CASE("References become subdomain and patch indices")
+{
+  Soup soup = box(2, 1, 1);
+  for(std::size_t c = 0; c < 6; ++c)
+    soup.cell_references[c] = 0;
+  soup.facets = {{0, 2, 3}, {3, 1, 0}, {1, 3, 7}, {0, 1, 11}};   // the last one is not a facet of a cell
+  soup.facet_references = {2, 9, 0, 4};
+  const Built built(soup);
+  check(built, soup);
+
+  for(std::size_t c = 0; c < 12; ++c)
+    CHECK(built.c3t3.subdomain_index(built.cells[c]) == (c < 6 ? 2 : 1));
+  CHECK(built.c3t3.number_of_facets_in_complex() == 20 + 2);   // the interface has two
+  std::size_t number_of_facets[10] = {};
+  for(auto it = built.c3t3.facets_in_complex_begin(); it != built.c3t3.facets_in_complex_end(); ++it)
+    ++number_of_facets[built.c3t3.surface_patch_index(*it)];
+  CHECK(number_of_facets[2] == 1);
+  CHECK(number_of_facets[9] == 1);
+  CHECK(number_of_facets[1] == 20);
+}
+
+TEST_CASE("Several components and isolated vertices")
+{
+  Soup soup = box(1, 1, 1);
+  soup.points.insert(soup.points.begin(), {{5, 5, 5}});
+  for(std::array<std::size_t, 4>& cell : soup.cells)
+    for(std::size_t& v : cell)
+      ++v;
+  const std::size_t n = soup.points.size();
+  soup.points.insert(soup.points.end(), {{9, 0, 0}, {8, 8, 8}, {10, 0, 0}, {9, 1, 0}, {9, 0, 1}});
+  add_cell(soup, {n, n + 2, n + 3, n + 4}, 1);
+
+  const Built built(soup);
+  check(built, soup);
+  CHECK(built.c3t3.number_of_facets_in_complex() == 12 + 4);
+  CHECK(built.c3t3.triangulation().number_of_vertices() == soup.points.size() - 2);
+  CHECK(built.vertices[0] == Vertex_handle());
+  CHECK(built.vertices[n + 1] == Vertex_handle());
+}
+
+TEST_CASE("A boundary with a non-manifold edge or vertex")
+{
+  // two cells that share the edge 0 1, and one more that shares the vertex 2
+  Soup soup = single_cell();
+  soup.points.insert(soup.points.end(), {{0, -1, 0}, {0, 0, -1}, {0, 2, 0}, {1, 2, 0}, {0, 2, 1}});
+  add_cell(soup, {0, 1, 4, 5}, 7);
+  add_cell(soup, {2, 6, 8, 7}, 7);
+  const Built built(soup);
+  check(built, soup);
+  CHECK(built.c3t3.number_of_facets_in_complex() == 12);
+}
+
+TEST_CASE("A boundary with a handle")
+{
+  const Soup full = box(3, 3, 1);
+  Soup ring = full;
+  ring.cells.clear();
+  ring.cell_references.clear();
+  for(std::size_t c = 0; c < full.cells.size(); ++c)
+    if(c / 6 != 4)
+      add_cell(ring, full.cells[c], 1);
+  const Built built(ring);
+  check(built, ring);
+  CHECK(built.c3t3.number_of_facets_in_complex() == 2 * (8 + 8 + 12 + 4));
+}
+
+TEST_CASE("Cells that are all negative are turned")
+{
+  Soup soup = box(2, 2, 2);
+  for(std::array<std::size_t, 4>& cell : soup.cells)
+    std::swap(cell[0], cell[1]);
+  const Built built(soup);
+  check(built, soup);
+}
+
+TEST_CASE("Each fault of a soup has a sentence")
+{
+  Soup soup = box(1, 1, 1);
+  std::swap(soup.cells[2][0], soup.cells[2][1]);
+  CHECK(building_error(soup)
+        == "cell 2 (counted from 0) has the negative volume -0.166667, but cell 0 has the positive volume 0.166667");
+
+  soup = single_cell();
+  soup.points[3] = {0.25, 0.25, 0};
+  CHECK(building_error(soup) == "cell 0 (counted from 0) has zero volume");
+  soup.points[3] = {0.1, 0.2, std::numeric_limits<double>::denorm_min()};
+  CHECK(building_error(soup) == "");
+  soup.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(building_error(soup) == "vertex 3 (counted from 0) has a coordinate that is not finite");
+
+  soup = single_cell();
+  soup.cells[0][3] = 1;
+  CHECK(building_error(soup) == "cell 0 (counted from 0) has the vertex 1 twice");
+  soup.cells[0][3] = 4;
+  CHECK(building_error(soup) == "cell 0 (counted from 0) has a vertex 4 that does not exist");
+  soup = single_cell();
+  soup.cell_references.clear();
+  CHECK(building_error(soup) == "there is not one reference per cell and per facet");
+
+  // a second and a third cell on the facet 1 2 3
+  soup = single_cell();
+  soup.points.push_back({1, 1, 1});
+  add_cell(soup, {4, 1, 3, 2}, 7);
+  CHECK(building_error(soup) == "");
+  soup.points.push_back({2, 2, 2});
+  add_cell(soup, {5, 1, 3, 2}, 7);
+  CHECK(building_error(soup) == "more than two cells share a facet, among them cell 0, cell 1 and cell 2");
+  soup.cells.erase(soup.cells.begin());
+  soup.cell_references.pop_back();
+  CHECK(building_error(soup) == "cell 0 and cell 1 overlap, they lie on the same side of their common facet");
+  soup.cells[1] = {1, 4, 2, 3};
+  CHECK(building_error(soup) == "cell 0 and cell 1 overlap, they lie on the same side of their common facet");
+}
+
+TEST_CASE("A complex is unchanged by a faulty soup")
+{
+  Built built(box(1, 1, 1));
+  Soup soup = single_cell();
+  soup.cells[0][3] = 1;
+  CHECK_THROWS_AS(VMP::tetrahedron_soup_to_mesh_complex_3(soup, built.c3t3, built.vertices, built.cells), VMP::Input_error);
+  check(built, box(1, 1, 1));
+}
