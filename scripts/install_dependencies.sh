@@ -2,7 +2,8 @@
 # Installs the Debian packages that are needed and missing.
 set -euo pipefail
 
-packages=(g++ make cmake libcgal-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial libtbb-dev catch2)
+packages=(g++ make cmake libcgal-dev libboost-program-options-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial
+  libtbb-dev catch2)
 models=/usr/share/doc/libcgal-dev/data.tar.gz # CGAL's models, in package libcgal-demo
 
 missing=()
