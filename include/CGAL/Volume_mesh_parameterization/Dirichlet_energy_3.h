@@ -1,0 +1,55 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_DIRICHLET_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_DIRICHLET_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationEnergies
+
+The Dirichlet energy \f$\psi = \sigma_1^2 + \sigma_2^2 + \sigma_3^2\f$; its minimizers are the
+harmonic maps. It has no barrier: cells may collapse or invert, unless the step length forbids it.
+It is homogeneous of degree 2.
+
+\cgalModels{DistortionEnergy_3}
+*/
+struct Dirichlet_energy_3
+{
+  static constexpr bool has_barrier = false;
+
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return s.squaredNorm();
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return T(2) * s;
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>&) const
+  {
+    return T(2) * Eigen::Matrix<T, 3, 3>::Identity();
+  }
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_DIRICHLET_ENERGY_3_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_ERROR_CODE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_ERROR_CODE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+How a parameterization ended.
+*/
+enum Error_code
+{
+  OK = 0,                        ///< the map has no inverted cell, meets the boundary exactly, and is a minimizer
+  ERROR_NOT_CONVERGED,           ///< the map is valid, but the number of iterations did not suffice to minimize the energy
+  ERROR_INTERRUPTED,             ///< the visitor or the time limit ended the computation
+  ERROR_BOUNDARY_NOT_REACHED,    ///< the map has no inverted cell, but does not meet the boundary
+  ERROR_NOT_FLIP_FREE,           ///< no map without inverted cells was found
+  ERROR_LINEAR_SOLVER_FAILED,    ///< the linear solver failed
+  ERROR_EMPTY_COMPLEX,           ///< the complex has no cell
+  ERROR_NON_FINITE_COORDINATE,   ///< a coordinate is infinite or not a number
+  ERROR_INVERTED_SOURCE_CELL,    ///< a cell of the source has no positive volume
+  ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
+  ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary encloses no positive volume
+  ERROR_PRESCRIBED_CELL_INVERTED ///< a cell whose vertices are all prescribed has no positive volume in the target
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+returns a sentence that explains the code.
+*/
+inline const char* get_error_message(const Error_code code)
+{
+  switch(code)
+  {
+    case OK: return "Success.";
+    case ERROR_NOT_CONVERGED:
+      return "The map is valid, but the maximal number of iterations was reached before the energy was minimal.";
+    case ERROR_INTERRUPTED:
+      return "The visitor or the time limit ended the computation.";
+    case ERROR_BOUNDARY_NOT_REACHED:
+      return "The map has no inverted cell, but it does not meet the boundary.";
+    case ERROR_NOT_FLIP_FREE:
+      return "No map without inverted cells was found for this boundary and this connectivity.";
+    case ERROR_LINEAR_SOLVER_FAILED:
+      return "The linear solver failed; try another one.";
+    case ERROR_EMPTY_COMPLEX:
+      return "The complex has no cell.";
+    case ERROR_NON_FINITE_COORDINATE:
+      return "A coordinate is infinite or not a number.";
+    case ERROR_INVERTED_SOURCE_CELL:
+      return "A cell of the source has no positive volume.";
+    case ERROR_MISSING_BOUNDARY_TARGET:
+      return "A boundary vertex has no target.";
+    case ERROR_INVERTED_TARGET_BOUNDARY:
+      return "The target boundary encloses no positive volume; is it turned inside out?";
+    case ERROR_PRESCRIBED_CELL_INVERTED:
+      return "A cell whose vertices are all prescribed has no positive volume in the target.";
+  }
+  return "Unknown error code.";
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_ERROR_CODE_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_RESULT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_RESULT_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+What `CGAL::stretch_minimizing_volume_parameterization()` returns.
+*/
+struct Parameterization_result
+{
+  Error_code status = OK;
+  bool has_valid_map = false; ///< has the map been written? Only maps without inverted cells are.
+  std::string message; ///< a sentence about the status, with its data: an index, a volume, a number of cells
+
+  std::size_t number_of_vertices = 0;          ///< vertices of cells
+  std::size_t number_of_cells = 0;
+  std::size_t number_of_boundary_vertices = 0;
+  std::size_t number_of_added_vertices = 0;    ///< by refinement
+
+  std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map
+  std::size_t number_of_inverted_cells = 0;          ///< of the result, by exact predicates on its coordinates
+  double boundary_residual = 0; ///< largest distance to the prescribed points, relative to the diagonal of their bounding box
+
+  std::size_t number_of_iterations = 0;            ///< Newton steps
+  std::size_t number_of_untangling_iterations = 0; ///< those of them that untangled
+
+  double energy = std::numeric_limits<double>::quiet_NaN(); ///< mean of psi over the cells, both meshes scaled to one volume
+  Distortion_3 distortion;                  ///< of the map as it is
+  Distortion_3 distortion_at_source_volume; ///< of the map scaled to the source's volume
+
+  double seconds_total = 0;
+  double seconds_to_flip_free = 0; ///< until no cell was inverted, or in all
+  double seconds_numbering = 0;    ///< from the complex to arrays, with the checks of the input
+  double seconds_start = 0;        ///< set-up and harmonic map
+  double seconds_untangling = 0;
+  double seconds_minimization = 0;
+  double seconds_check = 0;        ///< exact check, distortions and output
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_RESULT_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_STRETCH_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_STRETCH_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationEnergies
+
+The \f$L^2\f$ stretch energy \f$\psi = 1/\sigma_1^2 + 1/\sigma_2^2 + 1/\sigma_3^2\f$
+of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (4). It tends to infinity when a cell
+collapses, so it needs no further barrier. It is homogeneous of degree -2: its minimizer does not
+depend on the scale of source and target. Minimum for prescribed volume: 3 at an isometry.
+
+\cgalModels{DistortionEnergy_3}
+*/
+struct Stretch_energy_3
+{
+  static constexpr bool has_barrier = true;
+
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return s.cwiseInverse().squaredNorm();
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    const Eigen::Matrix<T, 3, 1> inverse = s.cwiseInverse();
+    return T(-2) * inverse.cwiseProduct(inverse).cwiseProduct(inverse);
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    const Eigen::Matrix<T, 3, 1> inverse = s.cwiseInverse();
+    const Eigen::Matrix<T, 3, 1> square = inverse.cwiseProduct(inverse);
+    return (T(6) * square.cwiseProduct(square)).asDiagonal();
+  }
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_STRETCH_ENERGY_3_H

@@ -1,0 +1,163 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FIXED_BOUNDARY_ENGINE_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FIXED_BOUNDARY_ENGINE_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton_method_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Untangler_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/harmonic_map_3.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The map with fixed boundary, one Newton step at a time:
+// harmonic start, untangling until no cell is inverted, minimization of the energy.
+template <typename Energy, typename Solver, typename ConcurrencyTag>
+class Fixed_boundary_engine_3
+{
+  using Newton = Newton_method_3<ConcurrencyTag, Solver>;
+  using Untangler = Untangler_3<Newton>;
+  using Minimizer = Minimizer_3<Newton, Energy, ConcurrencyTag>;
+
+public:
+  Fixed_boundary_engine_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver)
+    : m_energy(energy),
+      m_scale(scale(mesh)),
+      m_u(m_scale * mesh.target),
+      m_newton(mesh, inverse_sources(mesh),
+               std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())), solver)
+  {}
+
+  // Computes the start.
+  void start()
+  {
+    const Linear_solver_status status = harmonic_map_3(m_newton, m_u);
+    if(status != Linear_solver_status::SUCCESS)
+      end(ERROR_LINEAR_SOLVER_FAILED);
+    m_untangler.emplace(m_newton, m_u, theta);
+    m_inverted_cells_at_start = m_untangler->evaluation().number_of_inverted_cells;
+    enter(m_untangler->evaluation().is_flip_free() ? Phase::MINIMIZATION : Phase::UNTANGLING);
+  }
+
+  // One Newton step; to be called while is_running().
+  void step()
+  {
+    ++m_step.iteration;
+    if(m_step.phase == Phase::UNTANGLING)
+    {
+      ++m_untangling_iterations;
+      const Step_status status = m_untangler->step();
+      report(*m_untangler);
+      if(status == Step_status::DONE)
+        enter(Phase::MINIMIZATION);
+      else if(status == Step_status::STUCK)
+        end(ERROR_NOT_FLIP_FREE);
+      else if(status == Step_status::SOLVER_FAILED)
+        end(ERROR_LINEAR_SOLVER_FAILED);
+    }
+    else
+    {
+      const Step_status status = m_minimizer->step();
+      report(*m_minimizer);
+      if(status == Step_status::DONE)
+        end(OK);
+      else if(status == Step_status::STUCK)
+        end(ERROR_NOT_CONVERGED);
+      else if(status == Step_status::SOLVER_FAILED)
+        end(ERROR_LINEAR_SOLVER_FAILED);
+    }
+  }
+
+  bool is_running() const { return m_is_running; }
+  Error_code status() const { return m_status; }
+  const Parameterization_step& last_step() const { return m_step; }
+  bool is_flip_free() const { return m_step.phase == Phase::MINIMIZATION; }
+  std::size_t number_of_inverted_cells_at_start() const { return m_inverted_cells_at_start; }
+  std::size_t number_of_untangling_iterations() const { return m_untangling_iterations; }
+
+  // The images of all vertices; those of the prescribed ones are bitwise what was given.
+  Eigen::Matrix3Xd positions() const { return m_u / m_scale; }
+
+private:
+  static constexpr double theta = 0.01;
+
+  // A power of two, so that scaling is exact, that gives the cells of the target a volume near 1.
+  static double scale(const Numbered_mesh_3& mesh)
+  {
+    const double mean_volume = volume(mesh.target, mesh.cells) / static_cast<double>(mesh.cells.size());
+    return std::exp2(-std::round(std::log2(mean_volume) / 3));
+  }
+
+  // X^{-1}, scaled such that source and target have the same volume
+  std::vector<Eigen::Matrix3d> inverse_sources(const Numbered_mesh_3& mesh) const
+  {
+    const double ratio = std::cbrt(volume(mesh.source, mesh.cells) / volume(mesh.target, mesh.cells)) / m_scale;
+    std::vector<Eigen::Matrix3d> result;
+    result.reserve(mesh.cells.size());
+    for(const std::array<int, 4>& cell : mesh.cells)
+      result.push_back(edge_matrix(mesh.source, cell).inverse() * ratio);
+    return result;
+  }
+
+  void enter(const Phase phase)
+  {
+    m_step.phase = phase;
+    if(phase == Phase::MINIMIZATION)
+      m_minimizer.emplace(m_newton, m_u, m_energy);
+  }
+
+  template <typename Method>
+  void report(const Method& method)
+  {
+    m_step.energy = method.evaluation().energy;
+    m_step.number_of_inverted_cells = method.evaluation().number_of_inverted_cells;
+    m_step.gradient_norm = m_newton.gradient_norm();
+    m_step.step_length = method.step_length();
+  }
+
+  void end(const Error_code status)
+  {
+    m_status = status;
+    m_is_running = false;
+  }
+
+  const Energy& m_energy;
+  double m_scale;
+  Eigen::Matrix3Xd m_u;
+  Newton m_newton;
+  std::optional<Untangler> m_untangler;
+  std::optional<Minimizer> m_minimizer;
+  Parameterization_step m_step;
+  Error_code m_status = ERROR_NOT_CONVERGED;
+  bool m_is_running = true;
+  std::size_t m_inverted_cells_at_start = 0;
+  std::size_t m_untangling_iterations = 0;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FIXED_BOUNDARY_ENGINE_3_H

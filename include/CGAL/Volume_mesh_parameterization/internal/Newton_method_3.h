@@ -1,0 +1,152 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_METHOD_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_METHOD_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The parts of which untangling and minimization are made: a Newton direction and a line search
+// for any energy, on one mesh. The pattern of the Hessian is set, and analyzed, once.
+template <typename ConcurrencyTag, typename Solver>
+class Newton_method_3
+{
+public:
+  using Positions = Eigen::Matrix3Xd;
+
+  Newton_method_3(const Numbered_mesh_3& mesh,
+                  const std::vector<Eigen::Matrix3d>& inverse_sources,
+                  const std::vector<double>& weights,
+                  Solver& solver)
+    : m_hessian(pattern(mesh)),
+      m_packs(mesh, inverse_sources, weights, m_hessian),
+      m_energy_sum(m_packs),
+      m_solver(solver),
+      m_direction(Positions::Zero(3, mesh.number_of_vertices()))
+  {
+    m_solver.analyze_pattern(m_hessian);
+  }
+
+  const Cell_packs_3& packs() const { return m_packs; }
+
+  template <typename Energy>
+  Energy_evaluation evaluate(const Energy& energy, const Positions& u) const
+  {
+    return m_energy_sum.evaluate(energy, u);
+  }
+
+  // Solves H d = -g.
+  template <typename Energy>
+  Linear_solver_status compute_direction(const Energy& energy, const Positions& u,
+                                         const Hessian_kind kind, const double tolerance)
+  {
+    m_energy_sum.assemble(energy, u, kind, m_gradient, m_hessian);
+    Linear_solver_status status = solve(tolerance);
+    // a semi-definite matrix may fail to be definite by rounding
+    for(double shift = 1e-8; shift < 1e-2 && kind == Hessian_kind::POSITIVE_SEMIDEFINITE
+                             && status == Linear_solver_status::NOT_POSITIVE_DEFINITE; shift *= 100)
+    {
+      m_hessian.scale_diagonal(static_cast<typename Solver::NT>(shift));
+      status = solve(tolerance);
+    }
+    return status;
+  }
+
+  // One column a vertex; zero where the vertex is not free.
+  const Positions& direction() const { return m_direction; }
+  double gradient_norm() const { return m_gradient.norm(); }
+
+  // The derivative of the energy along the direction; minus the squared Newton decrement.
+  double slope() const { return m_slope; }
+
+  struct Step
+  {
+    double length = 0;            // 0 if no step decreased the energy
+    Energy_evaluation evaluation; // after the step
+  };
+
+  // Backtracking: moves u along the direction until the energy has fallen enough (Armijo's
+  // condition) and, if asked for, no cell is inverted. Leaves u alone if there is no such step.
+  template <typename Energy>
+  Step line_search(const Energy& energy, Positions& u, const double current_energy,
+                   const double first_length, const bool must_be_flip_free) const
+  {
+    constexpr double sufficient_decrease = 1e-4;
+    constexpr double smallest_length = 1e-12;
+    Step step;
+    for(double length = first_length; length > smallest_length; length /= 2)
+    {
+      const Positions trial = u + length * m_direction;
+      const Energy_evaluation evaluation = evaluate(energy, trial);
+      if((!must_be_flip_free || evaluation.is_flip_free())
+         && evaluation.energy <= current_energy + sufficient_decrease * length * m_slope)
+      {
+        u = trial;
+        step.length = length;
+        step.evaluation = evaluation;
+        return step;
+      }
+    }
+    return step;
+  }
+
+private:
+  using NT = typename Solver::NT;
+
+  static Block_sparse_matrix_3<NT> pattern(const Numbered_mesh_3& mesh)
+  {
+    Block_sparse_matrix_3<NT> matrix;
+    set_pattern(mesh, matrix);
+    return matrix;
+  }
+
+  Linear_solver_status solve(const double tolerance)
+  {
+    Linear_solver_status status = m_solver.factorize(m_hessian);
+    if(status != Linear_solver_status::SUCCESS)
+      return status;
+    const Eigen::Map<const Eigen::VectorXd> gradient(m_gradient.data(), m_gradient.size());
+    Eigen::VectorXd solution;
+    status = m_solver.solve(-gradient, solution, tolerance);
+    if(status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED)
+    {
+      m_direction.leftCols(m_gradient.cols()) = Eigen::Map<const Positions>(solution.data(), 3, m_gradient.cols());
+      m_slope = gradient.dot(solution);
+    }
+    return status;
+  }
+
+  Block_sparse_matrix_3<NT> m_hessian;
+  Cell_packs_3 m_packs;
+  Energy_sum_3<ConcurrencyTag> m_energy_sum;
+  Solver& m_solver;
+  Positions m_gradient, m_direction;
+  double m_slope = 0;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_METHOD_3_H

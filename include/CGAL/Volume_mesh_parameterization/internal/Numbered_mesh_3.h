@@ -1,0 +1,60 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NUMBERED_MESH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NUMBERED_MESH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// A tetrahedral mesh as plain arrays. The free vertices come first: 0, ..., number_of_free_vertices - 1.
+struct Numbered_mesh_3
+{
+  Eigen::Matrix3Xd source;               // one column a vertex
+  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
+  std::vector<std::array<int, 4> > cells; // positively oriented in the source
+  int number_of_free_vertices = 0;
+
+  int number_of_vertices() const { return static_cast<int>(source.cols()); }
+  bool is_free(const int v) const { return v < number_of_free_vertices; }
+};
+
+// The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
+template <typename Positions>
+Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>& cell)
+{
+  Eigen::Matrix3d edges;
+  for(int i = 0; i < 3; ++i)
+    edges.col(i) = positions.col(cell[i + 1]) - positions.col(cell[0]);
+  return edges;
+}
+
+template <typename Positions>
+double volume(const Positions& positions, const std::vector<std::array<int, 4> >& cells)
+{
+  double sum = 0;
+  for(const std::array<int, 4>& cell : cells)
+    sum += edge_matrix(positions, cell).determinant() / 6;
+  return sum;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NUMBERED_MESH_3_H

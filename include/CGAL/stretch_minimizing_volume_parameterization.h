@@ -1,0 +1,172 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_STRETCH_MINIMIZING_VOLUME_PARAMETERIZATION_H
+#define CGAL_STRETCH_MINIMIZING_VOLUME_PARAMETERIZATION_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parameterize_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <limits>
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
+#  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
+#endif
+
+namespace CGAL {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted
+cell and a low distortion of angles and volumes.
+
+The map is linear on each cell and given by the images of the vertices. The method is the
+stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, with fixed boundary:
+harmonic start, untangling \cgalCite{cgal:gkkrs-ffm-21}, and minimization of a distortion energy by
+Newton steps that never invert a cell. That no cell is inverted is checked at the end with exact
+predicates on the coordinates that are written.
+
+\tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
+        `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+\tparam VertexUVWMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
+        `C3t3::Triangulation::Geom_traits::Point_3` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param c3t3 the complex; it is not modified
+\param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
+       (see `Parameterization_result::has_valid_map`); otherwise it is left alone
+\param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{boundary_map}
+    \cgalParamDescription{the image of each vertex of the boundary of the complex}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+                   `C3t3::Triangulation::Geom_traits::Point_3` as value type}
+    \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target.
+                    Prescribed vertices receive exactly the points given.}
+  \cgalParamNEnd
+  \cgalParamNBegin{energy}
+    \cgalParamDescription{the energy whose mean over the cells is minimized}
+    \cgalParamType{a model of `DistortionEnergy_3`}
+    \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
+  \cgalParamNEnd
+  \cgalParamNBegin{solver_traits}
+    \cgalParamDescription{the solver for the linear system of a Newton step}
+    \cgalParamType{a model of `NewtonSolverTraits_3`, passed by `std::ref()` if it keeps a state of interest}
+    \cgalParamDefault{`Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<ConcurrencyTag>`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{tells the vertices inside the complex that `boundary_map` prescribes as well}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{the maximal number of Newton steps}
+    \cgalParamType{`std::size_t`}
+    \cgalParamDefault{`1000`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{a limit for the running time in seconds, tested after each step}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is told of each Newton step, and may end the computation}
+    \cgalParamType{a class with a function `bool after_step(const Volume_mesh_parameterization::Parameterization_step&)`}
+    \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether a line a step is printed to `std::cout`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return how it went, with the distortions and the running times
+
+A Newton step takes time linear in the number of cells, plus the solution of a linear system.
+
+\sa `CGAL::Volume_mesh_parameterization::get_error_message()`
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename C3t3,
+          typename VertexUVWMap,
+          typename NamedParameters = parameters::Default_named_parameters>
+Volume_mesh_parameterization::Parameterization_result
+stretch_minimizing_volume_parameterization(const C3t3& c3t3,
+                                           VertexUVWMap uvw_map,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  namespace VMP = Volume_mesh_parameterization;
+
+  using Vertex_handle = typename C3t3::Vertex_handle;
+  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+
+  static_assert(!parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
+                "The named parameter boundary_map is missing.");
+  const auto boundary_map = get_parameter(np, internal_np::boundary_map);
+  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                               Static_boolean_property_map<Vertex_handle, false>());
+
+  using Energy = typename internal_np::Lookup_named_param_def<
+    internal_np::energy_t, NamedParameters, VMP::Stretch_energy_3>::type;
+  const Energy energy = choose_parameter<Energy>(get_parameter(np, internal_np::energy));
+
+  using Default_solver = VMP::Conjugate_gradient_solver_traits_3<ConcurrencyTag>;
+  using Solver = VMP::internal::Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::solver_traits_t, NamedParameters, Default_solver>::reference>;
+  Default_solver default_solver;
+  Solver solver = choose_parameter(get_parameter_reference(np, internal_np::solver_traits), default_solver);
+
+  using Visitor = VMP::internal::Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, NamedParameters, VMP::Default_visitor>::reference>;
+  VMP::Default_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  const VMP::internal::Run_limits limits = {
+    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000)),
+    static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                         (std::numeric_limits<double>::infinity)())),
+    choose_parameter(get_parameter(np, internal_np::verbose), false)
+  };
+
+  Real_timer timer;
+  timer.start();
+  const VMP::internal::Numbered_complex_3<C3t3> complex(c3t3, is_constrained, boundary_map);
+  Eigen::Matrix3Xd image;
+  const VMP::Parameterization_result result
+    = VMP::internal::parameterize_3<ConcurrencyTag>(complex.mesh(), energy, solver, visitor, limits, timer, image);
+  if(result.has_valid_map)
+    for(std::size_t v = 0; v < complex.vertices().size(); ++v)
+      put(uvw_map, complex.vertices()[v], Point_3(image(0, v), image(1, v), image(2, v)));
+  return result;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_STRETCH_MINIMIZING_VOLUME_PARAMETERIZATION_H
