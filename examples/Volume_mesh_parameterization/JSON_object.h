@@ -1,0 +1,55 @@
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H
+
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+
+// Collects the text of a JSON object, in the order of the calls.
+class JSON_object
+{
+public:
+  JSON_object& add(const char* key, double x)
+  {
+    std::ostringstream os;
+    os.precision(17);
+    os << x;
+    return add_raw(key, std::isfinite(x) ? os.str() : "null");
+  }
+
+  JSON_object& add(const char* key, std::size_t n)
+  {
+    return add_raw(key, std::to_string(n));
+  }
+
+  JSON_object& add(const char* key, const std::string& text)
+  {
+    std::string quoted;
+    for(char c : text)
+    {
+      if(c == '"' || c == '\\')
+        quoted += '\\';
+      quoted += (c >= 0 && c < ' ') ? ' ' : c;
+    }
+    return add_raw(key, "\"" + quoted + "\"");
+  }
+
+  JSON_object& add(const char* key, const JSON_object& object)
+  {
+    return add_raw(key, object.text());
+  }
+
+  std::string text() const { return "{" + m_members + "}"; }
+
+private:
+  JSON_object& add_raw(const char* key, const std::string& value)
+  {
+    m_members += std::string(m_members.empty() ? "" : ", ") + "\"" + key + "\": " + value;
+    return *this;
+  }
+
+  std::string m_members;
+};
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_JSON_OBJECT_H

@@ -1,0 +1,52 @@
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+
+// A file that appears under its name when it is complete, and never if `commit()` is not reached.
+class Output_file
+{
+public:
+  explicit Output_file(const std::string& name)
+    : m_path(std::filesystem::weakly_canonical(name)),   // behind symbolic links
+      m_temporary(m_path.string() + "." + std::to_string(getpid()) + ".tmp")
+  {
+    if(std::filesystem::exists(m_path) && !std::filesystem::is_regular_file(m_path))
+      throw std::runtime_error(name + ": this is not a regular file");
+    m_stream.open(m_temporary, std::ios::binary);
+    if(!m_stream)
+      throw std::runtime_error(name + ": the file cannot be written");
+  }
+
+  Output_file(const Output_file&) = delete;
+  Output_file& operator=(const Output_file&) = delete;
+
+  ~Output_file()
+  {
+    std::error_code ignored;
+    std::filesystem::remove(m_temporary, ignored);
+  }
+
+  std::ostream& stream() { return m_stream; }
+
+  void commit()
+  {
+    m_stream.close();
+    if(!m_stream)
+      throw std::runtime_error(m_path.string() + ": the file cannot be written completely");
+    std::filesystem::rename(m_temporary, m_path);
+  }
+
+private:
+  std::filesystem::path m_path, m_temporary;
+  std::ofstream m_stream;
+};
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H

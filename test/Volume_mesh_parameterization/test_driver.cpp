@@ -1,0 +1,373 @@
+// The program parameterize_mesh_file: its exit codes, its files and its sentences.
+#include "catch.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Soup = VMP::Tetrahedron_soup_3;
+using Point = std::array<double, 3>;
+using Names = std::set<std::string>;
+
+namespace {
+
+// A folder of its own for one test, with what the driver needs in it.
+class Folder
+{
+public:
+  Folder()
+    : m_path(fs::temp_directory_path() / ("test_driver_" + std::to_string(getpid())))
+  {
+    fs::remove_all(m_path);
+    fs::create_directory(m_path);
+  }
+
+  ~Folder() { fs::remove_all(m_path); }
+
+  std::string path(const std::string& name) const { return (m_path / name).string(); }
+
+  std::string text(const std::string& name) const
+  {
+    std::ifstream is(path(name), std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
+  }
+
+  void write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(path(name), std::ios::binary) << text;
+  }
+
+  void write(const std::string& name, const Soup& soup) const
+  {
+    std::ofstream os(path(name), std::ios::binary);
+    VMP::IO::write_MEDIT(os, soup);
+  }
+
+  Soup soup(const std::string& name) const
+  {
+    Soup soup;
+    VMP::IO::read_MEDIT(path(name), soup);
+    return soup;
+  }
+
+  // the files other than those with what the driver printed
+  Names names() const
+  {
+    Names result;
+    for(const fs::directory_entry& entry : fs::directory_iterator(m_path))
+      result.insert(entry.path().filename().string());
+    result.erase("stdout");
+    result.erase("stderr");
+    return result;
+  }
+
+  // Runs the driver in this folder and returns its exit code.
+  int run(const std::string& arguments) const
+  {
+    const std::string command = "cd '" + m_path.string() + "' && '" PARAMETERIZE_MESH_FILE "' " + arguments
+      + " > stdout 2> stderr";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+private:
+  fs::path m_path;
+};
+
+// The cube [0, n]^3 of unit cubes, each cut into six cells around its diagonal.
+Soup cube(std::size_t n)
+{
+  Soup soup;
+  for(std::size_t i = 0; i <= n; ++i)
+    for(std::size_t j = 0; j <= n; ++j)
+      for(std::size_t k = 0; k <= n; ++k)
+        soup.points.push_back({double(i), double(j), double(k)});
+
+  const std::array<std::size_t, 3> step = {(n + 1) * (n + 1), n + 1, 1};
+  for(std::size_t i = 0; i < n; ++i)
+    for(std::size_t j = 0; j < n; ++j)
+      for(std::size_t k = 0; k < n; ++k)
+        for(std::size_t a = 0; a < 3; ++a)
+        {
+          const std::size_t origin = i * step[0] + j * step[1] + k;
+          const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
+          const std::size_t opposite = origin + step[0] + step[1] + step[2];
+          soup.cells.push_back({origin, origin + step[a], origin + step[a] + step[b], opposite});
+          soup.cells.push_back({origin, origin + step[a] + step[c], origin + step[a], opposite});
+        }
+  soup.cell_references.assign(soup.cells.size(), 1);
+  return soup;
+}
+
+bool is_on_boundary(const Point& p, double n)
+{
+  for(double x : p)
+    if(x == 0 || x == n)
+      return true;
+  return false;
+}
+
+Point affine(const Point& p)
+{
+  return {0.1 + p[0] / 3 + p[1] / 7, p[1] * 0.7, p[2] * 1.1 + p[0] / 9};
+}
+
+// the lines `index x y z` of the boundary of cube(n) under a map
+template <typename Map>
+std::string boundary_lines(const Soup& soup, double n, const Map& map)
+{
+  std::ostringstream os;
+  os.precision(17);
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(is_on_boundary(soup.points[v], n))
+    {
+      const Point q = map(soup.points[v]);
+      os << v << " " << q[0] << " " << q[1] << " " << q[2] << "\n";
+    }
+  return os.str();
+}
+
+// A prism whose cells all share one interior vertex, the first one. Around half a circle it cannot be bent:
+// no point sees all of the bent surface.
+Soup fan_in_prism(std::size_t length)
+{
+  Soup soup;
+  soup.points.push_back({0.5, 0.5, double(length) / 2});
+  for(std::size_t k = 0; k <= length; ++k)
+    for(const Point& p : {Point{0, 0, 0}, Point{1, 0, 0}, Point{1, 1, 0}, Point{0, 1, 0}})
+      soup.points.push_back({p[0], p[1], double(k)});
+
+  const auto add_quad = [&soup](std::size_t a, std::size_t b, std::size_t c, std::size_t d)
+  {
+    soup.cells.push_back({0, a, b, c});
+    soup.cells.push_back({0, a, c, d});
+  };
+  const auto corner = [](std::size_t k, std::size_t i) { return 1 + 4 * k + i % 4; };
+  add_quad(corner(0, 3), corner(0, 2), corner(0, 1), corner(0, 0));
+  add_quad(corner(length, 0), corner(length, 1), corner(length, 2), corner(length, 3));
+  for(std::size_t k = 0; k < length; ++k)
+    for(std::size_t i = 0; i < 4; ++i)
+      add_quad(corner(k, i), corner(k, i + 1), corner(k + 1, i + 1), corner(k + 1, i));
+  soup.cell_references.assign(soup.cells.size(), 1);
+  return soup;
+}
+
+double number(const std::string& json, const std::string& key)
+{
+  std::smatch match;
+  REQUIRE(std::regex_search(json, match, std::regex("\"" + key + "\": ([-+.eE0-9]+)")));
+  return std::stod(match[1]);
+}
+
+std::vector<std::string> keys(const std::string& json)
+{
+  const std::regex key("\"([a-z_]+)\": ");
+  std::vector<std::string> result;
+  for(std::sregex_iterator it(json.begin(), json.end(), key), end; it != end; ++it)
+    result.push_back((*it)[1]);
+  return result;
+}
+
+const std::vector<std::string> report_keys = {
+  "status", "vertices", "cells", "boundary_vertices", "added_vertices", "inverted_cells", "boundary_residual",
+  "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free", "energy_value",
+  "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
+  "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max",
+  "peak_memory_bytes"};
+
+} // namespace
+
+TEST_CASE("An affine boundary gives an affine map, in the order of the file")
+{
+  const Folder folder;
+  const Soup source = cube(3);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 3, affine));
+
+  for(const std::string options : {"", " --solver cg", " --solver cholmod", " --energy dirichlet", " --threads 2"})
+  {
+    CHECK(folder.run("source.mesh target.txt --quiet --output map.mesh --report report.json" + options) == 0);
+    CHECK(folder.text("stdout") + folder.text("stderr") == "");
+    CHECK(folder.names() == Names{"source.mesh", "target.txt", "map.mesh", "report.json"});
+
+    const Soup map = folder.soup("map.mesh");
+    CHECK(map.cells == source.cells);
+    REQUIRE(map.points.size() == source.points.size());
+    for(std::size_t v = 0; v < map.points.size(); ++v)
+    {
+      const Point q = affine(source.points[v]);
+      if(is_on_boundary(source.points[v], 3))
+        CHECK(map.points[v] == q);
+      for(std::size_t i = 0; i < 3; ++i)
+        CHECK(std::abs(map.points[v][i] - q[i]) < 1e-6);
+    }
+
+    const std::string report = folder.text("report.json");
+    CHECK(keys(report) == report_keys);
+    CHECK(number(report, "vertices") == 64);
+    CHECK(number(report, "cells") == 162);
+    CHECK(number(report, "boundary_vertices") == 56);
+    CHECK(number(report, "inverted_cells") == 0);
+    CHECK(number(report, "boundary_residual") == 0);
+    CHECK(number(report, "peak_memory_bytes") > 1e6);
+  }
+}
+
+TEST_CASE("The target may be a mesh, and the output a VTU file")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  Soup target = source;
+  for(Point& p : target.points)
+    p = affine(p);
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", target);
+  CHECK(folder.run("source.mesh target.mesh --output map.vtu") == 0);
+  CHECK(folder.text("stdout").find("48 cells, 27 vertices, 26 on the boundary") == 0);
+  CHECK(folder.text("map.vtu").find("Name=\"uvw\"") != std::string::npos);
+  CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.vtu"});
+}
+
+TEST_CASE("Vertices without a cell keep their place in the output")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  source.points.insert(source.points.end(), {{7, 8, 9}, {4, 5, 6}});
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(cube(2), 2, affine) + "28 0.1 0.2 0.3\n");
+  CHECK(folder.run("source.mesh target.txt --output map.mesh") == 0);
+  const Soup map = folder.soup("map.mesh");
+  REQUIRE(map.points.size() == 29);
+  CHECK(map.points[27] == Point{7, 8, 9});
+  CHECK(map.points[28] == Point{0.1, 0.2, 0.3});
+}
+
+TEST_CASE("Bad input: exit code 2, a sentence and no output")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  const std::string target = boundary_lines(source, 2, affine);
+  const std::string second_line = target.substr(target.find('\n') + 1);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", target);
+  const std::string mesh = folder.text("source.mesh");
+
+  const auto sentence = [&folder](const std::string& files)
+  {
+    CHECK(folder.run(files + " --quiet --output map.mesh --report report.json") == 2);
+    CHECK(!fs::exists(folder.path("map.mesh")));
+    CHECK(folder.text("stdout") == "");
+    const std::string report = folder.text("report.json");
+    CHECK(keys(report) == std::vector<std::string>{"status"});
+    const std::string message = folder.text("stderr");
+    CHECK(std::count(message.begin(), message.end(), '\n') == 1);
+    CHECK(report == "{\"status\": \"" + message.substr(0, message.size() - 1) + "\"}\n");
+    return message;
+  };
+
+  CHECK(sentence("none.mesh target.txt") == "none.mesh: the file cannot be opened\n");
+  CHECK(sentence("source.mesh none.txt") == "none.txt: the file cannot be opened\n");
+  CHECK(sentence("target.txt target.txt").find("target.txt: line 1: this is not an ASCII MEDIT file") == 0);
+
+  folder.write("bad.mesh", mesh.substr(0, mesh.find("Tetrahedra\n48\n") + 20));
+  CHECK(sentence("bad.mesh target.txt").find("bad.mesh: line 34: the file ends where") == 0);
+
+  Soup bad = source;
+  std::swap(bad.cells[4][1], bad.cells[4][2]);
+  folder.write("bad.mesh", bad);
+  CHECK(sentence("bad.mesh target.txt").find("bad.mesh: cell 4 (counted from 0) has the negative volume") == 0);
+
+  folder.write("bad.txt", second_line);
+  CHECK(sentence("source.mesh bad.txt").find('0') != std::string::npos);
+  folder.write("bad.txt", "0 0 0 nan\n" + second_line);
+  CHECK(sentence("source.mesh bad.txt") == "bad.txt: line 1: 'nan' is not a finite coordinate\n");
+  folder.write("bad.txt", boundary_lines(source, 2, [](const Point& p) { return Point{p[0], p[1], -p[2]}; }));
+  CHECK(sentence("source.mesh bad.txt") != "");
+  // a corner with a cell whose vertices are all on the boundary
+  folder.write("bad.txt", boundary_lines(source, 2, [](const Point& p)
+  {
+    return p == Point{2, 0, 0} ? Point{1.2, 0.8, 0} : p;
+  }));
+  CHECK(sentence("source.mesh bad.txt") != "");
+}
+
+TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 2, affine));
+  const std::string mesh = folder.text("source.mesh");
+  const std::string target = folder.text("target.txt");
+
+  for(const std::string arguments : {
+        "", "source.mesh", "source.mesh target.txt third", "source.mesh target.txt --unknown",
+        "source.mesh target.txt --energy none", "source.mesh target.txt --solver none",
+        "source.mesh target.txt --threads 0", "source.mesh target.txt --threads x", "source.mesh target.txt --max-iterations -1",
+        "source.mesh target.txt --output map.obj", "source.mesh target.txt --output map",
+        "source.mesh target.txt --output no/folder/map.mesh", "source.mesh target.txt --report /dev/null",
+        "source.mesh target.txt --output ./source.mesh", "source.mesh target.txt --report target.txt",
+        "source.mesh target.txt --output map.mesh --report ./map.mesh"})
+  {
+    CAPTURE(arguments);
+    CHECK(folder.run(arguments) == 2);
+    CHECK(folder.text("stderr") != "");
+    CHECK(folder.names() == Names{"source.mesh", "target.txt"});
+    CHECK(folder.text("source.mesh") == mesh);
+    CHECK(folder.text("target.txt") == target);
+  }
+  CHECK(folder.run("--help") == 0);
+  CHECK(folder.text("stdout").find("--max-iterations") != std::string::npos);
+}
+
+TEST_CASE("No map without inverted cells: exit code 3, a report and no output")
+{
+  const Folder folder;
+  const std::size_t length = 6;
+  const double pi = 3.14159265358979;
+  const Soup source = fan_in_prism(length);
+  Soup target = source;
+  for(Point& p : target.points)
+  {
+    const double angle = pi * p[2] / length;
+    p = {(1 + p[0]) * std::cos(angle), p[1], (1 + p[0]) * std::sin(angle)};
+  }
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", target);
+  CHECK(folder.run("source.mesh target.mesh --quiet --output map.mesh --report report.json") == 3);
+  CHECK(folder.text("stderr") != "");
+  CHECK(folder.names() == Names{"source.mesh", "target.mesh", "report.json"});
+  CHECK(keys(folder.text("report.json")) == report_keys);
+  CHECK(number(folder.text("report.json"), "inverted_cells") > 0);
+}
+
+TEST_CASE("The report never replaces what is not a regular file")
+{
+  const Folder folder;
+  const Soup source = cube(1);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 1, affine));
+  fs::create_directory(folder.path("report.json"));
+  CHECK(folder.run("source.mesh target.txt --report report.json") == 2);
+  CHECK(fs::is_directory(folder.path("report.json")));
+}
