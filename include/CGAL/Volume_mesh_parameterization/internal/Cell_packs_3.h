@@ -39,19 +39,26 @@ struct Cell_pack_3
   Pack weight;
 };
 
-// The pattern of the Hessian: the pairs of free vertices that share a cell.
+// The pattern of the Hessian: the pairs of free vertices that share a cell, or one of the groups.
 template <typename NT>
-void set_pattern(const Numbered_mesh_3& mesh, Block_sparse_matrix_3<NT>& matrix)
+void set_pattern(const Numbered_mesh_3& mesh, const std::vector<std::vector<int> >& groups,
+                 Block_sparse_matrix_3<NT>& matrix)
 {
   const int n = mesh.number_of_free_vertices;
   std::vector<int> row_begin(n + 1, 0);
+  const auto for_each_pair_of = [&](const auto& vertices, const auto& f)
+  {
+    for(const int v : vertices)
+      for(const int w : vertices)
+        if(mesh.is_free(v) && mesh.is_free(w))
+          f(v, w);
+  };
   const auto for_each_pair = [&](const auto& f)
   {
     for(const std::array<int, 4>& cell : mesh.cells)
-      for(const int v : cell)
-        for(const int w : cell)
-          if(mesh.is_free(v) && mesh.is_free(w))
-            f(v, w);
+      for_each_pair_of(cell, f);
+    for(const std::vector<int>& group : groups)
+      for_each_pair_of(group, f);
   };
 
   for_each_pair([&](const int v, int) { ++row_begin[v + 1]; });

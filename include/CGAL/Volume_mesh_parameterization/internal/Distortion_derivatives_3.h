@@ -114,22 +114,30 @@ Matrix_3<T> hessian_block(const Distortion_derivatives_3<T>& d, const Vector_3<T
   return rotated * R.transpose();
 }
 
+// The gradient alone; row a - 1 of B is Q^T b_a.
+template <typename T>
+std::array<Vector_3<T>, 4> cell_gradient_3(const Matrix_3<T>& R, const Vector_3<T>& weighted_gradient,
+                                           const Matrix_3<T>& B)
+{
+  std::array<Vector_3<T>, 4> gradient;
+  gradient[0].setZero();
+  for(int a = 1; a < 4; ++a)
+  {
+    const Vector_3<T> rotated = weighted_gradient.cwiseProduct(B.row(a - 1).transpose());
+    gradient[a] = R * rotated;
+    gradient[0] -= gradient[a];
+  }
+  return gradient;
+}
+
 template <typename T>
 void cell_derivatives_3(const Distortion_derivatives_3<T>& d,
                         const Matrix_3<T>& inverse_source,
                         const T& weight,
                         Cell_derivatives_3<T>& cell)
 {
-  const Matrix_3<T> B = inverse_source * d.decomposition.Q; // row a - 1: Q^T b_a
-  const Vector_3<T> weighted_gradient = weight * d.gradient;
-
-  cell.gradient[0].setZero();
-  for(int a = 1; a < 4; ++a)
-  {
-    const Vector_3<T> rotated = weighted_gradient.cwiseProduct(B.row(a - 1).transpose());
-    cell.gradient[a] = d.decomposition.R * rotated;
-    cell.gradient[0] -= cell.gradient[a];
-  }
+  const Matrix_3<T> B = inverse_source * d.decomposition.Q;
+  cell.gradient = cell_gradient_3<T>(d.decomposition.R, weight * d.gradient, B);
 
   for(int a = 1; a < 4; ++a)
     for(int b = a; b < 4; ++b)

@@ -20,6 +20,7 @@
 
 #include <Eigen/Dense>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -88,31 +89,51 @@ public:
     return result;
   }
 
-  // The gradient by the free vertices, one column each, and the Hessian.
+  // The gradient by the free vertices, one column each.
+  template <typename Energy>
+  void compute_gradient(const Energy& energy, const Positions& u, Positions& gradient) const
+  {
+    gradient.setZero();
+    for_each_pack_in_rounds([&](const Cell_pack_3& pack)
+    {
+      const Signed_singular_values_3<Pack> J = signed_singular_values_3<Pack>(edge_matrix(u, pack) * pack.inverse_source);
+      scatter(pack, cell_gradient_3<Pack>(J.R, pack.weight * energy.gradient(J.s), pack.inverse_source * J.Q), gradient);
+    });
+  }
+
+  // The gradient and the Hessian.
   template <typename Energy, typename NT>
   void assemble(const Energy& energy, const Positions& u, const Hessian_kind kind,
                 Positions& gradient, Block_sparse_matrix_3<NT>& hessian) const
   {
     gradient.setZero(3, hessian.size());
     hessian.set_zero();
+    for_each_pack_in_rounds([&](const Cell_pack_3& pack)
+    {
+      const Matrix_3<Pack> J = edge_matrix(u, pack) * pack.inverse_source;
+      Cell_derivatives_3<Pack> cells;
+      cell_derivatives_3(distortion_derivatives_3<Pack>(energy, J, kind),
+                         pack.inverse_source, pack.weight, cells);
+      scatter(pack, cells.gradient, gradient);
+      scatter(pack, cells, hessian);
+    });
+  }
+
+private:
+  // Calls f for each pack, such that its calls may add to the vertices of the pack.
+  template <typename Function>
+  void for_each_pack_in_rounds(const Function& f) const
+  {
     for(std::size_t round = 0; round < m_packs.number_of_rounds(); ++round)
       for_each_index<ConcurrencyTag>(m_packs.round_begin(round), m_packs.round_begin(round + 1),
                                      [&](const std::size_t i)
       {
         const std::size_t chunk = m_packs.chunk_of_round(i);
-        Cell_derivatives_3<Pack> cells;
         for(std::size_t p = m_packs.chunk_begin(chunk); p < m_packs.chunk_end(chunk); ++p)
-        {
-          const Cell_pack_3& pack = m_packs[p];
-          const Matrix_3<Pack> J = edge_matrix(u, pack) * pack.inverse_source;
-          cell_derivatives_3(distortion_derivatives_3<Pack>(energy, J, kind),
-                             pack.inverse_source, pack.weight, cells);
-          scatter(pack, cells, gradient, hessian);
-        }
+          f(m_packs[p]);
       });
   }
 
-private:
   template <typename Energy>
   static void add_value(const Energy& energy, const Positions& u, const Cell_pack_3& pack,
                         Energy_evaluation& part)
@@ -127,21 +148,24 @@ private:
       += static_cast<std::size_t>(sum(select(determinant > Pack(0), Pack(0), is_cell)));
   }
 
-  template <typename NT>
-  static void scatter(const Cell_pack_3& pack, const Cell_derivatives_3<Pack>& cells,
-                      Positions& gradient, Block_sparse_matrix_3<NT>& hessian)
+  static void scatter(const Cell_pack_3& pack, const std::array<Vector_3<Pack>, 4>& cells, Positions& gradient)
   {
     for(int a = 0; a < 4; ++a)
     {
       double g[3][Pack::size];
       for(int i = 0; i < 3; ++i)
-        cells.gradient[a][i].store(g[i]);
+        cells[a][i].store(g[i]);
       for(int lane = 0; lane < Pack::size; ++lane)
         if(pack.blocks[a][a][lane] >= 0)
           for(int i = 0; i < 3; ++i)
             gradient(i, pack.vertices[a][lane]) += g[i][lane];
     }
+  }
 
+  template <typename NT>
+  static void scatter(const Cell_pack_3& pack, const Cell_derivatives_3<Pack>& cells,
+                      Block_sparse_matrix_3<NT>& hessian)
+  {
     for(int a = 0; a < 4; ++a)
       for(int b = a; b < 4; ++b)
       {

@@ -16,11 +16,13 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Quadratic_penalty_3.h>
 
 #include <Eigen/Dense>
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -28,7 +30,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // The parts of which untangling and minimization are made: a Newton direction and a line search
-// for any energy, on one mesh. The pattern of the Hessian is set, and analyzed, once.
+// for any energy, on one mesh, plus an optional quadratic penalty. The pattern of the Hessian is set,
+// and analyzed, once.
 template <typename ConcurrencyTag, typename Solver>
 class Newton_method_3
 {
@@ -38,8 +41,10 @@ public:
   Newton_method_3(const Numbered_mesh_3& mesh,
                   const std::vector<Eigen::Matrix3d>& inverse_sources,
                   const std::vector<double>& weights,
-                  Solver& solver)
-    : m_hessian(pattern(mesh)),
+                  Solver& solver,
+                  const Quadratic_penalty_3* const penalty = nullptr)
+    : m_penalty(penalty),
+      m_hessian(pattern(mesh)),
       m_packs(mesh, inverse_sources, weights, m_hessian),
       m_energy_sum(m_packs),
       m_solver(solver),
@@ -53,7 +58,20 @@ public:
   template <typename Energy>
   Energy_evaluation evaluate(const Energy& energy, const Positions& u) const
   {
-    return m_energy_sum.evaluate(energy, u);
+    Energy_evaluation evaluation = m_energy_sum.evaluate(energy, u);
+    if(m_penalty != nullptr)
+      evaluation.energy += m_penalty->value(u);
+    return evaluation;
+  }
+
+  template <typename Energy>
+  Positions gradient(const Energy& energy, const Positions& u) const
+  {
+    Positions result(3, m_hessian.size());
+    m_energy_sum.compute_gradient(energy, u, result);
+    if(m_penalty != nullptr)
+      m_penalty->add_gradient(u, result);
+    return result;
   }
 
   // Solves H d = -g.
@@ -62,6 +80,11 @@ public:
                                          const Hessian_kind kind, const double tolerance)
   {
     m_energy_sum.assemble(energy, u, kind, m_gradient, m_hessian);
+    if(m_penalty != nullptr)
+    {
+      m_penalty->add_gradient(u, m_gradient);
+      m_penalty->add_hessian(m_hessian);
+    }
     Linear_solver_status status = solve(tolerance);
     // a semi-definite matrix may fail to be definite by rounding
     for(double shift = 1e-8; shift < 1e-2 && kind == Hessian_kind::POSITIVE_SEMIDEFINITE
@@ -82,15 +105,17 @@ public:
 
   struct Step
   {
-    double length = 0;            // 0 if no step decreased the energy
+    double length = 0;            // 0 if no step was acceptable
     Energy_evaluation evaluation; // after the step
   };
 
   // Backtracking: moves u along the direction until the energy has fallen enough (Armijo's
-  // condition) and, if asked for, no cell is inverted. Leaves u alone if there is no such step.
+  // condition) and, if asked for, no cell is inverted and the norm of the gradient is below a bound.
+  // Leaves u alone if there is no such step.
   template <typename Energy>
   Step line_search(const Energy& energy, Positions& u, const double current_energy,
-                   const double first_length, const bool must_be_flip_free) const
+                   const double first_length, const bool must_be_flip_free,
+                   const double gradient_bound = std::numeric_limits<double>::infinity()) const
   {
     constexpr double sufficient_decrease = 1e-4;
     constexpr double smallest_length = 1e-12;
@@ -100,7 +125,8 @@ public:
       const Positions trial = u + length * m_direction;
       const Energy_evaluation evaluation = evaluate(energy, trial);
       if((!must_be_flip_free || evaluation.is_flip_free())
-         && evaluation.energy <= current_energy + sufficient_decrease * length * m_slope)
+         && evaluation.energy <= current_energy + sufficient_decrease * length * m_slope
+         && (std::isinf(gradient_bound) || gradient(energy, trial).norm() < gradient_bound))
       {
         u = trial;
         step.length = length;
@@ -114,10 +140,10 @@ public:
 private:
   using NT = typename Solver::NT;
 
-  static Block_sparse_matrix_3<NT> pattern(const Numbered_mesh_3& mesh)
+  Block_sparse_matrix_3<NT> pattern(const Numbered_mesh_3& mesh) const
   {
     Block_sparse_matrix_3<NT> matrix;
-    set_pattern(mesh, matrix);
+    set_pattern(mesh, m_penalty == nullptr ? std::vector<std::vector<int> >() : m_penalty->groups(), matrix);
     return matrix;
   }
 
@@ -137,6 +163,7 @@ private:
     return status;
   }
 
+  const Quadratic_penalty_3* m_penalty;
   Block_sparse_matrix_3<NT> m_hessian;
   Cell_packs_3 m_packs;
   Energy_sum_3<ConcurrencyTag> m_energy_sum;

@@ -1,0 +1,50 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_LINEAR_CONSTRAINT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_LINEAR_CONSTRAINT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+A linear equation \f$\sum_k c_k \cdot u_{v_k} = p\f$ between the images of vertices: a row of the
+positional constraints \f$P(u) = C u - p = 0\f$ of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (7).
+
+For example, a vertex `v` stays on the plane through `q` with normal `n` by the term `{v, n}` and the
+value `n.dot(q)`, and the vertices `v` and `w` keep their distance in that direction by the terms
+`{v, n}` and `{w, -n}`. The meaning of the residual is a distance if the coefficients have length 1.
+
+\tparam Vertex_ a type that names a vertex
+*/
+template <typename Vertex_>
+struct Linear_constraint_3
+{
+  struct Term
+  {
+    Vertex_ vertex;
+    Eigen::Vector3d coefficient;
+  };
+
+  std::vector<Term> terms;
+  double value = 0;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_LINEAR_CONSTRAINT_3_H
