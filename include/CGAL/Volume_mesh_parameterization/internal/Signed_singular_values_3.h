@@ -29,7 +29,7 @@ struct Signed_singular_values_3
   Vector_3<T> s;
 };
 
-// Rotates the columns p and q of A (and of Q) so that they become orthogonal, the longer one first.
+// Rotates the columns p and q of A (and of Q), by at most 45 degrees, so that they become orthogonal.
 // Returns a positive number if the cosine of the angle between them was above 1e-8.
 template <typename T>
 T orthogonalize_columns(Matrix_3<T>& A, Matrix_3<T>& Q, const int p, const int q)
@@ -47,11 +47,8 @@ T orthogonalize_columns(Matrix_3<T>& A, Matrix_3<T>& Q, const int p, const int q
   const T opposite = T(2) * pq;
   const T adjacent = abs(difference) + sqrt(difference * difference + opposite * opposite) + tiny;
   const T scale = T(1) / sqrt(adjacent * adjacent + opposite * opposite);
-  const T larger = adjacent * scale;
-  const T smaller = opposite * scale;
-  const auto is_sorted = difference >= T(0);
-  const T cosine = select(is_sorted, larger, abs(smaller));
-  const T sine = select(is_sorted, smaller, select(pq < T(0), -larger, larger));
+  const T cosine = adjacent * scale;
+  const T sine = select(difference < T(0), -opposite, opposite) * scale;
 
   for(Matrix_3<T>* M : {&A, &Q})
   {
@@ -60,6 +57,20 @@ T orthogonalize_columns(Matrix_3<T>& A, Matrix_3<T>& Q, const int p, const int q
     M->col(q) = cosine * M->col(q) - sine * column;
   }
   return pq * pq - T(1e-16) * pp * qq;
+}
+
+// Puts the longer one of the columns p and q of A first, by a rotation by 90 degrees (of Q as well).
+template <typename T>
+void sort_columns(Matrix_3<T>& A, Matrix_3<T>& Q, const int p, const int q)
+{
+  const auto is_sorted = A.col(p).squaredNorm() >= A.col(q).squaredNorm();
+  for(Matrix_3<T>* M : {&A, &Q})
+    for(int i = 0; i < 3; ++i)
+    {
+      const T x = (*M)(i, p);
+      (*M)(i, p) = select(is_sorted, x, (*M)(i, q));
+      (*M)(i, q) = select(is_sorted, (*M)(i, q), -x);
+    }
 }
 
 // v / length, or the fallback where the length is at most `smallest`.
@@ -87,6 +98,7 @@ Vector_3<T> unit_orthogonal(const Vector_3<T>& v)
 
 // One-sided Jacobi iteration: accurate for tiny singular values, and the same instructions for
 // every cell. It converges quadratically, so the sweep that starts with angles below 1e-8 is the last.
+// Columns are sorted after it: a swap within a sweep would hide a pair of columns from its test.
 template <typename T>
 Signed_singular_values_3<T> signed_singular_values_3(const Matrix_3<T>& J)
 {
@@ -107,6 +119,9 @@ Signed_singular_values_3<T> signed_singular_values_3(const Matrix_3<T>& J)
     if(!any(maximum(r01, maximum(r02, r12)) > T(0)))
       break;
   }
+  sort_columns(A, Q, 0, 1);
+  sort_columns(A, Q, 1, 2);
+  sort_columns(A, Q, 0, 1);
 
   // the third column of R follows from the first two, which belong to the larger singular values
   result.s[0] = sqrt(A.col(0).squaredNorm());
