@@ -15,7 +15,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <boost/program_options.hpp>
 
@@ -39,6 +38,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -47,13 +47,12 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = K::Point_3;
-using Vertex_base = CGAL::Tetrahedral_remeshing::Remeshing_vertex_base_3<
-  K, CGAL::Triangulation_vertex_base_with_info_3<std::size_t, K> >;   // the index in the file
-using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K, CGAL::Sequential_tag, Vertex_base>;
+using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
 using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
 using Vertex_handle = C3t3::Vertex_handle;
 using Cell_handle = C3t3::Cell_handle;
 using Points = std::vector<std::array<double, 3> >;
+using Index_map = std::unordered_map<Vertex_handle, std::size_t>;   // to the order of the file
 using Result = VMP::Parameterization_result;
 
 enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
@@ -93,18 +92,18 @@ struct Problem
     VMP::IO::read_MEDIT(options.source, source);
     VMP::IO::read_boundary_targets(options.target, source, targets);
     build(options.source);
-    for(std::size_t v = 0; v < vertices.size(); ++v)
-      if(vertices[v] != Vertex_handle())
-        vertices[v]->info() = v;
+    check_targets(options.target);
   }
 
   VMP::Tetrahedron_soup_3 source;
   Points targets;
   C3t3 c3t3;
+  Index_map indices;
 
 private:
   void build(const std::string& filename)
   {
+    std::vector<Vertex_handle> vertices;
     try
     {
       VMP::tetrahedron_soup_to_mesh_complex_3(source, c3t3, vertices, cells);
@@ -113,9 +112,24 @@ private:
     {
       throw VMP::Input_error(filename + ": " + error.what());
     }
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+      indices.emplace(vertices[v], v);
   }
 
-  std::vector<Vertex_handle> vertices;
+  // The library would find a missing target too, but it does not know the index in the file.
+  void check_targets(const std::string& filename) const
+  {
+    for(Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        for(int j = 1; j < 4 && !c3t3.is_in_complex(c->neighbor(i)); ++j)
+        {
+          const std::size_t v = indices.at(c->vertex((i + j) % 4));
+          if(std::isnan(targets[v][0]))
+            throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
+                                   + " (counted from 0) is on the boundary of the source, but has no target");
+        }
+  }
+
   std::vector<Cell_handle> cells;
 };
 
@@ -129,15 +143,16 @@ struct Point_map
 
   friend Point_3 get(const Point_map& map, Vertex_handle v)
   {
-    const std::array<double, 3>& p = (*map.points)[v->info()];
+    const std::array<double, 3>& p = (*map.points)[map.indices->at(v)];
     return Point_3(p[0], p[1], p[2]);
   }
 
   friend void put(const Point_map& map, Vertex_handle v, const Point_3& p)
   {
-    (*map.points)[v->info()] = {p.x(), p.y(), p.z()};
+    (*map.points)[map.indices->at(v)] = {p.x(), p.y(), p.z()};
   }
 
+  const Index_map* indices;
   Points* points;
 };
 
@@ -172,8 +187,8 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
     with_solver<ConcurrencyTag>(options.solver, [&](const auto& solver)
     {
       result = CGAL::stretch_minimizing_volume_parameterization<ConcurrencyTag>(
-        problem.c3t3, Point_map{&uvw},
-        params::boundary_map(Point_map{&problem.targets})
+        problem.c3t3, Point_map{&problem.indices, &uvw},
+        params::boundary_map(Point_map{&problem.indices, &problem.targets})
           .energy(energy)
           .solver_traits(solver)
           .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
@@ -299,7 +314,7 @@ bool parse(int argc, char* argv[], Options& options)
     std::cout << "Usage: parameterize_mesh_file SOURCE.mesh TARGET [options]\n\n"
                  "Maps a tetrahedral mesh onto a prescribed boundary without inverting a cell.\n"
                  "TARGET has lines 'vertex_index x y z' (indices start at 0), or is a *.mesh of the same connectivity.\n"
-                 "Exit status: 0 success, 1 the boundary is missed, 2 bad input, 3 no map without inverted cells found.\n\n"
+                 "Exit status: 0 success, 1 the boundary is missed, 2 bad input, 3 no map without inverted cells.\n\n"
               << visible;
     return false;
   }

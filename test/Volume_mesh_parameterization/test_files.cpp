@@ -349,7 +349,8 @@ TEST_CASE("Boundary targets are read from lines")
   CHECK(std::isnan(targets[1][0]));
   CHECK(std::isnan(targets[3][2]));
 
-  CHECK(targets_error("0 1 2 3\n4 1 2 3\n") == "line 2: vertex 4 does not exist, the mesh has 4 vertices, counted from 0");
+  CHECK(targets_error("0 1 2 3\n4 1 2 3\n")
+        == "line 2: vertex 4 does not exist, the mesh has 4 vertices, counted from 0");
   CHECK(targets_error("-1 1 2 3\n") == "line 1: vertex -1 does not exist, the mesh has 4 vertices, counted from 0");
   CHECK(targets_error("0 1 2 3\n1 1 2 3\n0 1 2 3\n") == "line 3: vertex 0 has a second line");
   CHECK(targets_error("0 1 2\n1 0 0 0\n") == "line 1: the line has less than the three coordinates of vertex 0");
@@ -556,6 +557,7 @@ TEST_CASE("A complex is unchanged by a faulty soup")
   Built built(box(1, 1, 1));
   Soup soup = single_cell();
   soup.cells[0][3] = 1;
-  CHECK_THROWS_AS(VMP::tetrahedron_soup_to_mesh_complex_3(soup, built.c3t3, built.vertices, built.cells), VMP::Input_error);
+  CHECK_THROWS_AS(VMP::tetrahedron_soup_to_mesh_complex_3(soup, built.c3t3, built.vertices, built.cells),
+                  VMP::Input_error);
   check(built, box(1, 1, 1));
 }

@@ -48,8 +48,8 @@ void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3,
                                         Tetrahedron_soup_3& soup,
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
 {
-  typedef typename C3t3::Triangulation::Vertex_handle Vertex_handle;
-  typedef typename C3t3::Triangulation::Cell_handle Cell_handle;
+  using Vertex_handle = typename C3t3::Triangulation::Vertex_handle;
+  using Cell_handle = typename C3t3::Triangulation::Cell_handle;
 
   const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();
   std::unordered_map<Vertex_handle, std::size_t> indices;

@@ -26,10 +26,11 @@ namespace Volume_mesh_parameterization {
 ///
 /// builds a mesh complex from a tetrahedron soup.
 ///
-/// All cells are in the complex; their subdomain indices are the references of the soup. So are the facets of cells that the
-/// soup lists, with their references as patch indices, the other facets of the boundary, and those between different subdomains.
-/// Since index 0 means outside the complex, cells and facets with reference 0 and facets without reference get the smallest
-/// positive number that is not used as a reference.
+/// All cells are in the complex; their subdomain indices are the references of the soup.
+/// So are the facets of cells that the soup lists, with their references as patch indices,
+/// the other facets of the boundary, and those between different subdomains.
+/// Since index 0 means outside the complex, cells and facets with reference 0 and facets without reference
+/// get the smallest positive number that is not used as a reference.
 ///
 /// The cells may have several connected components and a non-manifold boundary. They are oriented positively
 /// if all are negative in the soup. A point without a cell gets no vertex: it keeps its index in
@@ -45,8 +46,9 @@ namespace Volume_mesh_parameterization {
 /// \param cells gets the cell handle of each cell, in the order of the soup
 ///
 /// \exception Input_error if a coordinate is not finite, an index is out of range, a cell has a vertex twice or
-///            zero volume, some cells are oriented positively and others negatively (by exact predicates), a facet has more than
-///            two cells, or two cells lie on the same side of their common facet; the other parameters are then unchanged.
+///            zero volume, some cells are oriented positively and others negatively (by exact predicates),
+///            a facet has more than two cells, or two cells lie on the same side of their common facet;
+///            the other parameters are then unchanged.
 template <typename C3t3>
 void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup,
                                         C3t3& c3t3,

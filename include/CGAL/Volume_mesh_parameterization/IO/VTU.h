@@ -32,12 +32,12 @@ class VTU_writer
 {
 public:
   explicit VTU_writer(std::ostream& os)
-    : writer_(os)
+    : m_writer(os)
   {}
 
   void begin_grid(std::size_t number_of_points, std::size_t number_of_cells)
   {
-    writer_ << "<?xml version=\"1.0\"?>\n"
+    m_writer << "<?xml version=\"1.0\"?>\n"
             << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
             << "<UnstructuredGrid>\n"
             << "<Piece NumberOfPoints=\"" << number_of_points
@@ -46,11 +46,11 @@ public:
 
   void end_grid()
   {
-    writer_ << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    m_writer << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   }
 
-  void begin(const char* element) { writer_ << "<" << element << ">\n"; }
-  void end(const char* element) { writer_ << "</" << element << ">\n"; }
+  void begin(const char* element) { m_writer << "<" << element << ">\n"; }
+  void end(const char* element) { m_writer << "</" << element << ">\n"; }
 
   template <std::size_t N, typename Number>
   void write_tuples(const char* name, const std::vector<std::array<Number, N> >& tuples)
@@ -59,8 +59,8 @@ public:
     for(const std::array<Number, N>& tuple : tuples)
     {
       for(const Number& x : tuple)
-        writer_ << x << " ";
-      writer_ << "\n";
+        m_writer << x << " ";
+      m_writer << "\n";
     }
     end_array();
   }
@@ -71,7 +71,7 @@ public:
   {
     begin_array(type_name(decltype(value(n))()), name, 1);
     for(std::size_t i = 0; i < n; ++i)
-      writer_ << value(i) << "\n";
+      m_writer << value(i) << "\n";
     end_array();
   }
 
@@ -82,13 +82,13 @@ private:
 
   void begin_array(const char* type, const char* name, std::size_t number_of_components)
   {
-    writer_ << "<DataArray type=\"" << type << "\" Name=\"" << name
+    m_writer << "<DataArray type=\"" << type << "\" Name=\"" << name
             << "\" NumberOfComponents=\"" << number_of_components << "\" format=\"ascii\">\n";
   }
 
   void end_array() { end("DataArray"); }
 
-  Text_writer writer_;
+  Text_writer m_writer;
 };
 
 } // namespace internal
@@ -100,9 +100,10 @@ namespace IO {
 /// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
 ///
 /// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
-/// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume of the image
-/// relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse).
-/// All values are text from which reading restores the same bits. A failure to write is left in the state of the stream.
+/// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
+/// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse).
+/// All values are text from which reading restores the same bits.
+/// A failure to write is left in the state of the stream.
 ///
 /// \param os the stream
 /// \param soup the mesh

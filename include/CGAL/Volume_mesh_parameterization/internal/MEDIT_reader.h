@@ -63,7 +63,7 @@ private:
     {
       if(word == "End")
         check_end(scanner);
-      else if(is_read(word) && !sections_.emplace(word, scanner).second)
+      else if(is_read(word) && !m_sections.emplace(word, scanner).second)
         scanner.fail("a second section " + Text_scanner::quote(word));
     }
   }
@@ -93,15 +93,15 @@ private:
 
   void check_kind() const
   {
-    const auto dimension = sections_.find("Dimension");
-    if(dimension != sections_.end())
+    const auto dimension = m_sections.find("Dimension");
+    if(dimension != m_sections.end())
     {
       Text_scanner scanner(dimension->second);
       if(scanner.next_number<int>("the dimension") != 3)
         scanner.fail("the dimension is not 3");
     }
 
-    for(const auto& [keyword, begin] : sections_)
+    for(const auto& [keyword, begin] : m_sections)
     {
       Text_scanner scanner(begin);
       if(is_unsupported(keyword) && next_count(scanner) != 0)
@@ -118,8 +118,8 @@ private:
   template <typename ReadElement>
   void read_section(const char* keyword, const ReadElement& read_element) const
   {
-    const auto section = sections_.find(keyword);
-    if(section == sections_.end())
+    const auto section = m_sections.find(keyword);
+    if(section == m_sections.end())
       return;
 
     Text_scanner scanner(section->second);
@@ -175,7 +175,7 @@ private:
     return scanner.next_number<int>("an integral reference");
   }
 
-  std::map<std::string_view, Text_scanner> sections_;   // each begins behind its keyword
+  std::map<std::string_view, Text_scanner> m_sections;   // each begins behind its keyword
 };
 
 } // namespace internal

@@ -29,13 +29,13 @@ namespace internal {
 template <typename C3t3>
 class Mesh_complex_3_builder
 {
-  typedef typename C3t3::Triangulation                    Triangulation;
-  typedef typename Triangulation::Triangulation_data_structure Tds;
-  typedef typename Triangulation::Vertex_handle           Vertex_handle;
-  typedef typename Triangulation::Cell_handle             Cell_handle;
-  typedef typename C3t3::Subdomain_index                  Subdomain_index;
-  typedef typename C3t3::Surface_patch_index              Surface_patch_index;
-  typedef typename C3t3::Index                            Index;
+  using Triangulation = typename C3t3::Triangulation;
+  using Tds = typename Triangulation::Triangulation_data_structure;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Subdomain_index = typename C3t3::Subdomain_index;
+  using Surface_patch_index = typename C3t3::Surface_patch_index;
+  using Index = typename C3t3::Index;
 
 public:
   Mesh_complex_3_builder(const Tetrahedron_soup_3& soup,
@@ -43,7 +43,7 @@ public:
                          C3t3& c3t3,
                          std::vector<Vertex_handle>& vertices,
                          std::vector<Cell_handle>& cells)
-    : soup_(soup), matching_(matching), c3t3_(c3t3), vertices_(vertices), cells_(cells)
+    : m_soup(soup), m_matching(matching), m_c3t3(c3t3), m_vertices(vertices), m_cells(cells)
   {}
 
   void build(bool has_negative_cells)
@@ -57,13 +57,13 @@ public:
   }
 
 private:
-  Triangulation& triangulation() { return c3t3_.triangulation(); }
+  Triangulation& triangulation() { return m_c3t3.triangulation(); }
   Tds& tds() { return triangulation().tds(); }
 
   // An empty triangulation is the infinite vertex in a cell of dimension -1.
   void clear()
   {
-    c3t3_.clear();
+    m_c3t3.clear();
     const Vertex_handle infinite = triangulation().infinite_vertex();
     tds().delete_cell(infinite->cell());
     infinite->set_cell(Cell_handle());
@@ -72,50 +72,50 @@ private:
 
   void add_vertices()
   {
-    typedef typename Triangulation::Point Point;
-    typedef typename Triangulation::Geom_traits::Point_3 Point_3;
+    using Point = typename Triangulation::Point;
+    using Point_3 = typename Triangulation::Geom_traits::Point_3;
 
-    std::vector<bool> is_used(soup_.points.size(), false);
-    for(const std::array<std::size_t, 4>& cell : soup_.cells)
+    std::vector<bool> is_used(m_soup.points.size(), false);
+    for(const std::array<std::size_t, 4>& cell : m_soup.cells)
       for(std::size_t v : cell)
         is_used[v] = true;
 
-    vertices_.assign(soup_.points.size(), Vertex_handle());
-    for(std::size_t v = 0; v < vertices_.size(); ++v)
+    m_vertices.assign(m_soup.points.size(), Vertex_handle());
+    for(std::size_t v = 0; v < m_vertices.size(); ++v)
     {
       if(!is_used[v])
         continue;
-      const std::array<double, 3>& p = soup_.points[v];
-      vertices_[v] = tds().create_vertex();
-      vertices_[v]->set_point(Point(Point_3(p[0], p[1], p[2])));
-      c3t3_.set_dimension(vertices_[v], 3);
+      const std::array<double, 3>& p = m_soup.points[v];
+      m_vertices[v] = tds().create_vertex();
+      m_vertices[v]->set_point(Point(Point_3(p[0], p[1], p[2])));
+      m_c3t3.set_dimension(m_vertices[v], 3);
     }
   }
 
   void add_cells(bool has_negative_cells)
   {
-    const int zero_replacement = unused_reference(soup_.cell_references);
+    const int zero_replacement = unused_reference(m_soup.cell_references);
 
-    cells_.clear();
-    cells_.reserve(soup_.cells.size());
-    for(std::size_t c = 0; c < soup_.cells.size(); ++c)
+    m_cells.clear();
+    m_cells.reserve(m_soup.cells.size());
+    for(std::size_t c = 0; c < m_soup.cells.size(); ++c)
     {
       std::array<Vertex_handle, 4> v;
       for(std::size_t i = 0; i < 4; ++i)
-        v[i] = vertices_[soup_.cells[c][i]];
+        v[i] = m_vertices[m_soup.cells[c][i]];
       if(has_negative_cells)
         std::swap(v[2], v[3]);
 
-      const int reference = soup_.cell_references[c];
+      const int reference = m_soup.cell_references[c];
       const Subdomain_index subdomain(reference == 0 ? zero_replacement : reference);
       const Cell_handle cell = tds().create_cell(v[0], v[1], v[2], v[3]);
-      c3t3_.add_to_complex(cell, subdomain);
-      cells_.push_back(cell);
+      m_c3t3.add_to_complex(cell, subdomain);
+      m_cells.push_back(cell);
 
       for(Vertex_handle vh : v)
       {
         vh->set_cell(cell);
-        c3t3_.set_index(vh, Index(subdomain));
+        m_c3t3.set_index(vh, Index(subdomain));
       }
     }
   }
@@ -133,25 +133,25 @@ private:
   // The handle of the vertex opposite to a facet also finds the index of the facet, whichever vertices were swapped.
   int facet_index(std::size_t facet) const
   {
-    return cells_[facet / 4]->index(vertices_[soup_.cells[facet / 4][facet % 4]]);
+    return m_cells[facet / 4]->index(m_vertices[m_soup.cells[facet / 4][facet % 4]]);
   }
 
   void join_cells()
   {
-    for(std::size_t f = 0; f < 4 * cells_.size(); ++f)
+    for(std::size_t f = 0; f < 4 * m_cells.size(); ++f)
     {
-      const std::size_t g = matching_.mirror(f);
+      const std::size_t g = m_matching.mirror(f);
       if(g != Facet_matching_3::none && f < g)
-        tds().set_adjacency(cells_[f / 4], facet_index(f), cells_[g / 4], facet_index(g));
+        tds().set_adjacency(m_cells[f / 4], facet_index(f), m_cells[g / 4], facet_index(g));
     }
   }
 
   void close_boundary()
   {
     std::vector<Cell_handle> infinite_cells;
-    for(std::size_t f = 0; f < 4 * cells_.size(); ++f)
-      if(matching_.mirror(f) == Facet_matching_3::none)
-        infinite_cells.push_back(add_infinite_cell(cells_[f / 4], facet_index(f)));
+    for(std::size_t f = 0; f < 4 * m_cells.size(); ++f)
+      if(m_matching.mirror(f) == Facet_matching_3::none)
+        infinite_cells.push_back(add_infinite_cell(m_cells[f / 4], facet_index(f)));
 
     for(Cell_handle cell : infinite_cells)
       join_infinite_cell(cell);
@@ -198,34 +198,34 @@ private:
   // The complex has the marked facets and those between different subdomains, the outside being one.
   void add_facets()
   {
-    const int default_reference = unused_reference(soup_.facet_references);
-    for(const auto& [facet, reference] : matching_.marks())
-      add_facet(cells_[facet / 4], facet_index(facet), reference == 0 ? default_reference : reference);
+    const int default_reference = unused_reference(m_soup.facet_references);
+    for(const auto& [facet, reference] : m_matching.marks())
+      add_facet(m_cells[facet / 4], facet_index(facet), reference == 0 ? default_reference : reference);
 
-    for(Cell_handle cell : cells_)
+    for(Cell_handle cell : m_cells)
       for(int i = 0; i < 4; ++i)
-        if(!c3t3_.is_in_complex(cell, i)
-           && !(c3t3_.subdomain_index(cell) == c3t3_.subdomain_index(cell->neighbor(i))))
+        if(!m_c3t3.is_in_complex(cell, i)
+           && !(m_c3t3.subdomain_index(cell) == m_c3t3.subdomain_index(cell->neighbor(i))))
           add_facet(cell, i, default_reference);
   }
 
   void add_facet(Cell_handle cell, int i, int reference)
   {
     const Surface_patch_index patch(reference);
-    c3t3_.add_to_complex(cell, i, patch);
+    m_c3t3.add_to_complex(cell, i, patch);
     for(int j = 1; j < 4; ++j)
     {
       const Vertex_handle v = cell->vertex((i + j) % 4);
-      c3t3_.set_dimension(v, 2);
-      c3t3_.set_index(v, Index(patch));
+      m_c3t3.set_dimension(v, 2);
+      m_c3t3.set_index(v, Index(patch));
     }
   }
 
-  const Tetrahedron_soup_3& soup_;
-  const Facet_matching_3& matching_;
-  C3t3& c3t3_;
-  std::vector<Vertex_handle>& vertices_;
-  std::vector<Cell_handle>& cells_;
+  const Tetrahedron_soup_3& m_soup;
+  const Facet_matching_3& m_matching;
+  C3t3& m_c3t3;
+  std::vector<Vertex_handle>& m_vertices;
+  std::vector<Cell_handle>& m_cells;
 };
 
 } // namespace internal

@@ -32,17 +32,17 @@ class Text_scanner
 {
 public:
   explicit Text_scanner(std::string_view text)
-    : text_(text)
+    : m_text(text)
   {}
 
   // the next word, empty at the end of the text
   std::string_view next_word()
   {
     skip_blanks();
-    const std::size_t begin = position_;
-    while(position_ < text_.size() && !is_blank(text_[position_]) && text_[position_] != '#')
-      ++position_;
-    return text_.substr(begin, position_ - begin);
+    const std::size_t begin = m_position;
+    while(m_position < m_text.size() && !is_blank(m_text[m_position]) && m_text[m_position] != '#')
+      ++m_position;
+    return m_text.substr(begin, m_position - begin);
   }
 
   // the next word as a number; `what` names it in the sentence of a failure
@@ -71,12 +71,12 @@ public:
   bool has_word_on_line() const
   {
     Text_scanner ahead(*this);
-    return !ahead.next_word().empty() && ahead.line_ == line_;
+    return !ahead.next_word().empty() && ahead.m_line == m_line;
   }
 
   [[noreturn]] void fail(const std::string& sentence) const
   {
-    throw Input_error("line " + std::to_string(line_) + ": " + sentence);
+    throw Input_error("line " + std::to_string(m_line) + ": " + sentence);
   }
 
   // the beginning of a word, fit for a terminal
@@ -100,12 +100,12 @@ private:
 
   void skip_blanks()
   {
-    for(bool is_comment = false; position_ < text_.size(); ++position_)
+    for(bool is_comment = false; m_position < m_text.size(); ++m_position)
     {
-      const char c = text_[position_];
+      const char c = m_text[m_position];
       if(c == '\n')
       {
-        ++line_;
+        ++m_line;
         is_comment = false;
       }
       else if(c == '#')
@@ -115,9 +115,9 @@ private:
     }
   }
 
-  std::string_view text_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
+  std::string_view m_text;
+  std::size_t m_position = 0;
+  std::size_t m_line = 1;
 };
 
 } // namespace internal

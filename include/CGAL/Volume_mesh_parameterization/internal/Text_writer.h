@@ -28,9 +28,9 @@ class Text_writer
 {
 public:
   explicit Text_writer(std::ostream& os)
-    : os_(os)
+    : m_os(os)
   {
-    buffer_.reserve(capacity);
+    m_buffer.reserve(capacity);
   }
 
   Text_writer(const Text_writer&) = delete;
@@ -59,20 +59,20 @@ private:
 
   Text_writer& append(std::string_view text)
   {
-    if(buffer_.size() + text.size() > capacity)
+    if(m_buffer.size() + text.size() > capacity)
       flush();
-    buffer_.append(text);
+    m_buffer.append(text);
     return *this;
   }
 
   void flush()
   {
-    os_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
+    m_os.write(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
+    m_buffer.clear();
   }
 
-  std::ostream& os_;
-  std::string buffer_;
+  std::ostream& m_os;
+  std::string m_buffer;
 };
 
 } // namespace internal

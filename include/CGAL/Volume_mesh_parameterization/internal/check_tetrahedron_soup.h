@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-typedef Exact_predicates_inexact_constructions_kernel::Point_3 Exact_point_3;
+using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
 inline std::array<Exact_point_3, 4> cell_points(const Tetrahedron_soup_3& soup, std::size_t c)
 {
