@@ -33,7 +33,12 @@ enum Error_code
   ERROR_INVERTED_SOURCE_CELL,    ///< a cell of the source has no positive volume
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
   ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary encloses no positive volume
-  ERROR_PRESCRIBED_CELL_INVERTED ///< a cell whose vertices are all prescribed has no positive volume in the target
+  ERROR_PRESCRIBED_CELL_INVERTED,///< a cell whose vertices are all prescribed has no positive volume in the target
+  ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary of the complex is not a manifold
+  ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
+  ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
+  ERROR_BOUNDARY_TOO_COARSE,         ///< the edges of the boundary do not suffice for disjoint paths between the corners
+  ERROR_BOUNDARY_MAP_NOT_BIJECTIVE   ///< the map of the boundary is not one to one, by the limits of floating-point numbers
 };
 
 /*!
@@ -68,6 +73,16 @@ inline const char* get_error_message(const Error_code code)
       return "The target boundary encloses no positive volume; is it turned inside out?";
     case ERROR_PRESCRIBED_CELL_INVERTED:
       return "A cell whose vertices are all prescribed has no positive volume in the target.";
+    case ERROR_NON_MANIFOLD_BOUNDARY:
+      return "The boundary of the complex is not a manifold.";
+    case ERROR_SEVERAL_BOUNDARY_COMPONENTS:
+      return "The boundary of the complex has several connected components.";
+    case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
+      return "The boundary of the complex has handles; it must be a topological sphere.";
+    case ERROR_BOUNDARY_TOO_COARSE:
+      return "The edges of the boundary do not suffice for disjoint paths between the corners; refine the boundary or choose other corners.";
+    case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE:
+      return "The map of the boundary is not one to one, by the limits of floating-point numbers.";
   }
   return "Unknown error code.";
 }

@@ -1,0 +1,76 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BALL_BOUNDARY_PARAMETERIZER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_BALL_BOUNDARY_PARAMETERIZER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/map_to_sphere_3.h>
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationBoundary
+
+maps the boundary of a complex that is a topological sphere onto the unit sphere around the origin.
+
+The image is a polyhedron inscribed in the sphere. Its central projection covers the sphere once: the origin sees each
+triangle from inside, which is checked with exact predicates on the coordinates written.
+The method is the one of Praun and Hoppe \cgalCite{cgal:ph-spr-03}: the surface is coarsened to a tetrahedron by edge
+collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet energy, which
+compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
+
+\cgalModels{BoundaryParameterizer_3}
+
+\sa `Cube_boundary_parameterizer_3`
+*/
+class Ball_boundary_parameterizer_3
+{
+public:
+  /// writes the image of each vertex of the boundary of the complex.
+  ///
+  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
+  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
+  ///
+  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_MANIFOLD_BOUNDARY`,
+  ///         `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of floating-point numbers were met
+  ///
+  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
+  template <typename C3t3, typename VertexPointMap>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  {
+    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+
+    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
+    if(boundary.status() != OK)
+      return boundary.status();
+    std::vector<Eigen::Vector3d> images;
+    const Error_code status = internal::map_to_sphere_3(boundary.mesh(), images);
+    if(status == OK)
+      for(std::size_t v = 0; v < images.size(); ++v)
+        put(target, boundary.vertex(v), Point_3(images[v][0], images[v][1], images[v][2]));
+    return status;
+  }
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BALL_BOUNDARY_PARAMETERIZER_3_H
