@@ -159,8 +159,9 @@ stretch_minimizing_volume_parameterization(const C3t3& c3t3,
   timer.start();
   const VMP::internal::Numbered_complex_3<C3t3> complex(c3t3, is_constrained, boundary_map);
   Eigen::Matrix3Xd image;
-  const VMP::Parameterization_result result
+  VMP::Parameterization_result result
     = VMP::internal::parameterize_3<ConcurrencyTag>(complex.mesh(), energy, solver, visitor, limits, timer, image);
+  result.number_of_boundary_vertices = complex.number_of_boundary_vertices();
   if(result.has_valid_map)
     for(std::size_t v = 0; v < complex.vertices().size(); ++v)
       put(uvw_map, complex.vertices()[v], Point_3(image(0, v), image(1, v), image(2, v)));

@@ -23,13 +23,13 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-enum class Hessian_kind { FULL, POSITIVE_SEMIDEFINITE };
-
 // The derivatives of psi(s(J)) with respect to J = R diag(s) Q^T, in the rotated frame: for
 // dJ = R dF Q^T,  d psi = sum_i psi_i dF_ii  and
 // d2 psi = sum_ij scaling_ij dF_ii dF_jj + sum_{p<q} (symmetric_k (dF_pq + dF_qp)^2 + antisymmetric_k (dF_pq - dF_qp)^2) / 2
 // where k is the index opposite to the pair p, q (Smith, de Goes, Kim, Analytic Eigensystems for
-// Isotropic Distortion Energies, TOG 2019). Each mode is an eigenvector: clamping is exact.
+// Isotropic Distortion Energies, TOG 2019). Each mode is an eigenvector, so that negative eigenvalues
+// can be multiplied by a factor `negative_curvature`: 0 gives the positive semi-definite (PSD)
+// Hessian, 1 the full one.
 template <typename T>
 struct Distortion_derivatives_3
 {
@@ -52,7 +52,7 @@ T quotient_or_limit(const T& a, const T& b, const T& size, const T& limit)
 template <typename T, typename Energy>
 Distortion_derivatives_3<T> distortion_derivatives_3(const Energy& energy,
                                                      const Matrix_3<T>& J,
-                                                     const Hessian_kind kind)
+                                                     const double negative_curvature)
 {
   using std::abs;
   Distortion_derivatives_3<T> result;
@@ -71,13 +71,15 @@ Distortion_derivatives_3<T> distortion_derivatives_3(const Energy& energy,
     result.antisymmetric[k] = quotient_or_limit<T>(g[p] + g[q], s[p] + s[q], size, H(p, p) + H(p, q));
   }
 
-  if(kind == Hessian_kind::POSITIVE_SEMIDEFINITE)
+  if(negative_curvature < 1)
   {
-    result.scaling = positive_semidefinite_projection_3(H);
+    const T kept(negative_curvature);
+    const Matrix_3<T> projection = positive_semidefinite_projection_3(H);
+    result.scaling = projection + kept * (H - projection);
     for(int k = 0; k < 3; ++k)
     {
-      result.symmetric[k] = maximum(result.symmetric[k], T(0));
-      result.antisymmetric[k] = maximum(result.antisymmetric[k], T(0));
+      result.symmetric[k] = maximum(result.symmetric[k], kept * result.symmetric[k]);
+      result.antisymmetric[k] = maximum(result.antisymmetric[k], kept * result.antisymmetric[k]);
     }
   }
   return result;

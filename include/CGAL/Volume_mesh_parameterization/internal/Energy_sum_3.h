@@ -103,7 +103,7 @@ public:
 
   // The gradient and the Hessian.
   template <typename Energy, typename NT>
-  void assemble(const Energy& energy, const Positions& u, const Hessian_kind kind,
+  void assemble(const Energy& energy, const Positions& u, const double negative_curvature,
                 Positions& gradient, Block_sparse_matrix_3<NT>& hessian) const
   {
     gradient.setZero(3, hessian.size());
@@ -112,7 +112,7 @@ public:
     {
       const Matrix_3<Pack> J = edge_matrix(u, pack) * pack.inverse_source;
       Cell_derivatives_3<Pack> cells;
-      cell_derivatives_3(distortion_derivatives_3<Pack>(energy, J, kind),
+      cell_derivatives_3(distortion_derivatives_3<Pack>(energy, J, negative_curvature),
                          pack.inverse_source, pack.weight, cells);
       scatter(pack, cells.gradient, gradient);
       scatter(pack, cells, hessian);

@@ -65,7 +65,8 @@ public:
   void step()
   {
     ++m_step.iteration;
-    if(m_step.phase == Phase::UNTANGLING)
+    m_step.phase = m_phase;
+    if(m_phase == Phase::UNTANGLING)
     {
       ++m_untangling_iterations;
       const Step_status status = m_untangler->step();
@@ -93,7 +94,7 @@ public:
   bool is_running() const { return m_is_running; }
   Error_code status() const { return m_status; }
   const Parameterization_step& last_step() const { return m_step; }
-  bool is_flip_free() const { return m_step.phase == Phase::MINIMIZATION; }
+  bool is_flip_free() const { return m_phase == Phase::MINIMIZATION; }
   std::size_t number_of_inverted_cells_at_start() const { return m_inverted_cells_at_start; }
   std::size_t number_of_untangling_iterations() const { return m_untangling_iterations; }
 
@@ -123,7 +124,7 @@ private:
 
   void enter(const Phase phase)
   {
-    m_step.phase = phase;
+    m_phase = phase;
     if(phase == Phase::MINIMIZATION)
       m_minimizer.emplace(m_newton, m_u, m_energy);
   }
@@ -150,6 +151,7 @@ private:
   std::optional<Untangler> m_untangler;
   std::optional<Minimizer> m_minimizer;
   Parameterization_step m_step;
+  Phase m_phase = Phase::START;
   Error_code m_status = ERROR_NOT_CONVERGED;
   bool m_is_running = true;
   std::size_t m_inverted_cells_at_start = 0;

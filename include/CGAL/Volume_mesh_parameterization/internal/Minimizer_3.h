@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distortion_derivatives_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Step_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/largest_step_3.h>
@@ -26,8 +25,10 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Minimizes an energy by Newton steps that never invert a cell: with the positive semi-definite
-// Hessian far from the optimum, with the full one near it, where it converges quadratically.
+// Minimizes an energy by Newton steps that never invert a cell. The part of the negative curvature
+// that the Hessian keeps is raised after each full step, and lowered when the Hessian proves
+// indefinite: far from the optimum the Hessian is positive semi-definite, near it the full one, which
+// converges quadratically.
 template <typename Newton, typename Energy, typename ConcurrencyTag>
 class Minimizer_3
 {
@@ -41,43 +42,63 @@ public:
 
   Step_status step()
   {
-    const Linear_solver_status status = compute_direction();
+    Linear_solver_status status = move();
+    while(m_negative_curvature > 0 && (m_step_length == 0 || status != Linear_solver_status::SUCCESS))
+    {
+      lower_negative_curvature();
+      status = move();
+    }
     if(status != Linear_solver_status::SUCCESS && status != Linear_solver_status::TRUNCATED)
       return Step_status::SOLVER_FAILED;
-
-    constexpr double safety = 0.9;
-    const double largest = largest_step_3<ConcurrencyTag>(m_newton.packs(), m_u, m_newton.direction());
-    const typename Newton::Step step
-      = m_newton.line_search(m_energy, m_u, m_evaluation.energy, largest < 1 ? safety * largest : 1., true);
-    m_step_length = step.length;
-    if(step.length == 0)
-      return is_converged() ? Step_status::DONE : Step_status::STUCK;
-
-    m_evaluation = step.evaluation;
-    return is_converged() ? Step_status::DONE : Step_status::CONTINUE;
+    if(is_converged())
+      return Step_status::DONE;
+    if(m_step_length >= 1)
+      raise_negative_curvature();
+    return m_step_length > 0 ? Step_status::CONTINUE : Step_status::STUCK;
   }
 
 private:
-  Linear_solver_status compute_direction()
+  Linear_solver_status move()
   {
     constexpr double solver_tolerance = 1e-2;
-    if(is_near_optimum() && m_steps_to_wait-- <= 0)
+    m_step_length = 0;
+    const Linear_solver_status status
+      = m_newton.compute_direction(m_energy, m_u, m_negative_curvature, solver_tolerance);
+    if(status == Linear_solver_status::SUCCESS
+       || (status == Linear_solver_status::TRUNCATED && m_negative_curvature == 0))
     {
-      const Linear_solver_status status
-        = m_newton.compute_direction(m_energy, m_u, Hessian_kind::FULL, solver_tolerance);
-      // each failure doubles the number of steps before the next attempt
-      m_waiting_time = status == Linear_solver_status::SUCCESS ? 1 : (std::min)(2 * m_waiting_time, 16);
-      m_steps_to_wait = status == Linear_solver_status::SUCCESS ? 0 : m_waiting_time;
-      if(status != Linear_solver_status::NOT_POSITIVE_DEFINITE)
-        return status;
+      const typename Newton::Step step = search();
+      m_step_length = step.length;
+      if(step.length > 0)
+        m_evaluation = step.evaluation;
     }
-    return m_newton.compute_direction(m_energy, m_u, Hessian_kind::POSITIVE_SEMIDEFINITE, solver_tolerance);
+    return status;
   }
 
-  // did the last step, a full one, hardly change the energy?
-  bool is_near_optimum() const
+  typename Newton::Step search()
   {
-    return m_step_length == 1 && -m_newton.slope() < 1e-2 * m_evaluation.energy;
+    constexpr double safety = 0.9; // stays away from flat cells
+    const double largest = largest_step_3<ConcurrencyTag>(m_newton.packs(), m_u, m_newton.direction());
+    const Eigen::Matrix3Xd origin = m_u;
+    typename Newton::Step step = m_newton.line_search(m_energy, m_u, m_evaluation.energy,
+                                                      largest < 1 ? safety * largest : 1., true);
+    // A gain above half of the slope shows less curvature than the Hessian had.
+    if(step.length == 1 && step.evaluation.energy < m_evaluation.energy + 0.6 * m_newton.slope())
+      m_newton.extrapolate(m_energy, origin, m_u, step);
+    return step;
+  }
+
+  // A failure also slows down the next rises.
+  void lower_negative_curvature()
+  {
+    m_negative_curvature = m_negative_curvature > 0.01 ? m_negative_curvature / 4 : 0;
+    m_growth = 1.5;
+  }
+
+  void raise_negative_curvature()
+  {
+    m_negative_curvature = (std::min)(1., (std::max)(0.1, m_growth * m_negative_curvature));
+    m_growth = (std::min)(4., 1.2 * m_growth);
   }
 
   // the squared Newton decrement bounds what a step can gain
@@ -91,8 +112,8 @@ private:
   const Energy& m_energy;
   Energy_evaluation m_evaluation;
   double m_step_length = 0;
-  int m_waiting_time = 1;
-  int m_steps_to_wait = 0;
+  double m_negative_curvature = 0; // the part of it that the Hessian keeps
+  double m_growth = 4;
 };
 
 } // namespace internal

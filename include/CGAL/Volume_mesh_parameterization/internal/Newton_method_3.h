@@ -77,9 +77,9 @@ public:
   // Solves H d = -g.
   template <typename Energy>
   Linear_solver_status compute_direction(const Energy& energy, const Positions& u,
-                                         const Hessian_kind kind, const double tolerance)
+                                         const double negative_curvature, const double tolerance)
   {
-    m_energy_sum.assemble(energy, u, kind, m_gradient, m_hessian);
+    m_energy_sum.assemble(energy, u, negative_curvature, m_gradient, m_hessian);
     if(m_penalty != nullptr)
     {
       m_penalty->add_gradient(u, m_gradient);
@@ -87,7 +87,7 @@ public:
     }
     Linear_solver_status status = solve(tolerance);
     // a semi-definite matrix may fail to be definite by rounding
-    for(double shift = 1e-8; shift < 1e-2 && kind == Hessian_kind::POSITIVE_SEMIDEFINITE
+    for(double shift = 1e-8; shift < 1e-2 && negative_curvature == 0
                              && status == Linear_solver_status::NOT_POSITIVE_DEFINITE; shift *= 100)
     {
       m_hessian.scale_diagonal(static_cast<typename Solver::NT>(shift));
@@ -135,6 +135,22 @@ public:
       }
     }
     return step;
+  }
+
+  // Doubles a step that led from `origin` to u as long as the energy falls and no cell is inverted.
+  template <typename Energy>
+  void extrapolate(const Energy& energy, const Positions& origin, Positions& u, Step& step) const
+  {
+    while(true)
+    {
+      const Positions trial = origin + 2 * step.length * m_direction;
+      const Energy_evaluation evaluation = evaluate(energy, trial);
+      if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy))
+        return;
+      u = trial;
+      step.length *= 2;
+      step.evaluation = evaluation;
+    }
   }
 
 private:

@@ -55,7 +55,7 @@ public:
 
     const Untangling_energy_3 f = energy(m_epsilon);
     const Linear_solver_status status
-      = m_newton.compute_direction(f, m_u, Hessian_kind::POSITIVE_SEMIDEFINITE, solver_tolerance);
+      = m_newton.compute_direction(f, m_u, 0., solver_tolerance);
     if(status != Linear_solver_status::SUCCESS && status != Linear_solver_status::TRUNCATED)
       return Step_status::SOLVER_FAILED;
 

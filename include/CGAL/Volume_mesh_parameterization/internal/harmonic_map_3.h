@@ -35,7 +35,7 @@ Linear_solver_status harmonic_map_3(Newton& newton, Eigen::Matrix3Xd& u)
   Linear_solver_status status = Linear_solver_status::SUCCESS;
   for(int i = 0; i < maximal_number_of_steps; ++i)
   {
-    status = newton.compute_direction(dirichlet, u, Hessian_kind::FULL, solver_tolerance);
+    status = newton.compute_direction(dirichlet, u, 1., solver_tolerance);
     if(status != Linear_solver_status::SUCCESS)
       break;
     u += newton.direction();
