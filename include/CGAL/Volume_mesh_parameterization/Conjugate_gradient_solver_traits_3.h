@@ -66,11 +66,14 @@ public:
   {
     for_each_row([&](const int row)
     {
-      const Eigen::Matrix<double, 3, 3> D = A.block(A.position(row, row)).template cast<double>();
-      Eigen::LLT<Eigen::Matrix3d> llt(D);
-      inverse_diagonal(row) = llt.info() == Eigen::Success
-        ? Eigen::Matrix3d(llt.solve(Eigen::Matrix3d::Identity())).template cast<NT>().eval()
-        : Eigen::Matrix<NT, 3, 3>::Zero().eval();
+      const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
+      const Eigen::LLT<Eigen::Matrix3d> llt(D);
+      Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+      if(llt.info() == Eigen::Success)
+        inverse = llt.solve(Eigen::Matrix3d::Identity());
+      else if(D.norm() > 0) // the iteration must meet the negative curvature of this block
+        inverse = Eigen::Matrix3d::Identity() / D.norm();
+      inverse_diagonal(row) = inverse.template cast<NT>();
     });
     m_matrix = &A;
     return Linear_solver_status::SUCCESS;
