@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -42,12 +43,14 @@ Point_3 twist(const Point_3& p)
 
 void print(const VMP::Parameterization_result& result)
 {
+  const VMP::Distortion_3& d = result.distortion;
   std::cout << result.message << "\n"
-            << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " inverted, "
-            << result.number_of_iterations << " iterations, " << result.seconds_total << " seconds\n"
-            << "distortion      mean       max\n"
-            << "of angles   " << result.distortion.angle_mean << "  " << result.distortion.angle_max << "\n"
-            << "of volumes  " << result.distortion.volume_mean << "  " << result.distortion.volume_max << "\n";
+            << result.number_of_cells << " cells, " << result.number_of_inverted_cells_at_start
+            << " of them inverted by the harmonic map, " << result.number_of_inverted_cells << " by the result\n"
+            << result.number_of_iterations << " iterations, " << result.seconds_total << " s\n\n"
+            << "distortion (none: 2)      mean       max\n" << std::fixed << std::setprecision(4)
+            << "of angles           " << std::setw(10) << d.angle_mean << std::setw(10) << d.angle_max << "\n"
+            << "of volumes          " << std::setw(10) << d.volume_mean << std::setw(10) << d.volume_max << std::endl;
 }
 
 int main(int argc, char* argv[])
@@ -73,13 +76,13 @@ int main(int argc, char* argv[])
   std::unordered_map<Vertex_handle, Point_3> uvw;
   const auto uvw_map = boost::make_assoc_property_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, uvw_map,
-    params::boundary_map(boost::make_function_property_map<Vertex_handle>(target)));
+    c3t3, uvw_map, params::boundary_map(boost::make_function_property_map<Vertex_handle>(target)));
   print(result);
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
   std::ofstream out(output_filename);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
-  return EXIT_SUCCESS;
+  out.close();
+  return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }
