@@ -1,0 +1,266 @@
+// The block matrix and its pattern, and the solvers of Newton systems against dense algebra.
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+#  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
+#endif
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <limits>
+#include <random>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using VMP::Linear_solver_status;
+
+namespace {
+
+using Solvers = std::tuple<VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>,
+                           VMP::Conjugate_gradient_solver_traits_3<CGAL::Parallel_if_available_tag, double>,
+                           VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, float>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+                           , VMP::CHOLMOD_solver_traits_3
+#endif
+                           >;
+
+template <typename NT>
+VMP::Block_sparse_matrix_3<NT> pattern(const VMP::internal::Numbered_mesh_3& mesh)
+{
+  VMP::Block_sparse_matrix_3<NT> A;
+  VMP::internal::set_pattern(mesh, {}, A);
+  return A;
+}
+
+// Random symmetric entries in [-1, 1], plus `diagonal` on the diagonal.
+template <typename NT>
+void fill(VMP::Block_sparse_matrix_3<NT>& A, const double diagonal, const unsigned int seed = 0)
+{
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<NT> distribution(-1, 1);
+  for(int row = 0; row < A.size(); ++row)
+    for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+      if(A.column(k) >= row)
+      {
+        Eigen::Matrix<NT, 3, 3> block;
+        for(NT& x : block.reshaped())
+          x = distribution(engine);
+        if(A.column(k) == row)
+          block = ((block + block.transpose()) / 2 + NT(diagonal) * block.Identity()).eval();
+        A.block(k) = block;
+        A.block(A.position(A.column(k), row)) = block.transpose();
+      }
+}
+
+template <typename NT>
+MatrixXd dense(const VMP::Block_sparse_matrix_3<NT>& A)
+{
+  MatrixXd D = MatrixXd::Zero(3 * A.size(), 3 * A.size());
+  for(int row = 0; row < A.size(); ++row)
+    for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+      D.block<3, 3>(3 * row, 3 * A.column(k)) = A.block(k).template cast<double>();
+  return D;
+}
+
+VectorXd random_vector(const Eigen::Index size)
+{
+  std::mt19937 engine;
+  std::normal_distribution<double> distribution;
+  return VectorXd::NullaryExpr(size, [&]() { return distribution(engine); });
+}
+
+// Above the sum of the absolute values of a row: each vertex has at most 14 neighbors.
+constexpr double dominant_diagonal = 50;
+
+} // namespace
+
+TEST_CASE("The pattern holds the pairs of free vertices that share a cell")
+{
+  const VMP::internal::Numbered_mesh_3 mesh = cube_mesh(4);
+  std::set<std::pair<int, int> > expected;
+  for(const std::array<int, 4>& cell : mesh.cells)
+    for(const int v : cell)
+      for(const int w : cell)
+        if(mesh.is_free(v) && mesh.is_free(w))
+          expected.emplace(v, w);
+
+  const auto A = pattern<double>(mesh);
+  REQUIRE(A.size() == 27);
+  std::vector<std::pair<int, int> > actual;
+  for(int row = 0; row < A.size(); ++row)
+    for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+    {
+      actual.emplace_back(row, A.column(k));
+      CHECK(A.position(row, A.column(k)) == k);
+    }
+  CHECK(actual == std::vector<std::pair<int, int> >(expected.begin(), expected.end()));
+}
+
+TEMPLATE_TEST_CASE("Products of a row agree with the dense matrix", "", float, double)
+{
+  auto A = pattern<TestType>(cube_mesh(4));
+  fill(A, 0);
+  const Eigen::Matrix<TestType, Eigen::Dynamic, 1> x = random_vector(3 * A.size()).template cast<TestType>();
+  const VectorXd expected = dense(A) * x.template cast<double>();
+  const double tolerance = 100 * std::numeric_limits<TestType>::epsilon();
+  for(int row = 0; row < A.size(); ++row)
+    CHECK((A.multiply_row(row, x.data()).template cast<double>() - expected.segment<3>(3 * row)).norm() <= tolerance);
+}
+
+TEST_CASE("Scaling the diagonal changes the diagonal blocks only")
+{
+  auto A = pattern<double>(cube_mesh(3));
+  fill(A, 1);
+  MatrixXd expected = dense(A);
+  for(int v = 0; v < A.size(); ++v)
+    expected.block<3, 3>(3 * v, 3 * v) *= 1.25;
+  A.scale_diagonal(0.25);
+  CHECK((dense(A) - expected).norm() == 0);
+  A.set_zero();
+  CHECK(dense(A).norm() == 0);
+}
+
+TEMPLATE_LIST_TEST_CASE("A positive definite system is solved, also with new values", "", Solvers)
+{
+  using NT = typename TestType::NT;
+  const double tolerance = 100 * std::numeric_limits<NT>::epsilon();
+  for(const int n : {2, 5, 13}) // 1, 64 and 1728 free vertices
+  {
+    auto A = pattern<NT>(cube_mesh(n));
+    const VectorXd b = random_vector(3 * A.size());
+    TestType solver;
+    solver.analyze_pattern(A);
+    for(const unsigned int seed : {1, 2})
+    {
+      fill(A, dominant_diagonal, seed);
+      REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
+      VectorXd x;
+      REQUIRE(solver.solve(b, x, tolerance) == Linear_solver_status::SUCCESS);
+      CHECK((dense(A) * x - b).norm() <= 2 * tolerance * b.norm());
+    }
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("The solution is that of a dense factorization", "", Solvers)
+{
+  using NT = typename TestType::NT;
+  auto A = pattern<NT>(cube_mesh(4));
+  fill(A, 8); // positive definite, but not dominated by the diagonal
+  const Eigen::LLT<MatrixXd> llt(dense(A));
+  REQUIRE(llt.info() == Eigen::Success);
+  const VectorXd b = random_vector(3 * A.size());
+
+  TestType solver;
+  solver.analyze_pattern(A);
+  REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
+  VectorXd x;
+  REQUIRE(solver.solve(b, x, 100 * std::numeric_limits<NT>::epsilon()) == Linear_solver_status::SUCCESS);
+  CHECK((x - llt.solve(b)).norm() <= 1e4 * std::numeric_limits<NT>::epsilon() * x.norm());
+}
+
+TEMPLATE_LIST_TEST_CASE("An indefinite matrix is reported, and the solver stays usable", "", Solvers)
+{
+  auto A = pattern<typename TestType::NT>(cube_mesh(5));
+  TestType solver;
+  solver.analyze_pattern(A);
+  const VectorXd b = random_vector(3 * A.size());
+
+  for(const double diagonal : {-dominant_diagonal, 1., 3.}) // from negative definite to slightly indefinite
+  {
+    fill(A, diagonal);
+    REQUIRE(Eigen::LLT<MatrixXd>(dense(A)).info() != Eigen::Success);
+    Linear_solver_status status = solver.factorize(A);
+    VectorXd x;
+    if(status == Linear_solver_status::SUCCESS)
+      status = solver.solve(b, x, 1e-6);
+    INFO("diagonal " << diagonal);
+    CHECK((status == Linear_solver_status::NOT_POSITIVE_DEFINITE || status == Linear_solver_status::TRUNCATED));
+    if(status == Linear_solver_status::TRUNCATED)
+      CHECK(b.dot(x) > 0); // a direction of descent of the quadratic function with gradient -b at 0
+  }
+
+  fill(A, dominant_diagonal);
+  CHECK(solver.factorize(A) == Linear_solver_status::SUCCESS);
+  VectorXd x;
+  CHECK(solver.solve(b, x, 1e-4) == Linear_solver_status::SUCCESS);
+  CHECK((dense(A) * x - b).norm() <= 2e-4 * b.norm());
+}
+
+TEST_CASE("Conjugate gradients truncate at negative curvature after some iterations")
+{
+  auto A = pattern<double>(cube_mesh(5));
+  fill(A, dominant_diagonal);
+  A.block(A.position(17, 17)).diagonal()[0] = -1;
+  const VectorXd b = random_vector(3 * A.size());
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> solver;
+  solver.analyze_pattern(A);
+  REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
+  VectorXd x;
+  CHECK(solver.solve(b, x, 1e-10) == Linear_solver_status::TRUNCATED);
+  CHECK(solver.number_of_iterations() > 0);
+  CHECK(b.dot(x) > 0);
+}
+
+TEST_CASE("Conjugate gradients stop early for a large tolerance, and at the limit")
+{
+  auto A = pattern<double>(cube_mesh(5));
+  fill(A, 9);
+  const VectorXd b = random_vector(3 * A.size());
+  const auto iterations = [&](const int limit, const double tolerance)
+  {
+    VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> solver(limit);
+    solver.analyze_pattern(A);
+    solver.factorize(A);
+    VectorXd x;
+    solver.solve(b, x, tolerance);
+    return solver.number_of_iterations();
+  };
+  const int precise = iterations(2000, 1e-10);
+  CHECK(iterations(2000, 1e-2) < precise);
+  CHECK(precise < 100);
+  CHECK(iterations(3, 1e-10) == 3);
+}
+
+TEMPLATE_LIST_TEST_CASE("The solution for zero is zero", "", Solvers)
+{
+  auto A = pattern<typename TestType::NT>(cube_mesh(3));
+  fill(A, dominant_diagonal);
+  TestType solver;
+  solver.analyze_pattern(A);
+  solver.factorize(A);
+  VectorXd x;
+  CHECK(solver.solve(VectorXd::Zero(3 * A.size()), x, 1e-2) == Linear_solver_status::SUCCESS);
+  CHECK(x == VectorXd::Zero(3 * A.size()));
+}
+
+TEMPLATE_LIST_TEST_CASE("A copy of a solver works by itself", "", Solvers)
+{
+  auto A = pattern<typename TestType::NT>(cube_mesh(4));
+  fill(A, dominant_diagonal);
+  const VectorXd b = random_vector(3 * A.size());
+  TestType original;
+  original.analyze_pattern(A);
+  original.factorize(A);
+
+  TestType copy(original);
+  copy.analyze_pattern(A);
+  REQUIRE(copy.factorize(A) == Linear_solver_status::SUCCESS);
+  VectorXd x, y;
+  REQUIRE(original.solve(b, x, 1e-5) == Linear_solver_status::SUCCESS);
+  REQUIRE(copy.solve(b, y, 1e-5) == Linear_solver_status::SUCCESS);
+  CHECK(x == y);
+}
