@@ -1,0 +1,62 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_ARAP_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_ARAP_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationEnergies
+
+The as-rigid-as-possible energy
+\f$\psi = (\sigma_1 - 1)^2 + (\sigma_2 - 1)^2 + (\sigma_3 - 1)^2\f$ of Chao et al.
+\cgalCite{cgal:cpss-sgmed-10}: the squared distance of the differential to the nearest rotation.
+
+Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
+to that of the target. It has no barrier: cells may collapse or invert, unless the step length or
+`Barrier_energy_3` forbids it. It is smooth where \f$\sigma_2 + \sigma_3 > 0\f$, that is, for all
+cells that are not inverted.
+
+To be used for deformations that are close to rigid.
+
+\cgalModels{DistortionEnergy_3}
+*/
+struct ARAP_energy_3
+{
+  static constexpr bool has_barrier = false;
+
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return (s - Eigen::Matrix<T, 3, 1>::Ones()).squaredNorm();
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return T(2) * (s - Eigen::Matrix<T, 3, 1>::Ones());
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>&) const
+  {
+    return T(2) * Eigen::Matrix<T, 3, 3>::Identity();
+  }
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_ARAP_ENERGY_3_H

@@ -1,0 +1,107 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BARRIER_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_BARRIER_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Inverse_spline_barrier.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationEnergies
+
+Any energy, plus the barrier of Schueller et al. \cgalCite{cgal:skps-lim-13} against collapsing cells:
+\f$\psi = \psi_0 + \beta\,\varphi(D / \lambda)\f$ with \f$D = \sigma_1 \sigma_2 \sigma_3\f$ and the inverse
+spline \f$\varphi(x) = 1 / (1 - (1 - x)^3) - 1\f$ for \f$0 < x < 1\f$, \f$\varphi(x) = 0\f$ for \f$x \ge 1\f$.
+It is twice continuously differentiable. For \f$D \to 0\f$ it grows like \f$\beta\lambda / (3 D)\f$; it is
+meaningless for \f$D \le 0\f$.
+
+The defaults are the parameters of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}: \f$\beta = 0.01\f$, and the
+barrier concerns a cell whose volume has fallen below \f$V_D / V_M\f$ times that in the source, where
+\f$V_D\f$ and \f$V_M\f$ are the volumes of target and source. As both meshes are scaled to one volume
+before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
+
+Values are as high as those of \f$\psi_0\f$ where no cell shrinks. Not homogeneous.
+
+To be used with energies that have no barrier of their own.
+
+\tparam Energy a model of `DistortionEnergy_3`
+
+\cgalModels{DistortionEnergy_3}
+*/
+template <typename Energy>
+class Barrier_energy_3
+{
+public:
+  static constexpr bool has_barrier = true;
+
+  /// \pre `beta > 0` and `lambda > 0`
+  explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01, const double lambda = 1)
+    : m_energy(energy), m_beta(beta), m_lambda(lambda)
+  {
+    CGAL_precondition(beta > 0 && lambda > 0);
+  }
+
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return m_energy.value(s) + T(m_beta) * barrier(s).value;
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return m_energy.gradient(s) + T(m_beta / m_lambda) * barrier(s).first * cofactors(s);
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    const internal::Inverse_spline_barrier<T> phi = barrier(s);
+    const T first = T(m_beta / m_lambda) * phi.first;
+    const T second = T(m_beta / (m_lambda * m_lambda)) * phi.second;
+    const Eigen::Matrix<T, 3, 1> c = cofactors(s);
+
+    Eigen::Matrix<T, 3, 3> H = m_energy.hessian(s);
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 3; ++j)
+        H(i, j) += second * c[i] * c[j] + (i == j ? T(0) : first * s[3 - i - j]);
+    return H;
+  }
+
+private:
+  template <typename T>
+  internal::Inverse_spline_barrier<T> barrier(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return internal::Inverse_spline_barrier<T>(s[0] * s[1] * s[2] * T(1 / m_lambda));
+  }
+
+  // the derivative of D
+  template <typename T>
+  static Eigen::Matrix<T, 3, 1> cofactors(const Eigen::Matrix<T, 3, 1>& s)
+  {
+    return Eigen::Matrix<T, 3, 1>(s[1] * s[2], s[2] * s[0], s[0] * s[1]);
+  }
+
+  Energy m_energy;
+  double m_beta, m_lambda;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BARRIER_ENERGY_3_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_POWER_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_POWER_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationEnergies
+
+A power of any energy that is not negative: \f$\psi = \psi_0^p\f$ with an integer \f$p \ge 2\f$.
+
+Its sum over the cells is dominated by the worst cells: the larger \f$p\f$, the lower the maximal
+distortions, at the price of higher mean ones; for \f$p \to \infty\f$ the maximum of \f$\psi_0\f$ is
+minimized. The Hessian is positive semi-definite where that of \f$\psi_0\f$ is. It is homogeneous of
+degree \f$d p\f$ if \f$\psi_0\f$ is so of degree \f$d\f$, and has its minimum in the same places.
+
+The range of the values is that of \f$\psi_0\f$ to the power \f$p\f$, and so is, about, the condition of
+the linear systems: small exponents such as 2 to 5 do most of what can be done. Values above
+\f$10^{308/p}\f$ overflow; solvers in single precision stand \f$10^{30/p}\f$.
+
+\tparam Energy a model of `DistortionEnergy_3` whose values are not negative
+
+\cgalModels{DistortionEnergy_3}
+*/
+template <typename Energy>
+class Power_energy_3
+{
+public:
+  static constexpr bool has_barrier = Energy::has_barrier;
+
+  /// \pre `exponent >= 2`
+  explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy())
+    : m_energy(energy), m_exponent(exponent)
+  {
+    CGAL_precondition(exponent >= 2);
+  }
+
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return power(m_energy.value(s), m_exponent);
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    return T(m_exponent) * power(m_energy.value(s), m_exponent - 1) * m_energy.gradient(s);
+  }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    const T value = m_energy.value(s);
+    const Eigen::Matrix<T, 3, 1> g = m_energy.gradient(s);
+    const Eigen::Matrix<T, 3, 3> H = value * m_energy.hessian(s) + T(m_exponent - 1) * g * g.transpose();
+    return T(m_exponent) * power(value, m_exponent - 2) * H;
+  }
+
+private:
+  template <typename T>
+  static T power(const T& x, const int n)
+  {
+    T result(1);
+    for(int i = 0; i < n; ++i)
+      result *= x;
+    return result;
+  }
+
+  Energy m_energy;
+  int m_exponent;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_POWER_ENERGY_3_H

@@ -1,0 +1,320 @@
+// Each distortion energy: its formula in terms of the matrix J, its derivatives, its symmetries.
+#include "catch.h"
+
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Lp_stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Pack.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+using Stretch = VMP::Stretch_energy_3;
+using Dirichlet = VMP::Dirichlet_energy_3;
+using ARAP = VMP::ARAP_energy_3;
+using LSCM = VMP::LSCM_energy_3;
+using LPM = VMP::LPM_energy_3;
+using MIPS = VMP::MIPS_energy_3;
+using Symmetric_Dirichlet = VMP::Symmetric_Dirichlet_energy_3;
+using Lp_stretch = VMP::Lp_stretch_energy_3;
+template <typename E> using Barrier = VMP::Barrier_energy_3<E>;
+template <typename E> using Power = VMP::Power_energy_3<E>;
+template <typename E> using Bounded_angle = VMP::Bounded_angle_energy_3<E>;
+
+struct Cubed_MIPS : Power<MIPS> { Cubed_MIPS() : Power<MIPS>(3) {} };
+struct Bounded_stretch : Bounded_angle<Stretch> { Bounded_stretch() : Bounded_angle<Stretch>(4) {} };
+struct Bounded_Dirichlet : Bounded_angle<Dirichlet> { Bounded_Dirichlet() : Bounded_angle<Dirichlet>(2) {} };
+
+using Energies = std::tuple<Stretch, Dirichlet, ARAP, LSCM, LPM, MIPS, Symmetric_Dirichlet, Lp_stretch,
+                            Barrier<ARAP>, Barrier<LSCM>, Power<Stretch>, Cubed_MIPS, Bounded_stretch,
+                            Bounded_Dirichlet>;
+
+// distinct, equal, nearly equal, tiny
+const std::vector<Vector3d> samples = {
+  {3, 2, 1}, {0.5, 0.3, 0.2}, {1, 1, 1}, {2, 2, 0.7}, {2, 0.7, 0.7}, {1.1, 1, 0.9}, {1 + 1e-7, 1, 1}, {1, 0.5, 0.05},
+  {1, 1, 1e-6}, {1, 1e-6, 1e-6}, {1e-6, 1e-6, 1e-6}, {1e3, 1, 1e-3}
+};
+
+template <typename Energy>
+double value(const Energy& energy, const Vector3d& s) { return energy.value(s); }
+
+// A matrix with the singular values s; the rotations are of no special kind.
+Matrix3d matrix(const Vector3d& s)
+{
+  const Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Matrix3d Q = Eigen::AngleAxisd(2.1, Vector3d(-3, 1, 1).normalized()).toRotationMatrix();
+  return R * s.asDiagonal() * Q.transpose();
+}
+
+double norm_of_square(const Matrix3d& J) { return (J.transpose() * J).squaredNorm(); }
+
+// The derivatives by central differences; the steps are relative to the singular values.
+template <typename Energy>
+void check_derivatives(const Energy& energy, const Vector3d& s)
+{
+  const Vector3d g = energy.gradient(s);
+  const Matrix3d H = energy.hessian(s);
+  const double step = 1e-5;
+  const double size = std::abs(value(energy, s)) + g.cwiseProduct(s).lpNorm<Eigen::Infinity>()
+                    + (s.asDiagonal() * H * s.asDiagonal()).lpNorm<Eigen::Infinity>();
+  for(int i = 0; i < 3; ++i)
+  {
+    const Vector3d h = step * s[i] * Vector3d::Unit(i);
+    const double slope = (value(energy, s + h) - value(energy, s - h)) / (2 * step);
+    CHECK(std::abs(slope - g[i] * s[i]) < 1e-7 * size);
+    const Vector3d curvature = (energy.gradient(Vector3d(s + h)) - energy.gradient(Vector3d(s - h))) / (2 * step);
+    CHECK((curvature - H.col(i) * s[i]).cwiseProduct(s).norm() < 1e-6 * size);
+  }
+}
+
+} // namespace
+
+TEST_CASE("The energies of the paper are what its equations say", "[energies]")
+{
+  for(const Vector3d& s : {Vector3d(3, 2, 1), Vector3d(0.5, 0.4, 0.3), Vector3d(2, 1, -0.5)})
+  {
+    const Matrix3d J = matrix(s);
+    const double n2 = J.squaredNorm();
+    const double n4 = norm_of_square(J);
+    const double D = J.determinant();
+    CHECK(Stretch().value(s) == Approx((n2 * n2 - n4) / (2 * D * D)));
+    CHECK(Dirichlet().value(s) == Approx(n2));
+    CHECK(LSCM().value(s) == Approx(3 * n4 - n2 * n2));
+    CHECK(LPM().value(s) == Approx(n4 - 2 * n2 + 3));
+  }
+}
+
+TEST_CASE("ARAP is the squared distance to the nearest rotation", "[energies]")
+{
+  for(const Vector3d& s : {Vector3d(3, 2, 1), Vector3d(2, 1, -0.5)})
+  {
+    const Matrix3d J = matrix(s);
+    const Eigen::JacobiSVD<Matrix3d> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double sign = (svd.matrixU() * svd.matrixV()).determinant() < 0 ? -1 : 1;
+    const Matrix3d rotation = svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+    CHECK(ARAP().value(s) == Approx((J - rotation).squaredNorm()));
+  }
+}
+
+TEST_CASE("The other energies in terms of the matrix and its inverse", "[energies]")
+{
+  const Vector3d s(3, 2, 0.5);
+  const Matrix3d J = matrix(s);
+  const Matrix3d inverse = J.inverse();
+  const double product = J.squaredNorm() * inverse.squaredNorm();
+  CHECK(MIPS().value(s) == Approx((product - 1) / 8));
+  CHECK(Symmetric_Dirichlet().value(s) == Approx(J.squaredNorm() + inverse.squaredNorm()));
+  CHECK(Lp_stretch(2).value(s) == Approx(inverse.squaredNorm()));
+  CHECK(Lp_stretch(4).value(s) == Approx(std::sqrt(norm_of_square(inverse))));
+  CHECK(Lp_stretch(1e4).value(s) == Approx(4).epsilon(1e-3)); // the square of the spectral norm of the inverse
+  CHECK(Power<Stretch>(3).value(s) == Approx(std::pow(inverse.squaredNorm(), 3)));
+}
+
+TEST_CASE("The barrier vanishes from lambda on and grows like beta lambda / (3 D)", "[energies]")
+{
+  const Barrier<Dirichlet> energy(Dirichlet(), 0.1, 0.5);
+  const auto barrier = [&](const double D)
+  { return value(energy, Vector3d(1, 1, D)) - value(Dirichlet(), Vector3d(1, 1, D)); };
+  CHECK(barrier(0.5) == 0);
+  CHECK(barrier(7) == 0);
+  CHECK(barrier(0.25) == Approx(0.1 / 7)); // g(1/2) = 7/8
+  CHECK(barrier(1e-7) == Approx(0.1 * 0.5 / 3e-7).epsilon(1e-5));
+  CHECK(energy.gradient(Vector3d(1, 1, 0.5)) == Vector3d(2, 2, 1));
+}
+
+TEMPLATE_LIST_TEST_CASE("Gradient and Hessian are the derivatives", "[energies]", Energies)
+{
+  const TestType energy{};
+  for(const Vector3d& s : samples)
+  {
+    CAPTURE(s.transpose());
+    check_derivatives(energy, s);
+    if(!TestType::has_barrier)
+      check_derivatives(energy, Vector3d(s[0], s[1], -0.3 * s[2]));
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("The order of the singular values does not matter", "[energies]", Energies)
+{
+  const TestType energy{};
+  const Vector3d s(1.7, 0.9, 0.4);
+  const Vector3d g = energy.gradient(s);
+  const Matrix3d H = energy.hessian(s);
+  Eigen::Vector3i order(0, 1, 2);
+  while(std::next_permutation(order.data(), order.data() + 3))
+  {
+    Eigen::PermutationMatrix<3> P(order);
+    const Vector3d permuted = P * s;
+    CHECK(value(energy, permuted) == Approx(value(energy, s)));
+    CHECK(energy.gradient(permuted).isApprox(P * g));
+    CHECK(energy.hessian(permuted).isApprox(P * H * P.transpose()));
+  }
+}
+
+// Not so ARAP, which measures the distance to rotations.
+TEMPLATE_TEST_CASE("Two changed signs do not matter", "[energies]", Stretch, Dirichlet, LSCM, LPM, MIPS,
+                   Symmetric_Dirichlet, Lp_stretch, Barrier<LSCM>, Power<Stretch>, Bounded_stretch)
+{
+  const TestType energy{};
+  const Vector3d s(1.7, 0.9, 0.4);
+  for(int i = 0; i < 3; ++i)
+  {
+    const Matrix3d S = Vector3d(i == 0 ? 1 : -1, i == 1 ? 1 : -1, i == 2 ? 1 : -1).asDiagonal();
+    const Vector3d changed = S * s;
+    CHECK(value(energy, changed) == Approx(value(energy, s)));
+    CHECK(energy.gradient(changed).isApprox(S * energy.gradient(s)));
+    CHECK(energy.hessian(changed).isApprox(S * energy.hessian(s) * S));
+  }
+}
+
+TEST_CASE("Homogeneous energies", "[energies]")
+{
+  const auto check = [](const auto& energy, const int degree)
+  {
+    const Vector3d s(1.7, 0.9, 0.4);
+    CHECK(value(energy, 3 * s) == Approx(std::pow(3, degree) * value(energy, s)));
+    CHECK(energy.gradient(s).dot(s) == Approx(degree * value(energy, s)).margin(1e-12)); // Euler
+  };
+  check(Stretch(), -2);
+  check(Lp_stretch(2), -2);
+  check(Lp_stretch(40), -2);
+  check(Dirichlet(), 2);
+  check(LSCM(), 4);
+  check(MIPS(), 0);
+  check(Power<Stretch>(3), -6);
+}
+
+TEST_CASE("Minima, and where they are attained", "[energies]")
+{
+  const auto is_minimum = [](const auto& energy, const Vector3d& s, const double minimum)
+  {
+    CHECK(value(energy, s) == Approx(minimum).margin(1e-15));
+    for(const Vector3d& other : samples)
+      CHECK(value(energy, other) >= minimum - 1e-12);
+  };
+  const Vector3d isometry = Vector3d::Ones();
+  is_minimum(ARAP(), isometry, 0);
+  is_minimum(LPM(), isometry, 0);
+  is_minimum(Symmetric_Dirichlet(), isometry, 6);
+  is_minimum(Power<Symmetric_Dirichlet>(2), isometry, 36);
+  is_minimum(LSCM(), 5 * isometry, 0);
+  is_minimum(MIPS(), 5 * isometry, 1);
+  CHECK(value(Stretch(), isometry) == 3);
+  CHECK(value(Lp_stretch(6), isometry) == Approx(std::cbrt(3)));
+}
+
+TEST_CASE("Nothing overflows or vanishes in the Lp stretch for large p", "[energies]")
+{
+  const Lp_stretch energy(1000);
+  const Vector3d s(10, 1e-2, 1e-3);
+  CHECK(value(energy, s) == Approx(1e6));
+  CHECK(energy.gradient(s).isApprox(Vector3d(0, 0, -2e9)));
+  check_derivatives(Lp_stretch(50), Vector3d(1, 1.01, 1.02));
+}
+
+TEMPLATE_TEST_CASE("A barrier rises without bound while a cell becomes flat", "[energies]", Stretch, MIPS,
+                   Symmetric_Dirichlet, Lp_stretch, Barrier<ARAP>, Barrier<LSCM>, Power<Stretch>, Bounded_Dirichlet)
+{
+  const TestType energy{};
+  STATIC_REQUIRE(TestType::has_barrier);
+  double last = value(energy, Vector3d(1, 1, 1e-4));
+  for(double s = 1e-5; s > 1e-9; s /= 10)
+  {
+    const double next = value(energy, Vector3d(1, 1, s));
+    CHECK(next > 5 * last);
+    last = next;
+  }
+}
+
+// The ratio of the singular values is K, and the MIPS energy is just at its limit, where the parabola
+// that touches the spline at 1/20 has the value of the Taylor polynomial below.
+TEST_CASE("The angle bound leaves good cells alone, and has the same barrier at each bound", "[energies]")
+{
+  const double x = 0.05, y = 1 - x, g = 1 - y * y * y;
+  const double first = -3 * y * y / (g * g);
+  const double second = 2 * std::pow(3 * y * y, 2) / (g * g * g) + 6 * y / (g * g);
+  const double at_limit = 1 / g - 1 - x * first + x * x / 2 * second;
+  for(const double K : {2., 10., 300.})
+  {
+    const Bounded_angle<Stretch> energy(K, Stretch(), 3);
+    const auto barrier = [&](const Vector3d& s) { return value(energy, s) - value(Stretch(), s); };
+    CHECK(barrier(Vector3d(K, std::sqrt(K), 1)) == Approx(3 * at_limit));
+    CHECK(barrier(Vector3d(0.9 * K, std::sqrt(0.9 * K), 1)) < 3 * at_limit);
+    CHECK(barrier(Vector3d(2 * K, std::sqrt(2 * K), 1)) > 1000 * at_limit);
+  }
+  CHECK(value(Bounded_angle<MIPS>(10), Vector3d(3, 1, 1)) == value(MIPS(), Vector3d(3, 1, 1)));
+  CHECK(value(Bounded_angle<MIPS>(10), Vector3d(8, 1, 1)) > value(MIPS(), Vector3d(8, 1, 1)));
+}
+
+// With k = r + 1/r, r the ratio of the largest to the smallest singular value.
+TEST_CASE("MIPS bounds the ratio of singular values from both sides, sharply", "[energies]")
+{
+  for(const double ratio : {1., 1.5, 4., 20., 1000.})
+  {
+    const double k = ratio + 1 / ratio;
+    const double lowest = k * (k + 2) / 8;
+    const double highest = k * k / 4;
+    for(int i = 0; i <= 10; ++i)
+    {
+      const double psi = value(MIPS(), Vector3d(ratio, std::pow(ratio, 0.1 * i), 1));
+      CHECK(psi >= lowest * (1 - 1e-14));
+      CHECK(psi <= highest * (1 + 1e-14));
+    }
+    CHECK(value(MIPS(), Vector3d(ratio, std::sqrt(ratio), 1)) == Approx(lowest));
+    CHECK(value(MIPS(), Vector3d(ratio, ratio, 1)) == Approx(highest));
+    CHECK(value(MIPS(), Vector3d(ratio, 1, 1)) == Approx(highest));
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("Packs of cells give what single cells give", "[energies]", Energies)
+{
+  using VMP::internal::Pack;
+  const TestType energy{};
+  Eigen::Matrix<Pack, 3, 1> s;
+  std::vector<Vector3d> singles;
+  for(int lane = 0; lane < Pack::size; ++lane)
+    singles.push_back(samples[lane % samples.size()]);
+  for(int i = 0; i < 3; ++i)
+  {
+    double values[Pack::size];
+    for(int lane = 0; lane < Pack::size; ++lane)
+      values[lane] = singles[lane][i];
+    s[i] = Pack::load(values);
+  }
+
+  const auto check = [&](const Pack& pack, const auto& expected)
+  {
+    double values[Pack::size];
+    pack.store(values);
+    for(int lane = 0; lane < Pack::size; ++lane)
+      CHECK(values[lane] == Approx(expected(singles[lane])).epsilon(1e-12).margin(1e-12));
+  };
+  const Eigen::Matrix<Pack, 3, 1> g = energy.gradient(s);
+  const Eigen::Matrix<Pack, 3, 3> H = energy.hessian(s);
+  check(energy.value(s), [&](const Vector3d& x) { return value(energy, x); });
+  for(int i = 0; i < 3; ++i)
+  {
+    check(g[i], [&](const Vector3d& x) { return Vector3d(energy.gradient(x))[i]; });
+    for(int j = 0; j < 3; ++j)
+      check(H(i, j), [&](const Vector3d& x) { return Matrix3d(energy.hessian(x))(i, j); });
+  }
+}
