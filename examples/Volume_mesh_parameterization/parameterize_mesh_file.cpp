@@ -3,10 +3,16 @@
 #include "Output_file.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
@@ -57,12 +63,17 @@ using Result = VMP::Parameterization_result;
 
 enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
-// Calls `f` with the energy of that name.
+// Calls `f` with the energy of that name, plus a barrier if it has none.
 template <typename F>
 void with_energy(const std::string& name, const F& f)
 {
   if(name == "stretch") return f(VMP::Stretch_energy_3());
-  if(name == "dirichlet") return f(VMP::Dirichlet_energy_3());
+  if(name == "dirichlet") return f(VMP::Barrier_energy_3<VMP::Dirichlet_energy_3>());
+  if(name == "arap") return f(VMP::Barrier_energy_3<VMP::ARAP_energy_3>());
+  if(name == "lscm") return f(VMP::Barrier_energy_3<VMP::LSCM_energy_3>());
+  if(name == "lpm") return f(VMP::Barrier_energy_3<VMP::LPM_energy_3>());
+  if(name == "mips") return f(VMP::MIPS_energy_3());
+  if(name == "symmetric_dirichlet") return f(VMP::Symmetric_Dirichlet_energy_3());
   throw std::runtime_error("there is no energy '" + name + "'");
 }
 
@@ -291,7 +302,8 @@ bool parse(int argc, char* argv[], Options& options)
     ("help", "print this text")
     ("output", po::value(&options.output)->value_name("FILE"),
      "the map: the mesh with the new coordinates (*.mesh), or the source with the map as data (*.vtu)")
-    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"), "stretch or dirichlet")
+    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
+     "stretch, dirichlet, arap, lscm, lpm, mips or symmetric_dirichlet")
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"), "cg or cholmod")
     ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1), "number of threads")
     ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
