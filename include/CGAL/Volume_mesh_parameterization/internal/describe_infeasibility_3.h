@@ -1,0 +1,71 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DESCRIBE_INFEASIBILITY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DESCRIBE_INFEASIBILITY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility_proof_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_input_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The vertices a proof is about: its free vertices, and those that all its cells share.
+// These are the ends of an edge, the vertices of a cell, or a single vertex.
+inline std::set<int> blamed_vertices(const Infeasibility_proof_3& proof, const Numbered_mesh_3& mesh)
+{
+  std::set<int> result;
+  for(const std::size_t c : proof.cells)
+    for(const int v : mesh.cells[c])
+    {
+      const bool is_shared = std::all_of(proof.cells.begin(), proof.cells.end(), [&](const std::size_t d)
+      {
+        return std::find(mesh.cells[d].begin(), mesh.cells[d].end(), v) != mesh.cells[d].end();
+      });
+      if(is_shared || mesh.is_free(v))
+        result.insert(v);
+    }
+  return result;
+}
+
+// A sentence for the user about some proofs, at least one.
+inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_3>& proofs,
+                                          const Numbered_mesh_3& mesh)
+{
+  std::ostringstream message;
+  message << "No map with this connectivity meets this boundary; proofs: " << proofs.size()
+          << "; the first one has " << proofs.front().cells.size()
+          << " cells, not all of them positive wherever the free vertices are, around the source's vertices at ";
+  const char* separator = "";
+  for(const int v : blamed_vertices(proofs.front(), mesh))
+  {
+    message << separator << describe(mesh.source.col(v));
+    separator = ", ";
+  }
+  message << ".";
+  return message.str();
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DESCRIBE_INFEASIBILITY_3_H

@@ -1,0 +1,298 @@
+// Proofs that no map exists, on small complexes for which it is known by construction whether there is one.
+#include "catch.h"
+
+#include <CGAL/Volume_mesh_parameterization/internal/describe_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/prove_infeasibility_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization::internal;
+
+using Mesh = VMP::Numbered_mesh_3;
+using Proof = VMP::Infeasibility_proof_3;
+using Point = Eigen::Vector3d;
+
+namespace {
+
+// Free vertices, whose images are 0 and whose places in the source are (v, 0, 0), and prescribed ones.
+Mesh mesh(const int number_of_free_vertices, const std::vector<Point>& prescribed,
+          const std::vector<std::array<int, 4> >& cells)
+{
+  Mesh result;
+  result.number_of_free_vertices = number_of_free_vertices;
+  result.target.setZero(3, number_of_free_vertices + static_cast<int>(prescribed.size()));
+  for(std::size_t i = 0; i < prescribed.size(); ++i)
+    result.target.col(number_of_free_vertices + static_cast<int>(i)) = prescribed[i];
+  result.source = result.target;
+  for(int v = 0; v < number_of_free_vertices; ++v)
+    result.source(0, v) = v;
+  result.cells = cells;
+  return result;
+}
+
+// The cells around the edge of the free vertices 0 and 1, with prescribed vertices in a ring.
+Mesh edge_ring(const std::vector<Point>& ring)
+{
+  const int n = static_cast<int>(ring.size());
+  std::vector<std::array<int, 4> > cells;
+  for(int i = 0; i < n; ++i)
+    cells.push_back({0, 1, 2 + i, 2 + (i + 1) % n});
+  return mesh(2, ring, cells);
+}
+
+const std::vector<Point> square = {{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}};
+const std::vector<Point> bow_tie = {{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+
+// An octahedron around the free vertex 0, with its equator in the plane z = 0.
+Mesh octahedron(const double north, const double south)
+{
+  std::vector<Point> points = square;
+  points.emplace_back(0, 0, north);
+  points.emplace_back(0, 0, south);
+  std::vector<std::array<int, 4> > cells;
+  for(int i = 0; i < 4; ++i)
+  {
+    cells.push_back({0, 1 + i, 1 + (i + 1) % 4, 5});
+    cells.push_back({0, 1 + (i + 1) % 4, 1 + i, 6});
+  }
+  return mesh(1, points, cells);
+}
+
+// The cells of the free vertex v with the facets of a tetrahedron at height z, whose vertices are added to the mesh.
+void enclose(Mesh& m, const int v, const double z)
+{
+  const int n = m.number_of_vertices();
+  m.target.conservativeResize(3, n + 4);
+  m.target.rightCols(4) << 0, 1, 0, 0,
+                           0, 0, 1, 0,
+                           z, z, z, z + 1;
+  m.source = m.target;
+  for(int i = 0; i < 4; ++i)
+  {
+    std::array<int, 4> cell = {n, n + 1, n + 2, n + 3};
+    cell[i] = v;
+    m.cells.push_back(cell);
+  }
+}
+
+// The proofs found without any knowledge of good positions, all of them checked.
+std::vector<Proof> prove(const Mesh& m)
+{
+  const std::vector<Proof> proofs = VMP::prove_infeasibility_3(m, m.target);
+  for(const Proof& proof : proofs)
+    REQUIRE(VMP::is_valid(proof, m));
+  return proofs;
+}
+
+bool is_positive_everywhere(const Mesh& m, const Eigen::Matrix3Xd& positions)
+{
+  return VMP::inverted_cells(m, positions).number == 0;
+}
+
+} // namespace
+
+TEST_CASE("an edge has a place in a convex ring, from either side, but not in a bow tie")
+{
+  CHECK(prove(edge_ring(square)).empty());
+  CHECK(prove(edge_ring({square.rbegin(), square.rend()})).empty());
+
+  const std::vector<Proof> proofs = prove(edge_ring(bow_tie));
+  REQUIRE(proofs.size() == 1);
+  CHECK(proofs[0].cells.size() >= 3); // any two of its sides leave room for the edge
+  CHECK(VMP::blamed_vertices(proofs[0], edge_ring(bow_tie)) == std::set<int>{0, 1});
+}
+
+TEST_CASE("a ring that goes to and fro leaves no place, by its first two cells alone")
+{
+  const std::vector<Proof> proofs = prove(edge_ring({{1, 0, 0}, {0, 1, 0.1}, {1, 0, 0}, {0, 1, 0.1}}));
+  REQUIRE(proofs.size() == 1);
+  CHECK(proofs[0].cells.size() == 2);
+}
+
+TEST_CASE("neither scale nor place of the target matters")
+{
+  for(const double scale : {std::ldexp(1., -40), std::ldexp(1., 40)})
+    for(const double shift : {0., 1024.})
+    {
+      Mesh flat = edge_ring(bow_tie);
+      Mesh round = edge_ring(square);
+      for(Mesh* m : {&flat, &round})
+        m->target.rightCols(4) = scale * (m->target.rightCols(4).array() + shift).matrix();
+      CHECK(prove(flat).size() == 1);
+      CHECK(prove(round).empty());
+    }
+}
+
+TEST_CASE("a free vertex has a place in an octahedron unless its poles change sides")
+{
+  CHECK(prove(octahedron(1, -1)).empty());
+  CHECK(prove(octahedron(-1, -2)).empty());  // not convex, but star-shaped
+
+  const Mesh m = octahedron(-2, -1); // the image must be below -2 and above -1
+  const std::vector<Proof> proofs = prove(m);
+  REQUIRE(proofs.size() == 1);
+  CHECK(VMP::blamed_vertices(proofs[0], m).count(0) == 1);
+
+  CHECK(prove(octahedron(-1, -1)).size() == 1); // the image must be below and above the same height
+}
+
+TEST_CASE("a vertex without a place is not reported again with its edges")
+{
+  Mesh m = edge_ring(square);
+  enclose(m, 0, -3);
+  enclose(m, 0, 2);
+  const std::vector<Proof> proofs = prove(m);
+  REQUIRE(proofs.size() == 1);
+  CHECK(VMP::blamed_vertices(proofs[0], m) == std::set<int>{0});
+}
+
+TEST_CASE("two vertices with a place each, and an edge with a place, may contradict each other")
+{
+  Mesh upwards = edge_ring(square); // the edge must point upwards through the square
+  enclose(upwards, 0, -3);
+  enclose(upwards, 1, 2);
+  CHECK(prove(upwards).empty());
+
+  Mesh downwards = edge_ring(square);
+  enclose(downwards, 0, 2);
+  enclose(downwards, 1, -3);
+  const std::vector<Proof> proofs = prove(downwards);
+  REQUIRE(proofs.size() == 1);
+  CHECK(VMP::blamed_vertices(proofs[0], downwards) == std::set<int>{0, 1});
+}
+
+TEST_CASE("a cell that cannot be positive is a proof of its own")
+{
+  const std::vector<std::array<int, 4> > cell = {{0, 1, 2, 3}};
+  const Point o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  CHECK(prove(mesh(0, {o, x, y, z}, cell)).empty());
+  CHECK(prove(mesh(0, {o, y, x, z}, cell)).size() == 1);         // inverted
+  CHECK(prove(mesh(0, {o, x, y, x + y}, cell)).size() == 1);     // flat
+  CHECK(prove(mesh(1, {o, x, y}, cell)).empty());
+  CHECK(prove(mesh(1, {o, 0.1 * x, 0.3 * x}, cell)).size() == 1); // a facet without area
+  CHECK(prove(mesh(2, {o, x}, cell)).empty());
+  CHECK(prove(mesh(2, {x, x}, cell)).size() == 1);               // an edge without length
+  CHECK(prove(mesh(3, {o}, cell)).empty());
+}
+
+TEST_CASE("there is no proof against a map that exists")
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&]() { return Point(coordinate(random), coordinate(random), coordinate(random)); };
+  for(int run = 0; run < 200; ++run)
+  {
+    // Cells at two vertices with hidden images, each turned such that it is positive there; many are nearly flat.
+    std::vector<Point> points;
+    std::vector<std::array<int, 4> > cells;
+    for(int i = 0; i < 12; ++i)
+    {
+      const double height = std::ldexp(1., -2 * (run % 20));
+      points.push_back(point().cwiseProduct(Point(1, 1, height)));
+      cells.push_back({0, 1, 2 + i, 2 + (i + 1) % 12});
+      cells.push_back({i % 2, 2 + i, 2 + (i + 1) % 12, 2 + (i + 5) % 12});
+    }
+    Mesh m = mesh(2, points, cells);
+    Eigen::Matrix3Xd hidden = m.target;
+    hidden.col(0) = point();
+    hidden.col(1) = point();
+    for(std::array<int, 4>& cell : m.cells)
+      if(!VMP::is_positive(hidden, cell))
+        std::swap(cell[2], cell[3]);
+    REQUIRE(is_positive_everywhere(m, hidden));
+    CHECK(prove(m).empty());
+  }
+}
+
+TEST_CASE("a random cloud of cells at an edge has no map, and the proof is small")
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for(int run = 0; run < 20; ++run)
+  {
+    std::vector<Point> ring;
+    for(int i = 0; i < 60; ++i) // by Wendel's theorem a map has a chance below 1e-10
+      ring.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    const std::vector<Proof> proofs = prove(edge_ring(ring));
+    REQUIRE(proofs.size() == 1);
+    CHECK(proofs[0].cells.size() <= 7); // Steinitz: in dimension 6, one more vector
+  }
+}
+
+TEST_CASE("only sets with a cell that is not positive are examined")
+{
+  const Mesh m = edge_ring(bow_tie);
+  CHECK(VMP::prove_infeasibility_3(m, m.target).size() == 1);
+
+  const Mesh good = edge_ring(square);
+  Eigen::Matrix3Xd positions = good.target;
+  positions(2, 1) = 1;
+  REQUIRE(is_positive_everywhere(good, positions));
+  CHECK(VMP::prove_infeasibility_3(good, positions).empty());
+}
+
+TEST_CASE("a proof that was tampered with is refused")
+{
+  const Mesh m = edge_ring(bow_tie);
+  const Proof proof = prove(m).at(0);
+
+  Proof changed = proof;
+  changed.factors[0] += CGAL::Exact_rational(std::ldexp(1., -200));
+  CHECK_FALSE(VMP::is_valid(changed, m));
+
+  changed = proof;
+  for(auto& factor : changed.factors)
+    factor *= 3;
+  CHECK(VMP::is_valid(changed, m)); // a multiple is as good
+  for(auto& factor : changed.factors)
+    factor = -factor;
+  CHECK_FALSE(VMP::is_valid(changed, m));
+  for(auto& factor : changed.factors)
+    factor = 0;
+  CHECK_FALSE(VMP::is_valid(changed, m));
+
+  changed = proof;
+  changed.cells.pop_back();
+  CHECK_FALSE(VMP::is_valid(changed, m));
+  changed.factors.pop_back();
+  CHECK_FALSE(VMP::is_valid(changed, m));
+
+  changed = proof;
+  changed.cells[0] = m.cells.size();
+  CHECK_FALSE(VMP::is_valid(changed, m));
+  CHECK_FALSE(VMP::is_valid(Proof(), m));
+
+  Mesh moved = m;
+  for(int i = 0; i < 4; ++i)
+    moved.target.col(2 + i) = square[i];
+  CHECK_FALSE(VMP::is_valid(proof, moved));
+}
+
+TEST_CASE("a sum of volumes that is a positive constant proves nothing")
+{
+  const Mesh m = octahedron(1, -1);
+  Proof all;
+  for(std::size_t c = 0; c < m.cells.size(); ++c)
+  {
+    all.cells.push_back(c);
+    all.factors.push_back(1);
+  }
+  CHECK_FALSE(VMP::is_valid(all, m));
+  CHECK(VMP::is_valid(all, octahedron(-1, 1)));  // turned inside out
+  CHECK(VMP::is_valid(all, octahedron(-1, -1))); // without volume
+}
+
+TEST_CASE("the user learns how many sets of cells are to blame and where the first is")
+{
+  const Mesh m = edge_ring(bow_tie);
+  const std::string sentence = VMP::describe_infeasibility(prove(m), m);
+  CHECK(sentence.find("proofs: 1;") != std::string::npos);
+  CHECK(sentence.find("(0, 0, 0), (1, 0, 0)") != std::string::npos);
+}
