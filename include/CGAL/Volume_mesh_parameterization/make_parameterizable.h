@@ -1,0 +1,120 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_MAKE_PARAMETERIZABLE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_MAKE_PARAMETERIZABLE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Degenerate_simplices_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Simplex_removal_3.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/iterator.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
+#  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
+#endif
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+refines a complex so that no interior edge, facet or cell has all its vertices on the boundary.
+
+Where the boundary is mapped to something flat, such simplices become degenerate, whatever the images of the
+vertices inside the complex are. Meshes made by \ref PkgMesh3 "Mesh_3" have many of them.
+
+A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come first;
+among edges those that the boundary map degenerates, then the one that most of the simplices to be
+removed contain (each counted once for each cell around the edge), then the longest. Facets and cells get a vertex
+only if none of their edges can be split. Without a boundary map, all edges inside the complex that join two
+vertices of the boundary must be split, and the number of insertions is minimal; with a
+boundary map this rule is a heuristic for a small number.
+
+The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
+subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of
+those they come from, and new vertices have the dimension and the index of the face of the complex they lie in. All
+new cells are positive, by exact predicates: if the rounded midpoint does not allow this, another point near it is
+taken, and if there is none the simplex is left as it is, an extreme case for cells as thin as rounding errors.
+
+The triangulation is no longer Delaunay or regular: use only its combinatorial structure afterwards.
+Handles to cells around inserted vertices become invalid, handles to vertices remain valid.
+
+\tparam C3t3 a model of `MeshComplexWithFeatures_3InTriangulation_3`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param c3t3 the complex; its cells must be positive
+\param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{boundary_map}
+    \cgalParamDescription{If given, only those simplices are removed that the images of their vertices force to
+                          be degenerate: edges with coincident, facets with collinear, and cells with coplanar or
+                          negatively oriented images, by exact predicates.}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+                   `C3t3::Triangulation::Geom_traits::Point_3` as value type}
+    \cgalParamDefault{not given: all simplices with all vertices on the boundary are removed}
+    \cgalParamExtra{Simplices of a vertex with a coordinate that is not finite are not removed.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{tells the vertices inside the complex that count as vertices of the boundary}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{output_iterator}
+    \cgalParamDescription{receives the inserted vertices, in the order of their insertion}
+    \cgalParamType{a model of `OutputIterator` that accepts `Inserted_vertex_3<C3t3::Vertex_handle>`}
+    \cgalParamDefault{`Emptyset_iterator()`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of inserted vertices
+
+The time is O(n + m d log m) for n cells and m edges, facets and cells that are or contain a simplex to be removed,
+each with at most d cells around it.
+
+\sa `CGAL::stretch_minimizing_volume_parameterization()`
+*/
+template <typename C3t3,
+          typename NamedParameters = parameters::Default_named_parameters>
+std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+
+  using Vertex_handle = typename C3t3::Vertex_handle;
+
+  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                               Static_boolean_property_map<Vertex_handle, false>());
+  const auto out = choose_parameter(get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
+  const auto remove = [&](const auto& is_bad)
+  {
+    return internal::Simplex_removal_3(c3t3, is_bad).run(out);
+  };
+
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
+    return remove(internal::Prescribed_simplices_3<Vertex_handle>(c3t3, is_constrained));
+  else
+  {
+    auto target = get_parameter(np, internal_np::boundary_map);
+    return remove(internal::Degenerate_simplices_3<Vertex_handle, decltype(target)>(c3t3, is_constrained, target));
+  }
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MAKE_PARAMETERIZABLE_H
