@@ -1,0 +1,76 @@
+/*!
+\ingroup PkgVolumeMeshParameterizationConcepts
+\cgalConcept
+
+The concept `DistortionEnergy_3` describes what is minimized by
+`CGAL::stretch_minimizing_volume_parameterization()`: the mean, over the cells of the complex, of a
+function \f$\psi(\sigma_1, \sigma_2, \sigma_3)\f$ of the signed singular values of the differential
+\f$J\f$ of the map in a cell.
+
+The signed singular values are those of \f$J = R\,\mathrm{diag}(\sigma_1, \sigma_2, \sigma_3)\,Q^T\f$ with
+two rotations \f$R\f$ and \f$Q\f$, and \f$\sigma_1 \ge \sigma_2 \ge |\sigma_3|\f$. Their product is \f$\det J\f$, the change of the volume; an inverted cell is one with \f$\sigma_3 < 0\f$. Before \f$J\f$ is
+computed, the source is scaled to the volume of the target, so that 1 stands for the mean change of lengths.
+
+The function must be symmetric: no permutation of its arguments changes its value. It must be twice
+continuously differentiable where all arguments are positive, also where some of them are equal; then
+it is so as a function of the matrix \f$J\f$. A maximum of the arguments, for example, is not allowed, but a
+sum of high powers is. It need not be convex.
+
+All functions are templates of a number type `T`, which is `double`, or a type for several cells at
+a time that is evaluated with the vector instructions of the processor. This type has the arithmetic
+operators, it can be constructed from `double`, and `sqrt`, `abs`, `exp` and `log` are found by
+argument-dependent lookup. So write `T(2)` instead of `2`, say `using std::sqrt;` and call `sqrt(x)`,
+and do not branch on values of type `T`. Functions must not have side effects: they are called from
+several threads.
+
+An evaluation should take constant time. Objects are copied, and should be small.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Stretch_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Lp_stretch_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Dirichlet_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Symmetric_Dirichlet_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::ARAP_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::LSCM_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::LPM_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::MIPS_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Barrier_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Power_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Bounded_angle_energy_3}
+\cgalHasModelsEnd
+
+\sa `CGAL::stretch_minimizing_volume_parameterization()`
+*/
+class DistortionEnergy_3
+{
+public:
+  /// \name Constants
+  /// @{
+
+  /// tells whether \f$\psi\f$ tends to infinity when a cell becomes flat, that is, when
+  /// \f$\sigma_3\f$ tends to 0 from above and \f$\sigma_1\f$ does not. Without such a barrier, cells
+  /// become flat during the minimization and keep it from going on, although no cell is ever inverted.
+  static constexpr bool has_barrier;
+
+  /// @}
+
+  /// \name Operations
+  /// The vector `s` holds \f$\sigma_1, \sigma_2, \sigma_3\f$. For \f$\sigma_1\sigma_2\sigma_3 \le 0\f$ nothing is
+  /// required of the results: no such map is accepted, whatever its energy.
+  /// @{
+
+  /// returns \f$\psi\f$.
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const;
+
+  /// returns the three first derivatives \f$\partial\psi/\partial\sigma_i\f$.
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const;
+
+  /// returns the symmetric matrix of the second derivatives
+  /// \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const;
+
+  /// @}
+};
