@@ -20,16 +20,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// The Bernstein coefficients on [0, 1] of the cubic polynomial t -> det(U + t dU). If all are
+// The Bernstein coefficients on [0, 1] of the cubic polynomial t -> det(J + t dJ). If all are
 // positive, so is the polynomial.
 template <typename T>
-Eigen::Matrix<T, 4, 1> determinant_polynomial(const Matrix_3<T>& U, const Matrix_3<T>& dU)
+Eigen::Matrix<T, 4, 1> determinant_polynomial(const Matrix_3<T>& J, const Matrix_3<T>& dJ)
 {
   const auto mixed = [](const Matrix_3<T>& A, const Matrix_3<T>& B) // derivative of det at A in direction B
   {
@@ -37,10 +38,10 @@ Eigen::Matrix<T, 4, 1> determinant_polynomial(const Matrix_3<T>& U, const Matrix
          + B.col(2).dot(A.col(0).cross(A.col(1)));
   };
   const T third(1. / 3.);
-  const T c0 = U.determinant();
-  const T c1 = mixed(U, dU);
-  const T c2 = mixed(dU, U);
-  const T c3 = dU.determinant();
+  const T c0 = J.determinant();
+  const T c1 = mixed(J, dJ);
+  const T c2 = mixed(dJ, J);
+  const T c3 = dJ.determinant();
   Eigen::Matrix<T, 4, 1> b;
   b << c0, c0 + third * c1, c0 + third * (T(2) * c1 + c2), c0 + c1 + c2 + c3;
   return b;
@@ -73,7 +74,8 @@ double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& u, cons
     for(std::size_t p = packs.chunk_begin(chunk); p < packs.chunk_end(chunk); ++p)
     {
       const Eigen::Matrix<Pack, 4, 1> b
-        = determinant_polynomial<Pack>(edge_matrix(u, packs[p]), edge_matrix(d, packs[p]));
+        = determinant_polynomial<Pack>(edge_matrix(u, packs[p]) * packs[p].inverse_source,
+                                       edge_matrix(d, packs[p]) * packs[p].inverse_source);
       if(smallest(minimum(minimum(b[0], b[1]), minimum(b[2], b[3]))) > 0)
         continue;
       double coefficients[4][Pack::size];
@@ -85,7 +87,7 @@ double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& u, cons
                                          coefficients[2][lane], coefficients[3][lane])));
     }
   });
-  return *std::min_element(parts.begin(), parts.end());
+  return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
 }
 
 } // namespace internal
