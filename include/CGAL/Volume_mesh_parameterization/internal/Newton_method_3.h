@@ -48,7 +48,7 @@ public:
       m_packs(mesh, inverse_sources, weights, m_hessian),
       m_energy_sum(m_packs),
       m_solver(solver),
-      m_direction(Positions::Zero(3, mesh.number_of_vertices()))
+      m_direction(Positions::Constant(3, mesh.number_of_vertices(), -0.)) // adding 0. would turn -0. into 0.
   {
     m_solver.analyze_pattern(m_hessian);
   }
