@@ -70,6 +70,16 @@ public:
 
   void set_zero() { std::fill(m_values.begin(), m_values.end(), NT(0)); }
 
+  /// makes the matrix symmetric by copying the upper triangle to the lower one
+  void copy_upper_to_lower_triangle()
+  {
+    // rows are met in the order of the columns of the lower triangle
+    std::vector<int> next(m_row_begin.begin(), m_row_begin.end() - 1);
+    for(int row = 0; row < size(); ++row)
+      for(int k = next[row] + 1; k < row_end(row); ++k)
+        block(next[column(k)]++) = block(k).transpose();
+  }
+
   /// adds `factor` times itself to each diagonal block
   void scale_diagonal(const NT factor)
   {

@@ -33,8 +33,8 @@ struct Cell_pack_3
 {
   using Indices = std::array<int, Pack::size>;
 
-  std::array<Indices, 4> vertices;
-  std::array<std::array<Indices, 4>, 4> blocks; // positions in the matrix, -1 if a vertex is not free
+  std::array<Indices, 4> vertices;                // sorted, which changes the orientation, but not J
+  std::array<std::array<Indices, 4>, 4> blocks;   // positions in the matrix for a <= b, -1 if a vertex is not free
   Matrix_3<Pack> inverse_source;                // X^{-1}, times the factor that gives both meshes one volume
   Pack weight;
 };
@@ -132,20 +132,39 @@ private:
       const bool is_padding = first + lane >= cells.size();
       const int c = is_padding ? cells.back() : cells[first + lane];
       weight[lane] = is_padding ? 0 : weights[c];
+      std::array<int, 4> cell = mesh.cells[c];
+      const Eigen::Matrix3d inverse_source = sort_vertices(cell, inverse_sources[c]);
       for(int i = 0; i < 9; ++i)
-        inverse[i][lane] = inverse_sources[c](i);
-      const std::array<int, 4>& cell = mesh.cells[c];
+        inverse[i][lane] = inverse_source(i);
       for(int a = 0; a < 4; ++a)
       {
         pack.vertices[a][lane] = cell[a];
-        for(int b = 0; b < 4; ++b)
-          pack.blocks[a][b][lane] = !is_padding && mesh.is_free(cell[a]) && mesh.is_free(cell[b])
-            ? matrix.position(cell[a], cell[b]) : -1;
+        for(int b = a; b < 4; ++b)
+          pack.blocks[a][b][lane] = !is_padding && mesh.is_free(cell[b]) ? matrix.position(cell[a], cell[b]) : -1;
       }
     }
     for(int i = 0; i < 9; ++i)
       pack.inverse_source(i) = Pack::load(inverse[i]);
     pack.weight = Pack::load(weight);
+  }
+
+  // Sorts the vertices of a cell, and returns X^{-1} for the new order: its rows belong to the last
+  // three vertices, and that of the first one is minus their sum.
+  static Eigen::Matrix3d sort_vertices(std::array<int, 4>& cell, const Eigen::Matrix3d& inverse_source)
+  {
+    Eigen::Matrix<double, 4, 3> rows;
+    rows << -inverse_source.colwise().sum(), inverse_source;
+    std::array<int, 4> order = { 0, 1, 2, 3 };
+    std::sort(order.begin(), order.end(), [&](const int i, const int j) { return cell[i] < cell[j]; });
+    const std::array<int, 4> unsorted = cell;
+    Eigen::Matrix3d result;
+    for(int i = 0; i < 4; ++i)
+    {
+      cell[i] = unsorted[order[i]];
+      if(i > 0)
+        result.row(i - 1) = rows.row(order[i]);
+    }
+    return result;
   }
 
   void distribute_to_rounds(const Numbered_mesh_3& mesh)

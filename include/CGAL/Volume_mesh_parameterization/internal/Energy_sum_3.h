@@ -117,6 +117,7 @@ public:
       scatter(pack, cells.gradient, gradient);
       scatter(pack, cells, hessian);
     });
+    hessian.copy_upper_to_lower_triangle();
   }
 
 private:
@@ -162,6 +163,7 @@ private:
     }
   }
 
+  // Fills the upper triangle only: the vertices of a cell are sorted.
   template <typename NT>
   static void scatter(const Cell_pack_3& pack, const Cell_derivatives_3<Pack>& cells,
                       Block_sparse_matrix_3<NT>& hessian)
@@ -178,11 +180,6 @@ private:
             NT* const block = hessian.values(pack.blocks[a][b][lane]);
             for(int i = 0; i < 9; ++i)
               block[i] += static_cast<NT>(h[i][lane]);
-            if(a == b)
-              continue;
-            NT* const transposed = hessian.values(pack.blocks[b][a][lane]);
-            for(int i = 0; i < 9; ++i)
-              transposed[i] += static_cast<NT>(h[3 * (i % 3) + i / 3][lane]);
           }
       }
   }
