@@ -8,7 +8,8 @@ function \f$\psi(\sigma_1, \sigma_2, \sigma_3)\f$ of the signed singular values 
 \f$J\f$ of the map in a cell.
 
 The signed singular values are those of \f$J = R\,\mathrm{diag}(\sigma_1, \sigma_2, \sigma_3)\,Q^T\f$ with
-two rotations \f$R\f$ and \f$Q\f$, and \f$\sigma_1 \ge \sigma_2 \ge |\sigma_3|\f$. Their product is \f$\det J\f$, the change of the volume; an inverted cell is one with \f$\sigma_3 < 0\f$. Before \f$J\f$ is
+two rotations \f$R\f$ and \f$Q\f$, and \f$\sigma_1 \ge \sigma_2 \ge |\sigma_3|\f$. Their product is
+\f$\det J\f$, the change of the volume; an inverted cell is one with \f$\sigma_3 < 0\f$. Before \f$J\f$ is
 computed, the source is scaled to the volume of the target, so that 1 stands for the mean change of lengths.
 
 The function must be symmetric: no permutation of its arguments changes its value. It must be twice
