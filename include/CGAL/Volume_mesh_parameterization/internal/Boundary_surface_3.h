@@ -21,6 +21,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Dense>
+
 #include <array>
 #include <cstddef>
 #include <unordered_map>
@@ -113,6 +115,14 @@ private:
   Boundary_mesh_3 m_mesh;
   Error_code m_status = OK;
 };
+
+inline std::vector<Eigen::Vector3d> points_of(const Boundary_mesh_3& mesh)
+{
+  std::vector<Eigen::Vector3d> points;
+  for(const auto v : mesh.vertices())
+    points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+  return points;
+}
 
 // Is the closed surface a topological sphere?
 inline Error_code check_sphere(const Boundary_mesh_3& mesh)

@@ -14,6 +14,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -21,13 +22,14 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // The distortion of a triangle whose image a, b, c is seen from the origin, as a function of a:
-// f = Q (1 + 1 / D^2), with Q the Dirichlet energy of the map of the triangle, and D = det(a, b, c) / (2 area).
-// For a small triangle on the unit sphere D is the ratio of the areas, and f the symmetric Dirichlet energy times the area.
+// f = Q (1 + 1 / D^2), with Q the Dirichlet energy of the map of the triangle, and D = det(a, b, c) / (2 weight).
+// If the weight is the area of the source, times the distance of the image from the origin, then D is the ratio
+// of the areas, and f the symmetric Dirichlet energy times the area.
 // It is infinite at the triangles whose plane contains the origin.
 class Radial_distortion_3
 {
 public:
-  // `area` is the area of the source pqr in the scale of the image.
+  // The weight is the area of the source pqr times `scale`.
   Radial_distortion_3(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r, const double scale,
                       const Eigen::Vector3d& b, const Eigen::Vector3d& c)
     : m_b(b), m_c(c)

@@ -30,22 +30,33 @@ namespace internal {
 
 // A map of a surface onto a surface around the origin, which sees the image of each triangle from inside.
 //
-// A `Domain` tells in which directions the image of a vertex may move:
+// A `Domain` tells where the image of a vertex may move:
 //   Eigen::Matrix<double, 3, 2> tangents(int v, const Eigen::Vector3d& image) const;   // columns may be zero
 //   Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& tangential_step) const;
 //   static constexpr double curvature;
+//   double height(int a, int b, int c) const;   // the distance of the tangent plane at these vertices from the origin
+//   double area() const;
 template <typename Domain>
 class Radial_map_3
 {
 public:
   using Points = std::vector<Eigen::Vector3d>;
 
-  // The lengths of the surface are multiplied by the square root of `area_scale` for comparison with those of the image.
   Radial_map_3(const Vertex_rings_3& rings, const Points& points, Points& images, const Domain& domain)
     : m_rings(rings), m_points(points), m_images(images), m_domain(domain)
   {}
 
-  void set_area_scale(const double area_scale) { m_area_scale = area_scale; }
+  // Scales the surface, as coarse as it is, to the area of the domain.
+  void fit_area_scale()
+  {
+    double area = 0;
+    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+      for_each_triangle(v, [&](const int b, const int c)
+      {
+        area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6; // a third for each vertex
+      });
+    m_area_scale = m_domain.area() / area;
+  }
 
   // Would all triangles around v be seen positive with this image of v?
   bool is_admissible(const int v, const Eigen::Vector3d& image) const
@@ -78,6 +89,16 @@ public:
     return 0;
   }
 
+  // Relaxes each vertex once. Returns by how much the mean distortion falls, which is 4 for an isometry.
+  double relax()
+  {
+    double decrease = 0;
+    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+      if(!m_rings[v].empty())
+        decrease += relax(v);
+    return decrease / m_domain.area();
+  }
+
   double distortion_around(const int v)
   {
     collect_triangles(v);
@@ -85,15 +106,22 @@ public:
   }
 
 private:
-  void collect_triangles(const int v)
+  template <typename Function>
+  void for_each_triangle(const int v, const Function& function) const
   {
     const std::vector<int>& ring = m_rings[v];
-    m_triangles.clear();
     for(std::size_t i = 0; i < ring.size(); ++i)
+      function(ring[i], ring[(i + 1) % ring.size()]);
+  }
+
+  void collect_triangles(const int v)
+  {
+    m_triangles.clear();
+    for_each_triangle(v, [&](const int b, const int c)
     {
-      const int b = ring[i], c = ring[(i + 1) % ring.size()];
-      m_triangles.emplace_back(m_points[v], m_points[b], m_points[c], m_area_scale, m_images[b], m_images[c]);
-    }
+      m_triangles.emplace_back(m_points[v], m_points[b], m_points[c], m_area_scale * m_domain.height(v, b, c),
+                               m_images[b], m_images[c]);
+    });
   }
 
   double distortion(const Eigen::Vector3d& image) const
@@ -127,7 +155,7 @@ private:
   const Vertex_rings_3& m_rings;
   const Points& m_points;
   Points& m_images;
-  const Domain m_domain;
+  const Domain& m_domain;
   double m_area_scale = 1;
   std::vector<Radial_distortion_3> m_triangles; // around the vertex in work
 };

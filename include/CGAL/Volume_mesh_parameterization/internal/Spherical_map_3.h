@@ -44,6 +44,9 @@ struct Unit_sphere_3
   {
     return (image + step).normalized();
   }
+
+  double height(int, int, int) const { return 1; }
+  double area() const { return 4 * CGAL_PI; }
 };
 
 // Maps a triangulated topological sphere onto the unit sphere, one to one, by the method of
@@ -52,9 +55,9 @@ struct Unit_sphere_3
 class Spherical_map_3
 {
 public:
-  explicit Spherical_map_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings)
+  Spherical_map_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings)
     : m_points(points), m_rings(rings), m_images(points.size(), Eigen::Vector3d::Zero()),
-      m_map(m_rings, m_points, m_images, Unit_sphere_3())
+      m_map(m_rings, m_points, m_images, m_domain)
   {}
 
   // Returns whether each vertex found its place, which can fail only by the limits of floating-point numbers.
@@ -85,21 +88,7 @@ private:
     m_images[m_rings[v][0]] = Eigen::Vector3d(1, -1, -1).normalized();
     m_images[m_rings[v][1]] = Eigen::Vector3d(-1, 1, -1).normalized();
     m_images[m_rings[v][2]] = Eigen::Vector3d(-1, -1, 1).normalized();
-    fit_area_scale();
     relax(20, 1e-3);
-  }
-
-  // Gives the surface, as coarse as it is, the area of the sphere.
-  void fit_area_scale()
-  {
-    double area = 0;
-    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
-      for(std::size_t i = 0; i < m_rings[v].size(); ++i)
-      {
-        const int b = m_rings[v][i], c = m_rings[v][(i + 1) % m_rings[v].size()];
-        area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6;
-      }
-    m_map.set_area_scale(4 * CGAL_PI / area);
   }
 
   // The ring is star-shaped as seen from the vertex onto which v was collapsed; so is it from points close by inside.
@@ -132,24 +121,18 @@ private:
     return true;
   }
 
-  // Sweeps until the distortion of the map, which is a mean value of order 1, falls by less than the tolerance.
   void relax(const int number_of_sweeps, const double tolerance)
   {
-    fit_area_scale();
+    m_map.fit_area_scale();
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-    {
-      double decrease = 0;
-      for(int v = 0; v < m_rings.number_of_vertices(); ++v)
-        if(!m_rings[v].empty())
-          decrease += m_map.relax(v);
-      if(decrease < tolerance * 4 * CGAL_PI)
+      if(m_map.relax() < tolerance)
         break;
-    }
   }
 
   const std::vector<Eigen::Vector3d>& m_points;
   Vertex_rings_3 m_rings;
   std::vector<Eigen::Vector3d> m_images;
+  Unit_sphere_3 m_domain;
   Radial_map_3<Unit_sphere_3> m_map;
 };
 

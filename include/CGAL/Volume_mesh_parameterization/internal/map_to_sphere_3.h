@@ -25,14 +25,6 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-inline std::vector<Eigen::Vector3d> points_of(const Boundary_mesh_3& mesh)
-{
-  std::vector<Eigen::Vector3d> points;
-  for(const auto v : mesh.vertices())
-    points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-  return points;
-}
-
 // Maps a closed surface onto the unit sphere, if it is a topological sphere.
 inline Error_code map_to_sphere_3(const Boundary_mesh_3& mesh, std::vector<Eigen::Vector3d>& images)
 {

@@ -1,0 +1,35 @@
+/*!
+\ingroup PkgVolumeMeshParameterizationConcepts
+\cgalConcept
+
+The concept `BoundaryParameterizer_3` describes a way to choose the images of the boundary vertices of a complex.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3}
+\cgalHasModelsEnd
+
+\sa `CGAL::stretch_minimizing_volume_parameterization()`
+*/
+class BoundaryParameterizer_3
+{
+public:
+/// \name Operations
+/// @{
+
+/*!
+writes the image of each vertex of a facet that has a cell of the complex on one side only.
+
+The images of the facets form a closed surface without self-intersections that is oriented like the boundary.
+
+\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+\tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
+        `C3t3::Triangulation::Geom_traits::Point_3` as value type
+
+\return `OK`, or what is wrong with the boundary; then nothing is written
+*/
+template <typename C3t3, typename VertexPointMap>
+CGAL::Volume_mesh_parameterization::Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const;
+
+/// @}
+};

@@ -1,0 +1,147 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_CUBE_BOUNDARY_PARAMETERIZER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_CUBE_BOUNDARY_PARAMETERIZER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Box_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/cube_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/map_to_sphere_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationBoundary
+
+maps the boundary of a complex that is a topological sphere onto the boundary of a cube, or of a box, around the origin.
+
+Eight vertices become the corners of the box, twelve disjoint paths along edges of the boundary its edges, and the six patches
+between them its faces: the coordinates that are constant on a face or on an edge of the box are so exactly, bit by bit. No
+triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
+
+The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are short on the
+sphere, and the patches are mapped by mean value coordinates \cgalCite{cgal:f-mvc-03} of the package \ref
+PkgSurfaceMeshParameterization. Finally the symmetric Dirichlet energy of the map from the boundary, scaled
+to the area of the box, is lowered; vertices move in their face or along their edge of the box.
+
+\cgalModels{BoundaryParameterizer_3}
+
+\sa `Ball_boundary_parameterizer_3`
+*/
+class Cube_boundary_parameterizer_3
+{
+public:
+  /// chooses the unit cube.
+  Cube_boundary_parameterizer_3()
+    : Cube_boundary_parameterizer_3(1, 1, 1)
+  {}
+
+  /// chooses the box with these lengths of its sides.
+  /// \pre The lengths are positive and finite.
+  Cube_boundary_parameterizer_3(const double x_length, const double y_length, const double z_length)
+    : m_half_lengths(x_length / 2, y_length / 2, z_length / 2)
+  {
+    CGAL_precondition(m_half_lengths.allFinite() && m_half_lengths.minCoeff() > 0);
+  }
+
+  /// writes the image of each vertex of the boundary of the complex.
+  ///
+  /// The corners are the vertices whose images on the sphere are closest to a cube, turned such that the map
+  /// is similar to the scaling of the bounding box of the boundary to the cube.
+  ///
+  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
+  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
+  ///
+  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_MANIFOLD_BOUNDARY`,
+  ///         `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, `ERROR_BOUNDARY_TOO_COARSE`
+  ///         if no disjoint paths between the corners were found, or
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of floating-point numbers were met
+  template <typename C3t3, typename VertexPointMap>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  {
+    return map(c3t3, target, [](const internal::Boundary_surface_3<C3t3>& boundary,
+                                const std::vector<Eigen::Vector3d>& sphere)
+    {
+      return internal::cube_corners_3(internal::points_of(boundary.mesh()), sphere);
+    });
+  }
+
+  /// writes the image of each vertex of the boundary of the complex, for given corners.
+  ///
+  /// \param c3t3 the complex
+  /// \param corners the vertices for the corners of the box: bit 0 of the index is set if x is positive at the corner,
+  ///        bit 1 if y is, and bit 2 if z is
+  /// \param target receives the images
+  ///
+  /// \pre The corners are different vertices of the boundary.
+  /// \return the same as without corners
+  template <typename C3t3, typename VertexPointMap>
+  Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
+                          VertexPointMap target) const
+  {
+    return map(c3t3, target, [&](const internal::Boundary_surface_3<C3t3>& boundary,
+                                 const std::vector<Eigen::Vector3d>&)
+    {
+      std::array<int, 8> indices;
+      for(std::size_t k = 0; k < 8; ++k)
+      {
+        CGAL_precondition(boundary.is_on_boundary(corners[k]));
+        CGAL_precondition(std::count(corners.begin(), corners.end(), corners[k]) == 1);
+        indices[k] = static_cast<int>(boundary.index(corners[k]));
+      }
+      return indices;
+    });
+  }
+
+private:
+  template <typename C3t3, typename VertexPointMap, typename ChooseCorners>
+  Error_code map(const C3t3& c3t3, VertexPointMap target, const ChooseCorners& choose_corners) const
+  {
+    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+
+    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
+    if(boundary.status() != OK)
+      return boundary.status();
+    if(boundary.mesh().number_of_vertices() < 8)
+      return ERROR_BOUNDARY_TOO_COARSE;
+    std::vector<Eigen::Vector3d> sphere;
+    const Error_code sphere_status = internal::map_to_sphere_3(boundary.mesh(), sphere);
+    if(sphere_status != OK)
+      return sphere_status;
+
+    internal::Box_map_3 box(boundary.mesh(), sphere, m_half_lengths);
+    const Error_code status = box.run(choose_corners(boundary, sphere));
+    if(status == OK)
+      for(std::size_t v = 0; v < sphere.size(); ++v)
+        put(target, boundary.vertex(v), Point_3(box.images()[v][0], box.images()[v][1], box.images()[v][2]));
+    return status;
+  }
+
+  Eigen::Vector3d m_half_lengths;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_CUBE_BOUNDARY_PARAMETERIZER_3_H
