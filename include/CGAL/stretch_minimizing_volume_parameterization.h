@@ -12,22 +12,27 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex_parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mutable_parameter.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parameterize_3.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/Real_timer.h>
+#include <CGAL/assertions.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <vector>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
@@ -42,9 +47,10 @@ computes a map from a tetrahedral complex to a domain with prescribed boundary t
 cell and a low distortion of angles and volumes.
 
 The map is linear on each cell and given by the images of the vertices. The method is the
-stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, with fixed boundary:
-harmonic start, untangling \cgalCite{cgal:gkkrs-ffm-21}, and minimization of a distortion energy by
-Newton steps that never invert a cell. That no cell is inverted is checked at the end with exact
+stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
+harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps
+that never invert a cell. With soft boundary, the method of the paper, no cell is inverted from the
+beginning, and the boundary may be missed. That no cell is inverted is checked at the end with exact
 predicates on the coordinates that are written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
@@ -54,7 +60,7 @@ predicates on the coordinates that are written.
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param c3t3 the complex; it is not modified
+\param c3t3 the complex; it is modified only if `do_refine(true)` is passed, and may be constant otherwise
 \param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
        (see `Parameterization_result::has_valid_map`); otherwise it is left alone
 \param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -76,6 +82,30 @@ predicates on the coordinates that are written.
     \cgalParamDescription{the solver for the linear system of a Newton step}
     \cgalParamType{a model of `NewtonSolverTraits_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<ConcurrencyTag>`}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_mode}
+    \cgalParamDescription{how the boundary is met}
+    \cgalParamType{`Volume_mesh_parameterization::Boundary_mode`}
+    \cgalParamDefault{`Boundary_mode::AUTO`: fixed, and soft where there is no valid map with fixed boundary}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_refine}
+    \cgalParamDescription{whether the complex may be refined where the boundary cannot be reached otherwise:
+                          before the computation, as `Volume_mesh_parameterization::make_parameterizable()` does
+                          for this boundary map, and in it, by splitting interior edges of cells that
+                          stay inverted. The new vertices receive their images too.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamPrecondition{`c3t3` is not constant if the value is `true`}
+  \cgalParamNEnd
+  \cgalParamNBegin{soft_boundary_parameters}
+    \cgalParamDescription{the parameters of the map with soft boundary}
+    \cgalParamType{`Volume_mesh_parameterization::Soft_boundary_parameters`}
+    \cgalParamDefault{those of the paper}
+  \cgalParamNEnd
+  \cgalParamNBegin{positional_constraints}
+    \cgalParamDescription{further linear equations between the images of vertices, for `Boundary_mode::SOFT`}
+    \cgalParamType{`std::vector<Volume_mesh_parameterization::Linear_constraint_3<C3t3::Vertex_handle> >`}
+    \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{tells the vertices inside the complex that `boundary_map` prescribes as well}
@@ -115,7 +145,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename VertexUVWMap,
           typename NamedParameters = parameters::Default_named_parameters>
 Volume_mesh_parameterization::Parameterization_result
-stretch_minimizing_volume_parameterization(const C3t3& c3t3,
+stretch_minimizing_volume_parameterization(C3t3& c3t3,
                                            VertexUVWMap uvw_map,
                                            const NamedParameters& np = parameters::default_values())
 {
@@ -125,7 +155,6 @@ stretch_minimizing_volume_parameterization(const C3t3& c3t3,
   namespace VMP = Volume_mesh_parameterization;
 
   using Vertex_handle = typename C3t3::Vertex_handle;
-  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
   static_assert(!parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
                 "The named parameter boundary_map is missing.");
@@ -155,17 +184,19 @@ stretch_minimizing_volume_parameterization(const C3t3& c3t3,
     choose_parameter(get_parameter(np, internal_np::verbose), false)
   };
 
-  Real_timer timer;
-  timer.start();
-  const VMP::internal::Numbered_complex_3<C3t3> complex(c3t3, is_constrained, boundary_map);
-  Eigen::Matrix3Xd image;
-  VMP::Parameterization_result result
-    = VMP::internal::parameterize_3<ConcurrencyTag>(complex.mesh(), energy, solver, visitor, limits, timer, image);
-  result.number_of_boundary_vertices = complex.number_of_boundary_vertices();
-  if(result.has_valid_map)
-    for(std::size_t v = 0; v < complex.vertices().size(); ++v)
-      put(uvw_map, complex.vertices()[v], Point_3(image(0, v), image(1, v), image(2, v)));
-  return result;
+  const VMP::internal::Boundary_options<C3t3> options = {
+    choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO),
+    choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), VMP::Soft_boundary_parameters()),
+    choose_parameter(get_parameter(np, internal_np::positional_constraints),
+                     std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
+    choose_parameter(get_parameter(np, internal_np::do_refine), false)
+  };
+  CGAL_precondition_msg(!(options.do_refine && std::is_const<C3t3>::value), "A constant complex cannot be refined.");
+
+  return VMP::internal::Complex_parameterization_3<
+    ConcurrencyTag, C3t3, Energy, std::remove_reference_t<Solver>, std::remove_reference_t<Visitor>,
+    std::remove_const_t<decltype(is_constrained)>, std::remove_const_t<decltype(boundary_map)> >(
+      c3t3, is_constrained, boundary_map, energy, solver, visitor, limits, options).run(uvw_map);
 }
 
 } // namespace CGAL

@@ -38,6 +38,8 @@ struct Parameterization_result
   std::size_t number_of_boundary_vertices = 0;
   std::size_t number_of_added_vertices = 0;    ///< by refinement
 
+  std::size_t number_of_infeasibility_proofs = 0; ///< exact proofs that no map with this connectivity meets this boundary
+
   std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map
   std::size_t number_of_inverted_cells = 0;          ///< of the result, by exact predicates on its coordinates
   double boundary_residual = 0; ///< largest distance to the prescribed points, relative to the diagonal of their bounding box

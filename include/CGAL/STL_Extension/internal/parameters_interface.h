@@ -19,6 +19,10 @@
 // List of named parameters used in Volume_mesh_parameterization
 CGAL_add_named_parameter(energy_t, energy, energy)
 CGAL_add_named_parameter(boundary_map_t, boundary_map, boundary_map)
+CGAL_add_named_parameter(boundary_mode_t, boundary_mode, boundary_mode)
+CGAL_add_named_parameter(do_refine_t, do_refine, do_refine)
+CGAL_add_named_parameter(positional_constraints_t, positional_constraints, positional_constraints)
+CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, soft_boundary_parameters)
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
 
 // Comes last: since CGAL 6 the original undefines CGAL_add_named_parameter.

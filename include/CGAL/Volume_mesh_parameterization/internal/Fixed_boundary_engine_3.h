@@ -50,15 +50,19 @@ public:
                std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())), solver)
   {}
 
-  // Computes the start.
+  // Starts from the harmonic map.
   void start()
   {
-    const Linear_solver_status status = harmonic_map_3(m_newton, m_u);
-    if(status != Linear_solver_status::SUCCESS)
+    if(harmonic_map_3(m_newton, m_u) != Linear_solver_status::SUCCESS)
       end(ERROR_LINEAR_SOLVER_FAILED);
-    m_untangler.emplace(m_newton, m_u, theta);
-    m_inverted_cells_at_start = m_untangler->evaluation().number_of_inverted_cells;
-    enter(m_untangler->evaluation().is_flip_free() ? Phase::MINIMIZATION : Phase::UNTANGLING);
+    start_untangling();
+  }
+
+  // Starts from the given images of all vertices.
+  void start(const Eigen::Matrix3Xd& positions)
+  {
+    m_u = m_scale * positions;
+    start_untangling();
   }
 
   // One Newton step; to be called while is_running().
@@ -68,7 +72,6 @@ public:
     m_step.phase = m_phase;
     if(m_phase == Phase::UNTANGLING)
     {
-      ++m_untangling_iterations;
       const Step_status status = m_untangler->step();
       report(*m_untangler);
       if(status == Step_status::DONE)
@@ -96,7 +99,6 @@ public:
   const Parameterization_step& last_step() const { return m_step; }
   bool is_flip_free() const { return m_phase == Phase::MINIMIZATION; }
   std::size_t number_of_inverted_cells_at_start() const { return m_inverted_cells_at_start; }
-  std::size_t number_of_untangling_iterations() const { return m_untangling_iterations; }
 
   // The images of all vertices; those of the prescribed ones are bitwise what was given.
   Eigen::Matrix3Xd positions() const { return m_u / m_scale; }
@@ -120,6 +122,13 @@ private:
     for(const std::array<int, 4>& cell : mesh.cells)
       result.push_back(edge_matrix(mesh.source, cell).inverse() * ratio);
     return result;
+  }
+
+  void start_untangling()
+  {
+    m_untangler.emplace(m_newton, m_u, theta);
+    m_inverted_cells_at_start = m_untangler->evaluation().number_of_inverted_cells;
+    enter(m_untangler->evaluation().is_flip_free() ? Phase::MINIMIZATION : Phase::UNTANGLING);
   }
 
   void enter(const Phase phase)
@@ -155,7 +164,6 @@ private:
   Error_code m_status = ERROR_NOT_CONVERGED;
   bool m_is_running = true;
   std::size_t m_inverted_cells_at_start = 0;
-  std::size_t m_untangling_iterations = 0;
 };
 
 } // namespace internal

@@ -58,6 +58,7 @@ public:
   const Numbered_mesh_3& mesh() const { return m_mesh; }
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
   std::size_t number_of_boundary_vertices() const { return m_number_of_boundary_vertices; }
+  int number(const Vertex_handle v) const { return m_numbers.at(v); }
 
 private:
   // Vertices that belong to no cell of the complex receive no number.
@@ -118,6 +119,8 @@ private:
     for(std::array<int, 4>& cell : m_mesh.cells)
       for(int& v : cell)
         v = number[v];
+    for(auto& vertex_and_number : m_numbers)
+      vertex_and_number.second = number[vertex_and_number.second];
   }
 
   template <typename BoundaryMap>

@@ -1,0 +1,34 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BOUNDARY_MODE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_BOUNDARY_MODE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+How a map meets its boundary: see the named parameter `boundary_mode` of
+`CGAL::stretch_minimizing_volume_parameterization()`.
+*/
+enum class Boundary_mode
+{
+  AUTO,  ///< as `FIXED`; where that finds no valid map, as `SOFT`
+  FIXED, ///< prescribed vertices are at their targets from the beginning, and cells are untangled
+  SOFT   ///< no cell is ever inverted, and a penalty pulls the prescribed vertices to their targets
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BOUNDARY_MODE_H

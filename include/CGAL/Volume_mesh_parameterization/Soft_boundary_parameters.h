@@ -1,0 +1,74 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+The parameters of the map with soft boundary, after section 4 of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}:
+\f$\sum_t \psi(t) + w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$. Lengths are measured on a
+copy of the problem in which the target has volume 1, so that the parameters do not depend on units.
+
+The minimization for one weight ends as soon as one of three criteria holds: the energy, the
+positions, or the gradient have become stationary. The weight is raised as long as the constraints
+are not satisfied then.
+*/
+struct Soft_boundary_parameters
+{
+  /// the first weight, \f$w_0\f$
+  double weight = 100;
+  /// the factor between one weight and the next, \f$\gamma\f$
+  double weight_factor = 25;
+  /// how often the weight is raised at most
+  std::size_t maximal_number_of_raises = 5;
+  /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this, \f$\eta\f$
+  double residual_tolerance = 1e-6;
+
+  /// ends if the energy changes by less than this times the diameter of the bounding box of the source, \f$\varepsilon_f\f$
+  double energy_tolerance = 1e-8;
+  /// ends if no vertex moves by more than this times that diameter
+  double step_tolerance = 1e-8;
+  /// ends if the norm of the gradient is less than this times the energy
+  double gradient_tolerance = 1e-8;
+
+  /// Newton steps with the current positions as target, taken where the Hessian is not positive definite or no
+  /// step decreases both the energy and the norm of its gradient. With 0, a decrease of the energy suffices
+  /// and the Hessian is made semi-definite instead.
+  std::size_t maximal_number_of_relaxations = 5;
+  /// whether each step tries the full Hessian first; otherwise, only steps near the minimum do, and the others
+  /// use the nearest sum of positive semi-definite ones of the cells
+  bool use_full_hessian = false;
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+returns parameters with one large weight that is never raised, for targets that are easy to reach.
+*/
+inline Soft_boundary_parameters single_weight_soft_boundary_parameters(const double weight = 1e8)
+{
+  Soft_boundary_parameters parameters;
+  parameters.weight = weight;
+  parameters.maximal_number_of_raises = 0;
+  return parameters;
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H

@@ -1,0 +1,211 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZATION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZATION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/describe_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/prove_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/split_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// How the boundary is to be met.
+template <typename C3t3>
+struct Boundary_options
+{
+  Boundary_mode mode;
+  Soft_boundary_parameters soft;
+  std::vector<Linear_constraint_3<typename C3t3::Vertex_handle> > constraints;
+  bool do_refine; // only if C3t3 is not const
+};
+
+// From a complex to the images of its vertices: numbers it, checks the input, tries the stages that
+// are allowed, and refines the complex between two attempts.
+template <typename ConcurrencyTag, typename C3t3, typename Energy, typename Solver, typename Visitor,
+          typename VertexIsConstrainedMap, typename BoundaryMap>
+class Complex_parameterization_3
+{
+public:
+  Complex_parameterization_3(C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target,
+                             const Energy& energy, Solver& solver, Visitor& visitor, const Run_limits& limits,
+                             const Boundary_options<C3t3>& options)
+    : m_c3t3(c3t3), m_is_constrained(is_constrained), m_target(target),
+      m_energy(energy), m_solver(solver), m_run(visitor, limits), m_options(options)
+  {}
+
+  template <typename VertexUVWMap>
+  Parameterization_result run(VertexUVWMap uvw_map)
+  {
+    make_complex_parameterizable();
+    while(attempt(uvw_map)) {}
+    m_result.seconds_total = m_run.seconds();
+    return m_result;
+  }
+
+private:
+  using Vertex_handle = typename C3t3::Vertex_handle;
+  using Complex = Numbered_complex_3<C3t3>;
+  using Stages = Parameterization_3<ConcurrencyTag, Energy, Solver, Visitor>;
+
+  void make_complex_parameterizable()
+  {
+    if constexpr(!std::is_const<C3t3>::value)
+      if(m_options.do_refine)
+        m_result.number_of_added_vertices = make_parameterizable(
+          m_c3t3, parameters::boundary_map(m_target).vertex_is_constrained_map(m_is_constrained));
+  }
+
+  // Returns true if the complex has been refined and another attempt makes sense.
+  template <typename VertexUVWMap>
+  bool attempt(VertexUVWMap uvw_map)
+  {
+    const double begin = m_run.seconds();
+    const Complex complex(m_c3t3, m_is_constrained, m_target);
+    const Input_check check = check_input(complex);
+    m_result.seconds_numbering += m_run.seconds() - begin;
+    const bool can_be_fixed = check.status == OK;
+    const bool can_be_soft = can_be_fixed || check.status == ERROR_PRESCRIBED_CELL_INVERTED;
+    if(!can_be_fixed && !(can_be_soft && m_options.mode != Boundary_mode::FIXED))
+      return false;
+
+    Stages stages(complex.mesh(), m_energy, m_solver, m_run, m_result);
+    bool needs_soft = m_options.mode != Boundary_mode::FIXED;
+    if(can_be_fixed && m_options.mode != Boundary_mode::SOFT)
+    {
+      stages.run_with_fixed_boundary();
+      if(m_result.status == ERROR_NOT_FLIP_FREE)
+      {
+        if(refine(complex, stages.positions()))
+          return true;
+        diagnose(complex.mesh(), stages.positions());
+      }
+      needs_soft = needs_soft && !stages.is_flip_free() && !m_run.is_interrupted();
+    }
+    if(needs_soft)
+      stages.run_with_soft_boundary(m_options.soft, numbered_constraints(complex));
+
+    stages.evaluate();
+    const std::string reason = m_result.status == OK || m_result.message.empty() ? "" : " " + m_result.message;
+    m_result.message = get_error_message(m_result.status) + reason;
+    if(m_result.has_valid_map)
+      write(complex, stages.positions(), uvw_map);
+    return false;
+  }
+
+  Input_check check_input(const Complex& complex)
+  {
+    const Input_check check = check_input_3(complex.mesh());
+    m_result.number_of_vertices = complex.vertices().size();
+    m_result.number_of_cells = complex.mesh().cells.size();
+    m_result.number_of_boundary_vertices = complex.number_of_boundary_vertices();
+    m_result.status = check.status;
+    m_result.message = check.message;
+    return check;
+  }
+
+  // Splits the interior edges of the cells that are not positive; false if that is not allowed, or
+  // there is nothing to split.
+  bool refine(const Complex& complex, const Eigen::Matrix3Xd& image)
+  {
+    constexpr int maximal_number_of_refinements = 20;
+    if constexpr(std::is_const<C3t3>::value)
+      return false;
+    else
+    {
+      if(!m_options.do_refine || m_run.is_exhausted(m_result)
+         || m_number_of_refinements++ == maximal_number_of_refinements)
+        return false;
+      std::vector<std::pair<Vertex_handle, Vertex_handle> > edges;
+      for(const std::array<int, 4>& cell : complex.mesh().cells)
+        if(!is_positive(image, cell))
+          for(int i = 0; i < 4; ++i)
+            for(int j = i + 1; j < 4; ++j)
+              edges.emplace_back(complex.vertices()[cell[i]], complex.vertices()[cell[j]]);
+      std::vector<Inserted_vertex_3<Vertex_handle> > inserted;
+      split_edges_3(m_c3t3, edges, std::back_inserter(inserted));
+      m_result.number_of_added_vertices += inserted.size();
+      return !inserted.empty();
+    }
+  }
+
+  // Says why no map was found with fixed boundary, with a proof if there is one.
+  void diagnose(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+  {
+    const std::vector<Infeasibility_proof_3> proofs = prove_infeasibility_3(mesh, image);
+    m_result.number_of_infeasibility_proofs = proofs.size();
+    const Inverted_cells inverted = inverted_cells(mesh, image);
+    m_result.message = !proofs.empty() ? describe_infeasibility(proofs, mesh)
+      : failed_check(ERROR_NOT_FLIP_FREE, "With the boundary at its targets, ", inverted.number,
+                     " cells stay inverted; the first one is cell ", inverted.first, ".").message;
+  }
+
+  std::vector<Linear_constraint_3<int> > numbered_constraints(const Complex& complex) const
+  {
+    std::vector<Linear_constraint_3<int> > result;
+    for(const auto& constraint : m_options.constraints)
+    {
+      result.emplace_back();
+      result.back().value = constraint.value;
+      for(const auto& term : constraint.terms)
+        result.back().terms.push_back({ complex.number(term.vertex), term.coefficient });
+    }
+    return result;
+  }
+
+  template <typename VertexUVWMap>
+  static void write(const Complex& complex, const Eigen::Matrix3Xd& image, VertexUVWMap uvw_map)
+  {
+    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+    for(std::size_t v = 0; v < complex.vertices().size(); ++v)
+      put(uvw_map, complex.vertices()[v], Point_3(image(0, v), image(1, v), image(2, v)));
+  }
+
+  C3t3& m_c3t3;
+  VertexIsConstrainedMap m_is_constrained;
+  BoundaryMap m_target;
+  const Energy& m_energy;
+  Solver& m_solver;
+  Engine_run<Visitor> m_run;
+  const Boundary_options<C3t3>& m_options;
+  Parameterization_result m_result;
+  int m_number_of_refinements = 0;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZATION_3_H

@@ -1,0 +1,161 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARAMETERIZATION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARAMETERIZATION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Fixed_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/distortion_of_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/spatial_order_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// From numbered arrays to the images of their vertices, by one stage or several.
+template <typename ConcurrencyTag, typename Energy, typename Solver, typename Visitor>
+class Parameterization_3
+{
+public:
+  using Positions = Eigen::Matrix3Xd;
+  using Constraints = std::vector<Linear_constraint_3<int> >;
+
+  Parameterization_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver,
+                     Engine_run<Visitor>& run, Parameterization_result& result)
+    : m_order(spatial_order_3(mesh)),
+      m_mesh(reordered(mesh, m_order)),
+      m_energy(energy),
+      m_solver(solver),
+      m_run(run),
+      m_result(result)
+  {}
+
+  // The boundary at its targets from the beginning: untangles and minimizes.
+  void run_with_fixed_boundary()
+  {
+    const double begin = m_run.seconds();
+    Fixed_engine engine(m_mesh, m_energy, m_solver);
+    engine.start();
+    m_result.number_of_inverted_cells_at_start = engine.number_of_inverted_cells_at_start();
+    run(engine, begin);
+  }
+
+  // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put
+  // there without inverting a cell, the minimization continues with fixed boundary.
+  void run_with_soft_boundary(const Soft_boundary_parameters& parameters, const Constraints& constraints)
+  {
+    const double begin = m_run.seconds();
+    Soft_engine engine(m_mesh, m_energy, m_solver, parameters, renumbered(constraints));
+    engine.start();
+    run(engine, begin);
+    if(constraints.empty() && engine.can_snap() && !m_run.is_interrupted())
+    {
+      const double begin_of_fixed = m_run.seconds();
+      Fixed_engine fixed(m_mesh, m_energy, m_solver);
+      fixed.start(engine.snapped_positions());
+      run(fixed, begin_of_fixed);
+    }
+  }
+
+  bool is_flip_free() const { return inverted_cells(m_mesh, m_positions).number == 0; }
+
+  // Judges the map by exact predicates and measures it.
+  void evaluate()
+  {
+    const double begin = m_run.seconds();
+    m_result.number_of_inverted_cells = inverted_cells(m_mesh, m_positions).number;
+    m_result.has_valid_map = m_result.number_of_inverted_cells == 0;
+    if(m_result.has_valid_map)
+    {
+      m_result.boundary_residual = boundary_residual();
+      if(m_result.boundary_residual > 0 && m_result.status != ERROR_INTERRUPTED)
+        m_result.status = ERROR_BOUNDARY_NOT_REACHED;
+      const Distortion_of_map_3 distortion = distortion_of_map_3(m_mesh, m_positions, m_energy);
+      m_result.distortion = distortion.as_it_is;
+      m_result.distortion_at_source_volume = distortion.at_source_volume;
+      m_result.energy = distortion.energy;
+    }
+    else if(m_result.status != ERROR_LINEAR_SOLVER_FAILED && m_result.status != ERROR_INTERRUPTED)
+      m_result.status = ERROR_NOT_FLIP_FREE;
+    m_result.seconds_check += m_run.seconds() - begin;
+  }
+
+  // The images of the vertices, in the order of the mesh that was given.
+  Positions positions() const
+  {
+    Positions result(3, m_positions.cols());
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      result.col(m_order[i]) = m_positions.col(i);
+    return result;
+  }
+
+private:
+  using Fixed_engine = Fixed_boundary_engine_3<Energy, Solver, ConcurrencyTag>;
+  using Soft_engine = Soft_boundary_engine_3<Energy, Solver, ConcurrencyTag>;
+
+  template <typename Engine>
+  void run(Engine& engine, const double begin)
+  {
+    m_result.seconds_to_flip_free = m_run.seconds();
+    m_result.seconds_start += m_run.seconds() - begin;
+    m_result.status = m_run.run(engine, m_result);
+    m_positions = engine.positions();
+  }
+
+  Constraints renumbered(Constraints constraints) const
+  {
+    std::vector<int> number(m_order.size());
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      number[m_order[i]] = static_cast<int>(i);
+    for(Linear_constraint_3<int>& constraint : constraints)
+      for(auto& term : constraint.terms)
+        term.vertex = number[term.vertex];
+    return constraints;
+  }
+
+  // The largest distance of a prescribed vertex to its target, relative to the diagonal of the
+  // bounding box of the targets.
+  double boundary_residual() const
+  {
+    const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
+    const auto targets = m_mesh.target.rightCols(n);
+    const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+    return (m_positions.rightCols(n) - targets).colwise().norm().maxCoeff() / diagonal;
+  }
+
+  std::vector<std::size_t> m_order;
+  Numbered_mesh_3 m_mesh;
+  const Energy& m_energy;
+  Solver& m_solver;
+  Engine_run<Visitor>& m_run;
+  Parameterization_result& m_result;
+  Positions m_positions;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARAMETERIZATION_3_H

@@ -1,0 +1,167 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_RELAXING_MINIMIZER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_RELAXING_MINIMIZER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Step_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/largest_step_3.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Minimizes an energy plus the penalty of the constraints, for one weight, by Newton steps that never
+// invert a cell (Jin et al., section 4.2). Steps must decrease the energy and the norm of its
+// gradient. Where that fails the vertices are relaxed: for some steps, the current positions take the
+// place of the target. If it fails again then, a decrease of the energy suffices.
+template <typename Newton, typename Energy, typename ConcurrencyTag>
+class Relaxing_minimizer_3
+{
+public:
+  // `diameter` is the unit of the tolerances for energy and step.
+  Relaxing_minimizer_3(Newton& newton, Quadratic_penalty_3& penalty, Eigen::Matrix3Xd& u, const Energy& energy,
+                       const Soft_boundary_parameters& parameters, const double diameter)
+    : m_newton(newton), m_penalty(penalty), m_u(u), m_energy(energy), m_parameters(parameters),
+      m_diameter(diameter), m_evaluation(newton.evaluate(energy, u)), m_last_energy(m_evaluation.energy)
+  {}
+
+  // During a relaxation, of the energy with the temporary target.
+  const Energy_evaluation& evaluation() const { return m_evaluation; }
+  double step_length() const { return m_step_length; }
+  bool is_relaxing() const { return m_relaxations_left > 0; }
+
+  Step_status step()
+  {
+    if(is_relaxing())
+      return relax();
+
+    const bool can_relax = m_can_relax && m_parameters.maximal_number_of_relaxations > 0;
+    if(!update(m_parameters.maximal_number_of_relaxations > 0))
+    {
+      if(m_status == Linear_solver_status::OUT_OF_MEMORY || m_status == Linear_solver_status::FAILED)
+        return Step_status::SOLVER_FAILED;
+      if(can_relax)
+      {
+        begin_relaxation();
+        return relax();
+      }
+      move(0., false);
+    }
+    m_can_relax = true;
+    if(is_converged())
+      return Step_status::DONE;
+    return m_step_length > 0 ? Step_status::CONTINUE : Step_status::STUCK;
+  }
+
+private:
+  bool update(const bool must_decrease_gradient)
+  {
+    const bool try_full_hessian = m_parameters.use_full_hessian || is_near_optimum();
+    if(try_full_hessian && move(1., must_decrease_gradient))
+      return true;
+    return !m_parameters.use_full_hessian
+      && move(0., must_decrease_gradient);
+  }
+
+  // One Newton step. Returns whether there was an acceptable one.
+  bool move(const double negative_curvature, const bool must_decrease_gradient)
+  {
+    constexpr double solver_tolerance = 1e-2;
+    constexpr double safety = 0.9; // stays away from flat cells
+    m_step_length = 0;
+    m_status = m_newton.compute_direction(m_energy, m_u, negative_curvature, solver_tolerance);
+    const bool has_direction = m_status == Linear_solver_status::SUCCESS
+      || (m_status == Linear_solver_status::TRUNCATED && negative_curvature == 0);
+    if(!has_direction)
+      return false;
+
+    const double largest = largest_step_3<ConcurrencyTag>(m_newton.packs(), m_u, m_newton.direction());
+    const typename Newton::Step step
+      = m_newton.line_search(m_energy, m_u, m_evaluation.energy, largest < 1 ? safety * largest : 1., true,
+                             must_decrease_gradient ? m_newton.gradient_norm()
+                                                    : std::numeric_limits<double>::infinity());
+    m_step_length = step.length;
+    if(step.length == 0)
+      return false;
+    m_evaluation = step.evaluation;
+    return true;
+  }
+
+  void begin_relaxation()
+  {
+    m_can_relax = false;
+    m_relaxations_left = m_parameters.maximal_number_of_relaxations;
+    m_penalty.hold(m_u);
+    m_evaluation = m_newton.evaluate(m_energy, m_u);
+  }
+
+  Step_status relax()
+  {
+    --m_relaxations_left;
+    if(!move(0., false) || is_near_optimum())
+      m_relaxations_left = 0;
+    if(m_relaxations_left == 0)
+    {
+      m_penalty.release();
+      m_evaluation = m_newton.evaluate(m_energy, m_u);
+      m_step_length = 0;
+    }
+    return Step_status::CONTINUE;
+  }
+
+  // did the last step, a full one, hardly change the energy?
+  bool is_near_optimum() const
+  {
+    return m_step_length == 1 && -m_newton.slope() < 1e-2 * m_evaluation.energy;
+  }
+
+  bool is_converged()
+  {
+    const double change = std::abs(m_evaluation.energy - m_last_energy);
+    m_last_energy = m_evaluation.energy;
+    const double largest_move
+      = m_step_length * std::sqrt(m_newton.direction().colwise().squaredNorm().maxCoeff());
+    return change < m_parameters.energy_tolerance * m_diameter
+        || largest_move < m_parameters.step_tolerance * m_diameter
+        || m_newton.gradient_norm() < m_parameters.gradient_tolerance * m_evaluation.energy;
+  }
+
+  Newton& m_newton;
+  Quadratic_penalty_3& m_penalty;
+  Eigen::Matrix3Xd& m_u;
+  const Energy& m_energy;
+  const Soft_boundary_parameters& m_parameters;
+  double m_diameter;
+  Energy_evaluation m_evaluation;
+  double m_last_energy;        // after the last step that was not a relaxation
+  double m_step_length = 0;
+  bool m_can_relax = true;     // not twice in a row
+  std::size_t m_relaxations_left = 0;
+  Linear_solver_status m_status = Linear_solver_status::SUCCESS;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_RELAXING_MINIMIZER_3_H

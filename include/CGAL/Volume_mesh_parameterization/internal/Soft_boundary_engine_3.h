@@ -1,0 +1,211 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOFT_BOUNDARY_ENGINE_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOFT_BOUNDARY_ENGINE_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton_method_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Relaxing_minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Step_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/similarity_alignment_3.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The map with soft boundary, one Newton step at a time: starts from the source aligned to the target,
+// and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
+// inverted at any time; the targets may be missed. Further constraints may be given, on any vertices.
+template <typename Energy, typename Solver, typename ConcurrencyTag>
+class Soft_boundary_engine_3
+{
+  using Newton = Newton_method_3<ConcurrencyTag, Solver>;
+  using Minimizer = Relaxing_minimizer_3<Newton, Energy, ConcurrencyTag>;
+
+public:
+  using Constraints = std::vector<Linear_constraint_3<int> >;
+
+  Soft_boundary_engine_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver,
+                         const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
+                         const Constraints& constraints = Constraints())
+    : m_mesh(mesh),
+      m_energy(energy),
+      m_parameters(parameters),
+      m_start(similarity_alignment_3(mesh)),
+      m_length(std::cbrt(volume(snapped(m_start), mesh.cells))),
+      m_scale(std::exp2(-std::round(std::log2(m_length)))),
+      m_penalty(scaled(constraints), penalty_factor(parameters.weight)),
+      m_newton(with_free_vertices(mesh), inverse_sources(), std::vector<double>(mesh.cells.size(), 1.), solver,
+               &m_penalty)
+  {}
+
+  // Computes the start.
+  void start()
+  {
+    m_u = m_scale * m_start;
+    m_weight = m_parameters.weight;
+    minimize();
+    report();
+    if(!m_minimizer->evaluation().is_flip_free())
+      end(ERROR_INVERTED_SOURCE_CELL);
+  }
+
+  // One Newton step; to be called while is_running().
+  void step()
+  {
+    ++m_step.iteration;
+    m_step.phase = Phase::MINIMIZATION;
+    const Step_status status = m_minimizer->step();
+    report();
+    if(status == Step_status::SOLVER_FAILED)
+      end(ERROR_LINEAR_SOLVER_FAILED);
+    else if(status != Step_status::CONTINUE)
+    {
+      if(residual() <= m_parameters.residual_tolerance)
+        end(status == Step_status::DONE ? OK : ERROR_NOT_CONVERGED);
+      else if(m_number_of_raises < m_parameters.maximal_number_of_raises)
+        raise_weight();
+      else
+        end(ERROR_BOUNDARY_NOT_REACHED);
+    }
+  }
+
+  bool is_running() const { return m_is_running; }
+  Error_code status() const { return m_status; }
+  const Parameterization_step& last_step() const { return m_step; }
+  bool is_flip_free() const { return true; }
+  std::size_t number_of_inverted_cells_at_start() const { return 0; }
+
+  // The images of all vertices; those of the prescribed ones are near their targets.
+  Eigen::Matrix3Xd positions() const { return m_u / m_scale; }
+
+  // The same with the prescribed vertices on their targets.
+  Eigen::Matrix3Xd snapped_positions() const { return snapped(positions()); }
+
+  // Has that map no inverted cell? Then minimization with fixed boundary can take over.
+  bool can_snap() const { return inverted_cells(m_mesh, snapped_positions()).number == 0; }
+
+  // |P(u)|_2, where the target has volume 1
+  double residual() const { return m_penalty.residual(m_u) / (m_scale * m_length); }
+  double weight() const { return m_weight; }
+  bool is_relaxing() const { return m_minimizer->is_relaxing(); }
+
+private:
+  static Numbered_mesh_3 with_free_vertices(const Numbered_mesh_3& mesh)
+  {
+    Numbered_mesh_3 result = mesh;
+    result.number_of_free_vertices = mesh.number_of_vertices();
+    return result;
+  }
+
+  Eigen::Matrix3Xd snapped(Eigen::Matrix3Xd positions) const
+  {
+    const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
+    positions.rightCols(n) = m_mesh.target.rightCols(n);
+    return positions;
+  }
+
+  // The constraints, with three more for each prescribed vertex, for the scaled positions.
+  Constraints scaled(Constraints constraints) const
+  {
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+      for(int i = 0; i < 3; ++i)
+        constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
+    for(Linear_constraint_3<int>& constraint : constraints)
+      constraint.value *= m_scale;
+    return constraints;
+  }
+
+  // A weight is meant for lengths where the target has volume 1.
+  double penalty_factor(const double weight) const { return weight / std::pow(m_scale * m_length, 2); }
+
+  // X^{-1}, scaled such that source and target have the same volume
+  std::vector<Eigen::Matrix3d> inverse_sources() const
+  {
+    const double ratio = std::cbrt(volume(m_mesh.source, m_mesh.cells)) / (m_scale * m_length);
+    std::vector<Eigen::Matrix3d> result;
+    result.reserve(m_mesh.cells.size());
+    for(const std::array<int, 4>& cell : m_mesh.cells)
+      result.push_back(edge_matrix(m_mesh.source, cell).inverse() * ratio);
+    return result;
+  }
+
+  // of the bounding box of the source, where that has volume 1
+  double diameter() const
+  {
+    const Eigen::Vector3d box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
+    return box.norm() / std::cbrt(volume(m_mesh.source, m_mesh.cells));
+  }
+
+  void minimize()
+  {
+    m_minimizer.emplace(m_newton, m_penalty, m_u, m_energy, m_parameters, diameter());
+  }
+
+  void raise_weight()
+  {
+    ++m_number_of_raises;
+    m_weight *= m_parameters.weight_factor;
+    m_penalty.set_weight(penalty_factor(m_weight));
+    minimize();
+  }
+
+  void report()
+  {
+    m_step.energy = m_minimizer->evaluation().energy / static_cast<double>(m_mesh.cells.size());
+    m_step.number_of_inverted_cells = m_minimizer->evaluation().number_of_inverted_cells;
+    m_step.gradient_norm = m_newton.gradient_norm();
+    m_step.step_length = m_minimizer->step_length();
+  }
+
+  void end(const Error_code status)
+  {
+    m_status = status;
+    m_is_running = false;
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  const Energy& m_energy;
+  Soft_boundary_parameters m_parameters;
+  Eigen::Matrix3Xd m_start;
+  double m_length;                 // cube root of the volume of the target
+  double m_scale;                  // a power of two, so that scaling is exact, that makes that length near 1
+  Quadratic_penalty_3 m_penalty;
+  Newton m_newton;
+  Eigen::Matrix3Xd m_u;
+  std::optional<Minimizer> m_minimizer;
+  double m_weight = 0;
+  std::size_t m_number_of_raises = 0;
+  Parameterization_step m_step;
+  Error_code m_status = ERROR_NOT_CONVERGED;
+  bool m_is_running = true;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOFT_BOUNDARY_ENGINE_3_H
