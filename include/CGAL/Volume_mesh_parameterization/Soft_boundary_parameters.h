@@ -21,8 +21,11 @@ namespace Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationRef
 
 The parameters of the map with soft boundary, after section 4 of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}:
-\f$\sum_t \psi(t) + w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$. Lengths are measured on a
-copy of the problem in which the target has volume 1, so that the parameters do not depend on units.
+the mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$, where
+\f$P(u)\f$ collects the distances of the prescribed vertices to their targets and the residuals of further
+linear constraints. Lengths are measured on a copy of the problem in which the target has volume 1. (The
+authors take the sum over the cells, and units as they are; with mean and unit volume the parameters
+depend neither on the number of cells nor on units.)
 
 The minimization for one weight ends as soon as one of three criteria holds: the energy, the
 positions, or the gradient have become stationary. The weight is raised as long as the constraints
@@ -44,14 +47,17 @@ struct Soft_boundary_parameters
   /// ends if no vertex moves by more than this times that diameter
   double step_tolerance = 1e-8;
   /// ends if the norm of the gradient is less than this times the energy
-  double gradient_tolerance = 1e-8;
+  double gradient_tolerance = 1e-6;
+  /// whether all ends as soon as the prescribed vertices can be put on their targets without inverting a
+  /// cell; then a minimization with fixed boundary takes over. Not if there are further constraints.
+  bool do_snap = true;
 
-  /// Newton steps with the current positions as target, taken where the Hessian is not positive definite or no
-  /// step decreases both the energy and the norm of its gradient. With 0, a decrease of the energy suffices
-  /// and the Hessian is made semi-definite instead.
+  /// the number of Newton steps with the current positions as target that are taken in a row where the Hessian
+  /// is not positive definite or no step decreases both the energy and the norm of its gradient. With 0, there
+  /// are none: a decrease of the energy suffices.
   std::size_t maximal_number_of_relaxations = 5;
-  /// whether each step tries the full Hessian first; otherwise, only steps near the minimum do, and the others
-  /// use the nearest sum of positive semi-definite ones of the cells
+  /// whether each step has to use the full Hessian, as the authors do; otherwise, the Hessian of each cell loses
+  /// its negative eigenvalues far from the minimum
   bool use_full_hessian = false;
 };
 

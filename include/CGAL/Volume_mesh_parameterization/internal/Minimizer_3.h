@@ -14,21 +14,17 @@
 
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Step_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/largest_step_3.h>
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Minimizes an energy by Newton steps that never invert a cell. The part of the negative curvature
-// that the Hessian keeps is raised after each full step, and lowered when the Hessian proves
-// indefinite: far from the optimum the Hessian is positive semi-definite, near it the full one, which
-// converges quadratically.
+// Minimizes an energy by Newton steps that never invert a cell.
 template <typename Newton, typename Energy, typename ConcurrencyTag>
 class Minimizer_3
 {
@@ -43,9 +39,9 @@ public:
   Step_status step()
   {
     Linear_solver_status status = move();
-    while(m_negative_curvature > 0 && (m_step_length == 0 || status != Linear_solver_status::SUCCESS))
+    while(m_negative_curvature.part() > 0 && (m_step_length == 0 || status != Linear_solver_status::SUCCESS))
     {
-      lower_negative_curvature();
+      m_negative_curvature.lower();
       status = move();
     }
     if(status != Linear_solver_status::SUCCESS && status != Linear_solver_status::TRUNCATED)
@@ -53,7 +49,7 @@ public:
     if(is_converged())
       return Step_status::DONE;
     if(m_step_length >= 1)
-      raise_negative_curvature();
+      m_negative_curvature.raise();
     return m_step_length > 0 ? Step_status::CONTINUE : Step_status::STUCK;
   }
 
@@ -63,9 +59,9 @@ private:
     constexpr double solver_tolerance = 1e-2;
     m_step_length = 0;
     const Linear_solver_status status
-      = m_newton.compute_direction(m_energy, m_u, m_negative_curvature, solver_tolerance);
+      = m_newton.compute_direction(m_energy, m_u, m_negative_curvature.part(), solver_tolerance);
     if(status == Linear_solver_status::SUCCESS
-       || (status == Linear_solver_status::TRUNCATED && m_negative_curvature == 0))
+       || (status == Linear_solver_status::TRUNCATED && m_negative_curvature.part() == 0))
     {
       const typename Newton::Step step = search();
       m_step_length = step.length;
@@ -88,19 +84,6 @@ private:
     return step;
   }
 
-  // A failure also slows down the next rises.
-  void lower_negative_curvature()
-  {
-    m_negative_curvature = m_negative_curvature > 0.01 ? m_negative_curvature / 4 : 0;
-    m_growth = 1.5;
-  }
-
-  void raise_negative_curvature()
-  {
-    m_negative_curvature = (std::min)(1., (std::max)(0.1, m_growth * m_negative_curvature));
-    m_growth = (std::min)(4., 1.2 * m_growth);
-  }
-
   // the squared Newton decrement bounds what a step can gain
   bool is_converged() const
   {
@@ -112,8 +95,7 @@ private:
   const Energy& m_energy;
   Energy_evaluation m_evaluation;
   double m_step_length = 0;
-  double m_negative_curvature = 0; // the part of it that the Hessian keeps
-  double m_growth = 4;
+  Negative_curvature m_negative_curvature;
 };
 
 } // namespace internal

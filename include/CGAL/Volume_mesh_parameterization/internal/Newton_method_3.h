@@ -118,7 +118,8 @@ public:
                    const double gradient_bound = std::numeric_limits<double>::infinity()) const
   {
     constexpr double sufficient_decrease = 1e-4;
-    constexpr double smallest_length = 1e-12;
+    // a step much shorter than the energy alone asks for does not serve the gradient either
+    const double smallest_length = std::isinf(gradient_bound) ? 1e-12 : 1e-3 * first_length;
     Step step;
     for(double length = first_length; length > smallest_length; length /= 2)
     {

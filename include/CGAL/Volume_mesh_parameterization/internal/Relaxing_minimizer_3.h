@@ -14,8 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distortion_derivatives_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Step_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/largest_step_3.h>
@@ -31,9 +31,9 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // Minimizes an energy plus the penalty of the constraints, for one weight, by Newton steps that never
-// invert a cell (Jin et al., section 4.2). Steps must decrease the energy and the norm of its
-// gradient. Where that fails the vertices are relaxed: for some steps, the current positions take the
-// place of the target. If it fails again then, a decrease of the energy suffices.
+// invert a cell (Jin et al., section 4.2). A step must decrease the energy and the norm of its
+// gradient. Where none does, the vertices are relaxed: for some steps, the current positions take the
+// place of the target. If it fails again after that, a decrease of the energy suffices.
 template <typename Newton, typename Energy, typename ConcurrencyTag>
 class Relaxing_minimizer_3
 {
@@ -55,43 +55,50 @@ public:
     if(is_relaxing())
       return relax();
 
-    const bool can_relax = m_can_relax && m_parameters.maximal_number_of_relaxations > 0;
-    if(!update(m_parameters.maximal_number_of_relaxations > 0))
+    bool has_moved = update();
+    if(!has_moved && m_can_relax && !has_solver_failed())
     {
-      if(m_status == Linear_solver_status::OUT_OF_MEMORY || m_status == Linear_solver_status::FAILED)
-        return Step_status::SOLVER_FAILED;
-      if(can_relax)
-      {
-        begin_relaxation();
-        return relax();
-      }
-      move(0., false);
+      begin_relaxation();
+      return relax();
     }
-    m_can_relax = true;
-    if(is_converged())
-      return Step_status::DONE;
-    return m_step_length > 0 ? Step_status::CONTINUE : Step_status::STUCK;
+    if(!has_moved && uses_relaxation())
+      has_moved = move(0, false);
+    m_can_relax = uses_relaxation();
+
+    if(has_solver_failed())
+      return Step_status::SOLVER_FAILED;
+    if(m_step_length >= 1)
+      m_negative_curvature.raise();
+    if(!has_moved)
+      return is_gradient_small() ? Step_status::DONE : Step_status::STUCK;
+    return is_converged() ? Step_status::DONE : Step_status::CONTINUE;
   }
 
 private:
-  bool update(const bool must_decrease_gradient)
+  bool uses_relaxation() const { return m_parameters.maximal_number_of_relaxations > 0; }
+
+  // The step proper. Without relaxation, the energy alone decides.
+  bool update()
   {
-    const bool try_full_hessian = m_parameters.use_full_hessian || is_near_optimum();
-    if(try_full_hessian && move(1., must_decrease_gradient))
-      return true;
-    return !m_parameters.use_full_hessian
-      && move(0., must_decrease_gradient);
+    if(m_parameters.use_full_hessian)
+      return move(1, uses_relaxation()) || (!uses_relaxation() && move(0, false));
+    while(!move(m_negative_curvature.part(), uses_relaxation()))
+    {
+      if(m_negative_curvature.part() == 0)
+        return false;
+      m_negative_curvature.lower();
+    }
+    return true;
   }
 
   // One Newton step. Returns whether there was an acceptable one.
   bool move(const double negative_curvature, const bool must_decrease_gradient)
   {
-    constexpr double solver_tolerance = 1e-2;
     constexpr double safety = 0.9; // stays away from flat cells
     m_step_length = 0;
-    m_status = m_newton.compute_direction(m_energy, m_u, negative_curvature, solver_tolerance);
-    const bool has_direction = m_status == Linear_solver_status::SUCCESS
-      || (m_status == Linear_solver_status::TRUNCATED && negative_curvature == 0);
+    m_solver_status = m_newton.compute_direction(m_energy, m_u, negative_curvature, solver_tolerance());
+    const bool has_direction = m_solver_status == Linear_solver_status::SUCCESS
+      || (m_solver_status == Linear_solver_status::TRUNCATED && negative_curvature == 0);
     if(!has_direction)
       return false;
 
@@ -107,6 +114,19 @@ private:
     return true;
   }
 
+  // What remains of the residual is small against the energy, even where the penalty is much larger.
+  double solver_tolerance() const
+  {
+    const double distortion = m_evaluation.energy - m_penalty.value(m_u);
+    return 1e-2 * std::sqrt(distortion / m_evaluation.energy);
+  }
+
+  bool has_solver_failed() const
+  {
+    return m_solver_status == Linear_solver_status::OUT_OF_MEMORY
+        || m_solver_status == Linear_solver_status::FAILED;
+  }
+
   void begin_relaxation()
   {
     m_can_relax = false;
@@ -118,32 +138,29 @@ private:
   Step_status relax()
   {
     --m_relaxations_left;
-    if(!move(0., false) || is_near_optimum())
+    if(!move(0, false))
       m_relaxations_left = 0;
-    if(m_relaxations_left == 0)
+    if(!is_relaxing())
     {
       m_penalty.release();
       m_evaluation = m_newton.evaluate(m_energy, m_u);
-      m_step_length = 0;
     }
-    return Step_status::CONTINUE;
-  }
-
-  // did the last step, a full one, hardly change the energy?
-  bool is_near_optimum() const
-  {
-    return m_step_length == 1 && -m_newton.slope() < 1e-2 * m_evaluation.energy;
+    return has_solver_failed() ? Step_status::SOLVER_FAILED : Step_status::CONTINUE;
   }
 
   bool is_converged()
   {
     const double change = std::abs(m_evaluation.energy - m_last_energy);
     m_last_energy = m_evaluation.energy;
-    const double largest_move
-      = m_step_length * std::sqrt(m_newton.direction().colwise().squaredNorm().maxCoeff());
+    const double largest_move = m_step_length * m_newton.direction().colwise().norm().maxCoeff();
     return change < m_parameters.energy_tolerance * m_diameter
         || largest_move < m_parameters.step_tolerance * m_diameter
-        || m_newton.gradient_norm() < m_parameters.gradient_tolerance * m_evaluation.energy;
+        || is_gradient_small();
+  }
+
+  bool is_gradient_small() const
+  {
+    return m_newton.gradient_norm() < m_parameters.gradient_tolerance * m_evaluation.energy;
   }
 
   Newton& m_newton;
@@ -155,9 +172,10 @@ private:
   Energy_evaluation m_evaluation;
   double m_last_energy;        // after the last step that was not a relaxation
   double m_step_length = 0;
-  bool m_can_relax = true;     // not twice in a row
+  Negative_curvature m_negative_curvature;
+  bool m_can_relax = m_parameters.maximal_number_of_relaxations > 0; // not twice in a row
   std::size_t m_relaxations_left = 0;
-  Linear_solver_status m_status = Linear_solver_status::SUCCESS;
+  Linear_solver_status m_solver_status = Linear_solver_status::SUCCESS;
 };
 
 } // namespace internal

@@ -54,12 +54,13 @@ public:
     : m_mesh(mesh),
       m_energy(energy),
       m_parameters(parameters),
+      m_has_constraints(!constraints.empty()),
       m_start(similarity_alignment_3(mesh)),
       m_length(std::cbrt(volume(snapped(m_start), mesh.cells))),
       m_scale(std::exp2(-std::round(std::log2(m_length)))),
       m_penalty(scaled(constraints), penalty_factor(parameters.weight)),
-      m_newton(with_free_vertices(mesh), inverse_sources(), std::vector<double>(mesh.cells.size(), 1.), solver,
-               &m_penalty)
+      m_newton(with_free_vertices(mesh), inverse_sources(), std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())),
+               solver, &m_penalty)
   {}
 
   // Computes the start.
@@ -82,6 +83,8 @@ public:
     report();
     if(status == Step_status::SOLVER_FAILED)
       end(ERROR_LINEAR_SOLVER_FAILED);
+    else if(can_snap())
+      end(OK);
     else if(status != Step_status::CONTINUE)
     {
       if(residual() <= m_parameters.residual_tolerance)
@@ -98,6 +101,7 @@ public:
   const Parameterization_step& last_step() const { return m_step; }
   bool is_flip_free() const { return true; }
   std::size_t number_of_inverted_cells_at_start() const { return 0; }
+  std::size_t number_of_untangling_iterations() const { return 0; }
 
   // The images of all vertices; those of the prescribed ones are near their targets.
   Eigen::Matrix3Xd positions() const { return m_u / m_scale; }
@@ -105,8 +109,11 @@ public:
   // The same with the prescribed vertices on their targets.
   Eigen::Matrix3Xd snapped_positions() const { return snapped(positions()); }
 
-  // Has that map no inverted cell? Then minimization with fixed boundary can take over.
-  bool can_snap() const { return inverted_cells(m_mesh, snapped_positions()).number == 0; }
+  // May the minimization with fixed boundary take over from there?
+  bool can_snap() const
+  {
+    return m_parameters.do_snap && !m_has_constraints && inverted_cells(m_mesh, snapped_positions()).number == 0;
+  }
 
   // |P(u)|_2, where the target has volume 1
   double residual() const { return m_penalty.residual(m_u) / (m_scale * m_length); }
@@ -175,7 +182,7 @@ private:
 
   void report()
   {
-    m_step.energy = m_minimizer->evaluation().energy / static_cast<double>(m_mesh.cells.size());
+    m_step.energy = m_minimizer->evaluation().energy;
     m_step.number_of_inverted_cells = m_minimizer->evaluation().number_of_inverted_cells;
     m_step.gradient_norm = m_newton.gradient_norm();
     m_step.step_length = m_minimizer->step_length();
@@ -190,6 +197,7 @@ private:
   const Numbered_mesh_3& m_mesh;
   const Energy& m_energy;
   Soft_boundary_parameters m_parameters;
+  bool m_has_constraints;          // other than the targets
   Eigen::Matrix3Xd m_start;
   double m_length;                 // cube root of the volume of the target
   double m_scale;                  // a power of two, so that scaling is exact, that makes that length near 1
