@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <random>
 #include <utility>
@@ -16,7 +17,8 @@
 
 // The cube [0, n]^3, cut into n^3 unit cubes of six tetrahedra each, with the identity as target.
 // Vertices inside are moved by up to `jitter` in each direction; below 0.2 no cell is inverted.
-inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3 cube_mesh(const int n, const double jitter = 0)
+inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3
+cube_mesh(const int n, const double jitter = 0)
 {
   CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3 mesh;
   mesh.source.resize(3, (n + 1) * (n + 1) * (n + 1));
@@ -67,6 +69,39 @@ inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3 cube_mesh(c
     while(std::next_permutation(axes.begin(), axes.end()));
   }
   return mesh;
+}
+
+// The cube [0, n]^3 with target f(source).
+template <typename Function>
+CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3
+mapped_cube(const int n, const double jitter, const Function& f)
+{
+  auto mesh = cube_mesh(n, jitter);
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    mesh.target.col(v) = f(Eigen::Vector3d(mesh.source.col(v)));
+  mesh.target.leftCols(mesh.number_of_free_vertices).setZero();
+  return mesh;
+}
+
+// Turns the cube about the z-axis, by an angle that grows with the height.
+inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3
+twisted_cube(const int n, const double jitter = 0)
+{
+  return mapped_cube(n, jitter, [n](const Eigen::Vector3d& p) -> Eigen::Vector3d
+  {
+    const Eigen::Vector3d center = Eigen::Vector3d::Constant(n / 2.);
+    return center + Eigen::AngleAxisd(2 * p[2] / n, Eigen::Vector3d::UnitZ()) * (p - center);
+  });
+}
+
+// Bends the cube to most of a ring: a harmonic map leaves it through the inner side.
+inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3 ring(const int n)
+{
+  return mapped_cube(n, 0, [n](const Eigen::Vector3d& p) -> Eigen::Vector3d
+  {
+    const double angle = 5 * p[0] / n, radius = 0.5 + p[1] / n;
+    return Eigen::Vector3d(radius * std::sin(angle), radius * std::cos(angle), p[2] / n);
+  });
 }
 
 // The source as a soup, with the vertices in the same order.

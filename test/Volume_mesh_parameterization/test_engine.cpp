@@ -46,37 +46,6 @@ Matrix3Xd noise(const Eigen::Index size, const double amplitude, const unsigned 
   return Matrix3Xd::NullaryExpr(3, size, [&]() { return distribution(engine); });
 }
 
-// The cube [0, n]^3 with target f(source).
-template <typename Function>
-Numbered_mesh_3 mapped_cube(const int n, const double jitter, const Function& f)
-{
-  Numbered_mesh_3 mesh = cube_mesh(n, jitter);
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    mesh.target.col(v) = f(Vector3d(mesh.source.col(v)));
-  mesh.target.leftCols(mesh.number_of_free_vertices).setZero();
-  return mesh;
-}
-
-// Turns the cube about the z-axis, by an angle that grows with the height.
-Numbered_mesh_3 twisted_cube(const int n, const double jitter = 0)
-{
-  return mapped_cube(n, jitter, [n](const Vector3d& p) -> Vector3d
-  {
-    const Vector3d center = Vector3d::Constant(n / 2.);
-    return center + Eigen::AngleAxisd(2 * p[2] / n, Vector3d::UnitZ()) * (p - center);
-  });
-}
-
-// Bends the cube to most of a ring: a harmonic map leaves it through the inner side.
-Numbered_mesh_3 ring(const int n)
-{
-  return mapped_cube(n, 0, [n](const Vector3d& p) -> Vector3d
-  {
-    const double angle = 5 * p[0] / n, radius = 0.5 + p[1] / n;
-    return Vector3d(radius * std::sin(angle), radius * std::cos(angle), p[2] / n);
-  });
-}
-
 template <typename Energy>
 double psi(const Energy& energy, const Numbered_mesh_3& mesh, const Matrix3Xd& u, const std::array<int, 4>& cell,
            const double scale = 1)

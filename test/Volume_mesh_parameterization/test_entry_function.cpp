@@ -1,0 +1,508 @@
+// stretch_minimizing_volume_parameterization(): its named parameters, its property maps, and bad input.
+#include "catch.h"
+#include "cube_complex.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace params = CGAL::parameters;
+
+using Eigen::Vector3d;
+using VMP::Parameterization_result;
+using VMP::internal::Numbered_mesh_3;
+
+using Complex = Cube_complex<>;
+using Point_3 = Complex::Point_3;
+using Vertex_handle = Complex::Vertex_handle;
+using Point_map = Complex::Point_map;
+using Solver = VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>;
+
+namespace {
+
+// Keeps all that is printed to std::cout.
+class Captured_output
+{
+public:
+  Captured_output() : m_original(std::cout.rdbuf(m_text.rdbuf())) {}
+  ~Captured_output() { std::cout.rdbuf(m_original); }
+  Captured_output(const Captured_output&) = delete;
+
+  std::string text() const { return m_text.str(); }
+
+private:
+  std::ostringstream m_text;
+  std::streambuf* m_original;
+};
+
+// Ends the computation after a number of steps; cannot be copied.
+struct Counting_visitor
+{
+  std::size_t limit;
+  std::vector<VMP::Parameterization_step> steps = {};
+
+  explicit Counting_visitor(const std::size_t limit = 1000000) : limit(limit) {}
+  Counting_visitor(const Counting_visitor&) = delete;
+
+  bool after_step(const VMP::Parameterization_step& step)
+  {
+    steps.push_back(step);
+    return steps.size() < limit;
+  }
+};
+
+// Property maps with the operations that their concepts demand, and no other.
+struct Read_only_map
+{
+  using key_type = Vertex_handle;
+  using value_type = Point_3;
+  using reference = const Point_3&;
+  using category = boost::readable_property_map_tag;
+
+  const Point_map* points;
+  friend reference get(const Read_only_map& map, const key_type& v) { return map.points->at(v); }
+};
+
+struct Write_only_map
+{
+  using key_type = Vertex_handle;
+  using value_type = Point_3;
+  using reference = void;
+  using category = boost::writable_property_map_tag;
+
+  Point_map* points;
+  friend void put(const Write_only_map& map, const key_type& v, const value_type& p) { (*map.points)[v] = p; }
+};
+
+struct Read_only_set
+{
+  using key_type = Vertex_handle;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+
+  const std::unordered_set<Vertex_handle>* vertices;
+  friend bool get(const Read_only_set& map, const key_type& v) { return map.vertices->count(v) > 0; }
+};
+
+Numbered_mesh_3 image_mesh(Complex& complex)
+{
+  Numbered_mesh_3 image = complex.mesh;
+  for(int v = 0; v < image.number_of_vertices(); ++v)
+  {
+    const Point_3& p = complex.uvw.at(complex.vertices[v]);
+    image.target.col(v) = Vector3d(p.x(), p.y(), p.z());
+  }
+  return image;
+}
+
+void check_valid_map(Complex& complex, const Parameterization_result& result)
+{
+  CHECK(result.has_valid_map);
+  CHECK(result.number_of_inverted_cells == 0);
+  CHECK(result.boundary_residual == 0);
+  REQUIRE(complex.uvw.size() == complex.vertices.size());
+  for(const auto& [v, p] : complex.target)
+    CHECK(complex.uvw.at(v) == p);
+  const Numbered_mesh_3 image = image_mesh(complex);
+  CHECK(VMP::internal::inverted_cells(image, image.target).number == 0);
+}
+
+// Calls the function for a fresh copy of the mesh; `np` lacks only the boundary map.
+template <typename NamedParameters>
+Parameterization_result parameterize(Complex& complex, const NamedParameters& np)
+{
+  complex.uvw.clear();
+  return CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+                                                          np.boundary_map(complex.boundary_map()));
+}
+
+Parameterization_result parameterize(Complex& complex)
+{
+  return CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+                                                          params::boundary_map(complex.boundary_map()));
+}
+
+void check_refusal(Complex& complex, const VMP::Error_code status, const std::vector<std::string>& words)
+{
+  Counting_visitor visitor;
+  const Captured_output output;
+  const Parameterization_result result = parameterize(complex, params::visitor(std::ref(visitor)));
+  CHECK(result.status == status);
+  INFO(result.message);
+  for(const std::string& word : words)
+    CHECK(result.message.find(word) != std::string::npos);
+  CHECK(!result.has_valid_map);
+  CHECK(complex.uvw.empty());
+  CHECK(visitor.steps.empty());
+  CHECK(output.text().empty());
+}
+
+template <typename T>
+std::string to_string(const T& t)
+{
+  std::ostringstream out;
+  out << t;
+  return out.str();
+}
+
+// The cells that are not positive, of those whose vertices all have a position, in the order of the complex.
+struct Negative_cells
+{
+  std::size_t number = 0, first = 0;
+  double volume = 0;
+
+  Negative_cells(const Complex& complex, const Point_map& position)
+  {
+    std::size_t index = 0;
+    for(auto c = complex.c3t3.cells_in_complex_begin(); c != complex.c3t3.cells_in_complex_end(); ++c, ++index)
+    {
+      std::vector<Point_3> p;
+      for(int i = 0; i < 4; ++i)
+        if(position.count(c->vertex(i)) > 0)
+          p.push_back(position.at(c->vertex(i)));
+      if(p.size() < 4 || CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE || number++ > 0)
+        continue;
+      first = index;
+      volume = CGAL::volume(p[0], p[1], p[2], p[3]);
+    }
+  }
+};
+
+} // namespace
+
+TEST_CASE("The result describes the map")
+{
+  Complex complex(twisted_cube(4, 0.1));
+  const Parameterization_result result = parameterize(complex);
+  CHECK(result.status == VMP::OK);
+  CHECK(result.message == "Success.");
+  check_valid_map(complex, result);
+  CHECK(result.number_of_vertices == 125);
+  CHECK(result.number_of_cells == 384);
+  CHECK(result.number_of_boundary_vertices == 98);
+  CHECK(result.number_of_added_vertices == 0);
+  CHECK(result.number_of_iterations > 0);
+  CHECK(complex.target.size() == 98); // nobody asked for the target of another vertex
+
+  const VMP::Distortion_3& D = result.distortion;
+  CHECK(2 < D.angle_mean);
+  CHECK(D.angle_mean < D.angle_max);
+  CHECK(2 < D.volume_mean);
+  CHECK(D.volume_mean < D.volume_max);
+  CHECK(result.energy > 3);
+  CHECK(result.seconds_total > 0);
+  CHECK(result.seconds_to_flip_free <= result.seconds_total);
+  CHECK(result.seconds_numbering + result.seconds_start + result.seconds_untangling + result.seconds_minimization
+        + result.seconds_check == Approx(result.seconds_total).margin(1e-2));
+}
+
+TEST_CASE("Distortions of a similarity")
+{
+  Complex complex(mapped_cube(3, 0, [](const Vector3d& p) { return Vector3d(-2 * p[1], 2 * p[0], 2 * p[2]); }));
+  const Parameterization_result result = parameterize(complex);
+  CHECK(result.status == VMP::OK);
+  for(const double angle : {result.distortion.angle_mean, result.distortion.angle_max,
+                            result.distortion_at_source_volume.angle_max})
+    CHECK(angle == Approx(2));
+  CHECK(result.distortion.volume_mean == Approx(8 + 1. / 8));
+  CHECK(result.distortion.volume_max == Approx(8 + 1. / 8));
+  CHECK(result.distortion_at_source_volume.volume_max == Approx(2));
+  CHECK(result.energy == Approx(3));
+}
+
+TEST_CASE("Each named parameter by itself")
+{
+  Complex complex(ring(5));
+  const Parameterization_result plain = parameterize(complex);
+  REQUIRE(plain.status == VMP::OK);
+  REQUIRE(plain.number_of_inverted_cells_at_start > 0);
+  REQUIRE(plain.number_of_untangling_iterations > 0);
+  check_valid_map(complex, plain);
+  const Point_map expected = complex.uvw;
+
+  SECTION("energy")
+  {
+    const Parameterization_result result = parameterize(complex, params::energy(VMP::Stretch_energy_3()));
+    CHECK(result.energy == plain.energy);
+    CHECK(complex.uvw == expected);
+    parameterize(complex, params::energy(VMP::Dirichlet_energy_3()));
+    CHECK(complex.uvw != expected);
+  }
+  SECTION("solver_traits")
+  {
+    const Parameterization_result result = parameterize(complex, params::solver_traits(Solver()));
+    CHECK(result.status == VMP::OK);
+    CHECK(result.energy == Approx(plain.energy).epsilon(1e-6));
+
+    Solver solver;
+    parameterize(complex, params::solver_traits(std::ref(solver)));
+    CHECK(solver.number_of_iterations() > 0);
+  }
+  SECTION("number_of_iterations")
+  {
+    CHECK(parameterize(complex, params::number_of_iterations(1000)).energy == plain.energy);
+    const std::size_t few = plain.number_of_untangling_iterations + 1;
+    const Parameterization_result result = parameterize(complex, params::number_of_iterations(few));
+    CHECK(result.status == VMP::ERROR_NOT_CONVERGED);
+    CHECK(result.number_of_iterations == few);
+    CHECK(result.energy > plain.energy);
+    check_valid_map(complex, result);
+
+    const Parameterization_result one = parameterize(complex, params::number_of_iterations(1u));
+    CHECK(one.status == VMP::ERROR_NOT_FLIP_FREE);
+    CHECK(!one.has_valid_map);
+    CHECK(one.number_of_inverted_cells > 0);
+    CHECK(complex.uvw.empty());
+  }
+  SECTION("maximum_running_time")
+  {
+    CHECK(parameterize(complex, params::maximum_running_time(1000)).energy == plain.energy);
+    const Parameterization_result result = parameterize(complex, params::maximum_running_time(0.));
+    CHECK(result.status == VMP::ERROR_INTERRUPTED);
+    CHECK(complex.uvw.empty());
+  }
+  SECTION("visitor")
+  {
+    Counting_visitor visitor;
+    parameterize(complex, params::visitor(std::ref(visitor)));
+    CHECK(complex.uvw == expected);
+    REQUIRE(visitor.steps.size() == plain.number_of_iterations);
+    std::size_t untangling = 0;
+    for(std::size_t i = 0; i < visitor.steps.size(); ++i)
+    {
+      CHECK(visitor.steps[i].iteration == i + 1);
+      untangling += visitor.steps[i].phase == VMP::Phase::UNTANGLING ? 1 : 0;
+    }
+    CHECK(untangling == plain.number_of_untangling_iterations);
+    CHECK(visitor.steps.back().number_of_inverted_cells == 0);
+  }
+  SECTION("verbose")
+  {
+    for(const bool verbose : {false, true})
+    {
+      const Captured_output output;
+      parameterize(complex, params::verbose(verbose));
+      const std::string text = output.text();
+      CHECK(std::count(text.begin(), text.end(), '\n') == (verbose ? static_cast<int>(plain.number_of_iterations) : 0));
+    }
+    CHECK(complex.uvw == expected);
+  }
+}
+
+TEST_CASE("A constrained vertex inside goes where the boundary map tells")
+{
+  Complex complex(cube_mesh(4));
+  const std::unordered_set<Vertex_handle> constrained = {complex.vertices[3], complex.vertices[20]};
+  for(const Vertex_handle v : constrained)
+  {
+    const Point_3 p = v->point();
+    complex.target[v] = Point_3(p.x() + 0.125, p.y(), p.z());
+  }
+  const Parameterization_result result
+    = parameterize(complex, params::vertex_is_constrained_map(Read_only_set{&constrained}));
+  CHECK(result.status == VMP::OK);
+  CHECK(result.number_of_boundary_vertices == 98);
+  check_valid_map(complex, result); // their images as well
+}
+
+TEST_CASE("Named parameters combine in any order")
+{
+  Complex complex(twisted_cube(4, 0.1));
+  const std::unordered_set<Vertex_handle> constrained;
+  const Read_only_set is_constrained{&constrained};
+  Counting_visitor visitor;
+  Solver solver;
+  const auto call = [&](const auto& np)
+  {
+    complex.uvw.clear();
+    visitor.steps.clear();
+    const Captured_output output;
+    const Parameterization_result result
+      = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), np);
+    CHECK(result.status == VMP::OK);
+    CHECK(visitor.steps.size() == result.number_of_iterations);
+    CHECK(!output.text().empty());
+    return complex.uvw;
+  };
+
+  const Point_map expected = call(params::boundary_map(complex.boundary_map())
+                                         .energy(VMP::Stretch_energy_3())
+                                         .solver_traits(std::ref(solver))
+                                         .vertex_is_constrained_map(is_constrained)
+                                         .number_of_iterations(100)
+                                         .maximum_running_time(100)
+                                         .visitor(std::ref(visitor))
+                                         .verbose(true));
+  CHECK(call(params::verbose(true).visitor(std::ref(visitor)).maximum_running_time(100).number_of_iterations(100)
+                    .vertex_is_constrained_map(is_constrained).solver_traits(Solver())
+                    .energy(VMP::Stretch_energy_3()).boundary_map(complex.boundary_map())) == expected);
+  CHECK(call(params::number_of_iterations(100).boundary_map(complex.boundary_map()).verbose(true)
+                    .solver_traits(std::ref(solver)).visitor(std::ref(visitor))) == expected);
+}
+
+TEST_CASE("A tag chooses the threads and not the result")
+{
+  Complex complex(twisted_cube(6, 0.1));
+  parameterize(complex);
+  const Point_map expected = complex.uvw;
+  complex.uvw.clear();
+  CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(
+    complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()));
+  CHECK(complex.uvw == expected);
+}
+
+TEST_CASE("Property maps need no more than their concepts demand")
+{
+  Complex complex(twisted_cube(3));
+  parameterize(complex);
+  const Point_map expected = complex.uvw;
+  Point_map uvw;
+  const auto result = CGAL::stretch_minimizing_volume_parameterization(
+    complex.c3t3, Write_only_map{&uvw}, params::boundary_map(Read_only_map{&complex.target}));
+  CHECK(result.status == VMP::OK);
+  CHECK(uvw == expected);
+
+  const auto target = [&](const Vertex_handle v) -> Point_3 { return complex.target.at(v); };
+  CGAL::stretch_minimizing_volume_parameterization(
+    complex.c3t3, Write_only_map{&uvw},
+    params::boundary_map(boost::make_function_property_map<Vertex_handle>(target)));
+  CHECK(uvw == expected);
+}
+
+TEST_CASE("A visitor ends the computation")
+{
+  Complex complex(ring(5));
+  const std::size_t untangling = parameterize(complex).number_of_untangling_iterations;
+
+  Counting_visitor early(1);
+  const Parameterization_result inverted = parameterize(complex, params::visitor(std::ref(early)));
+  CHECK(inverted.status == VMP::ERROR_INTERRUPTED);
+  CHECK(!inverted.has_valid_map);
+  CHECK(inverted.number_of_iterations == 1);
+  CHECK(complex.uvw.empty());
+
+  Counting_visitor late(untangling);
+  const Parameterization_result flip_free = parameterize(complex, params::visitor(std::ref(late)));
+  CHECK(flip_free.status == VMP::ERROR_INTERRUPTED);
+  CHECK(flip_free.number_of_iterations == untangling);
+  check_valid_map(complex, flip_free);
+}
+
+TEST_CASE("What a visitor throws passes through")
+{
+  struct Throwing_visitor
+  {
+    bool after_step(const VMP::Parameterization_step&) { throw 17; }
+  };
+  Complex complex(twisted_cube(3));
+  CHECK_THROWS_AS(parameterize(complex, params::visitor(Throwing_visitor())), int);
+  CHECK(complex.uvw.empty());
+}
+
+TEST_CASE("An empty complex is refused")
+{
+  Complex complex(twisted_cube(2));
+  for(const auto& c : complex.cells)
+    complex.c3t3.remove_from_complex(c);
+  check_refusal(complex, VMP::ERROR_EMPTY_COMPLEX, {"no cell"});
+}
+
+TEST_CASE("A missing target is refused")
+{
+  Complex complex(twisted_cube(3));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  complex.target[complex.vertices[50]] = Point_3(1, nan, 0);
+  const Vector3d p = complex.mesh.source.col(50);
+  check_refusal(complex, VMP::ERROR_MISSING_BOUNDARY_TARGET,
+                {"no target", "(" + to_string(p[0]) + ", " + to_string(p[1]) + ", " + to_string(p[2]) + ")"});
+}
+
+TEST_CASE("Infinite coordinates are refused")
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  Complex complex(twisted_cube(3));
+  SECTION("of a target")
+  {
+    complex.target[complex.vertices[60]] = Point_3(infinity, 0, 0);
+    check_refusal(complex, VMP::ERROR_NON_FINITE_COORDINATE, {"target", "inf"});
+  }
+  SECTION("of the source")
+  {
+    complex.vertices[2]->set_point(Complex::Tr::Point(Point_3(0, -infinity, 0)));
+    check_refusal(complex, VMP::ERROR_NON_FINITE_COORDINATE, {"source", "-inf"});
+  }
+  SECTION("of the source, not a number")
+  {
+    complex.vertices[2]->set_point(Complex::Tr::Point(Point_3(0, 0, std::nan(""))));
+    check_refusal(complex, VMP::ERROR_NON_FINITE_COORDINATE, {"source", "nan"});
+  }
+}
+
+TEST_CASE("An inverted or flat source cell is refused, with its index and volume")
+{
+  Complex complex(twisted_cube(3));
+  const Vertex_handle moved = complex.vertices[4];
+  const double distance = GENERATE(1., 1.75);
+  const Point_3 p = moved->point();
+  moved->set_point(Complex::Tr::Point(Point_3(p.x() + distance, p.y(), p.z())));
+  Point_map source;
+  for(const Vertex_handle v : complex.vertices)
+    source[v] = v->point();
+  const Negative_cells negative(complex, source);
+  REQUIRE(negative.number > 0);
+  check_refusal(complex, VMP::ERROR_INVERTED_SOURCE_CELL,
+                {to_string(negative.number) + " cell", "cell " + to_string(negative.first),
+                 "volume " + to_string(negative.volume)});
+}
+
+TEST_CASE("A target turned inside out is refused, with its volume")
+{
+  Complex complex(mapped_cube(3, 0, [](const Vector3d& p) { return Vector3d(p[0], p[1], -p[2]); }));
+  check_refusal(complex, VMP::ERROR_INVERTED_TARGET_BOUNDARY, {"-27", "inside out"});
+}
+
+TEST_CASE("A target without volume is refused")
+{
+  Complex complex(mapped_cube(3, 0, [](const Vector3d& p) { return Vector3d(p[0], p[1], 0); }));
+  check_refusal(complex, VMP::ERROR_INVERTED_TARGET_BOUNDARY, {"volume 0"});
+}
+
+TEST_CASE("Cells that the boundary map inverts or flattens are refused, with their number and the first one")
+{
+  // a vertex of an edge is drawn into the cube, or onto the opposite face of a cell
+  Complex complex(cube_mesh(3));
+  const double depth = GENERATE(1., 1.5);
+  for(const auto& [v, p] : complex.target)
+    if(p == Point_3(0, 3, 1))
+      complex.target[v] = Point_3(depth, 3 - depth, 1);
+  const Negative_cells negative(complex, complex.target);
+  REQUIRE(negative.number > 0);
+  check_refusal(complex, VMP::ERROR_PRESCRIBED_CELL_INVERTED,
+                {to_string(negative.number) + " cell", "cell " + to_string(negative.first)});
+}
+
+TEST_CASE("Each status has a sentence")
+{
+  std::unordered_set<std::string> sentences;
+  for(int code = VMP::OK; code <= VMP::ERROR_PRESCRIBED_CELL_INVERTED; ++code)
+  {
+    const std::string sentence = VMP::get_error_message(static_cast<VMP::Error_code>(code));
+    CHECK(sentences.insert(sentence).second);
+    CHECK(sentence.find("Unknown") == std::string::npos);
+  }
+}
