@@ -48,17 +48,18 @@ Eigen::Matrix<T, 4, 1> determinant_polynomial(const Matrix_3<T>& J, const Matrix
 }
 
 // A number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its
-// first root, less at most the resolution. Bisects by de Casteljau's algorithm.
+// first root, less at most the resolution times that root, however small it is. Bisects by de
+// Casteljau's algorithm.
 inline double positive_until(const Eigen::Vector4d& b, const double resolution = 1. / 1024)
 {
   if(b.minCoeff() > 0)
     return 1;
-  if(resolution >= 1 || !(b[0] > 0))
+  if(resolution >= 1 || !(b[0] > 0) || !b.allFinite())
     return 0;
   const double b01 = (b[0] + b[1]) / 2, b12 = (b[1] + b[2]) / 2, b23 = (b[2] + b[3]) / 2;
   const double b012 = (b01 + b12) / 2, b123 = (b12 + b23) / 2;
   const double middle = (b012 + b123) / 2;
-  const double left = positive_until(Eigen::Vector4d(b[0], b01, b012, middle), 2 * resolution);
+  const double left = positive_until(Eigen::Vector4d(b[0], b01, b012, middle), resolution);
   if(left < 1)
     return left / 2;
   return (1 + positive_until(Eigen::Vector4d(middle, b123, b23, b[3]), 2 * resolution)) / 2;
