@@ -51,9 +51,9 @@ inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_
                                           const Numbered_mesh_3& mesh)
 {
   std::ostringstream message;
-  message << "No map with this connectivity meets this boundary; proofs: " << proofs.size()
-          << "; the first one has " << proofs.front().cells.size()
-          << " cells, not all of them positive wherever the free vertices are, around the source's vertices at ";
+  message << "No map with this connectivity meets this boundary: some sets of cells cannot all be positive, "
+          << "wherever the free vertices are. Number of sets found: " << proofs.size()
+          << "; cells of the first one: " << proofs.front().cells.size() << ", around the source's vertices at ";
   const char* separator = "";
   for(const int v : blamed_vertices(proofs.front(), mesh))
   {
