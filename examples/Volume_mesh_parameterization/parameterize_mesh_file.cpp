@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -61,6 +62,9 @@ using Points = std::vector<std::array<double, 3> >;
 using Index_map = std::unordered_map<Vertex_handle, std::size_t>;   // to the order of the file
 using Result = VMP::Parameterization_result;
 
+// The number of threads is limited at run time; results do not depend on it.
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
 enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
 // Calls `f` with the energy of that name, plus a barrier if it has none.
@@ -78,21 +82,29 @@ void with_energy(const std::string& name, const F& f)
 }
 
 // Calls `f` with the linear solver of that name.
-template <typename ConcurrencyTag, typename F>
+template <typename F>
 void with_solver(const std::string& name, const F& f)
 {
-  if(name == "cg") return f(VMP::Conjugate_gradient_solver_traits_3<ConcurrencyTag>());
+  if(name == "cg") return f(VMP::Conjugate_gradient_solver_traits_3<Concurrency_tag>());
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
   if(name == "cholmod") return f(VMP::CHOLMOD_solver_traits_3());
 #endif
   throw std::runtime_error("there is no solver '" + name + "'");
 }
 
+VMP::Boundary_mode boundary_mode(const std::string& name)
+{
+  if(name == "auto") return VMP::Boundary_mode::AUTO;
+  if(name == "fixed") return VMP::Boundary_mode::FIXED;
+  if(name == "soft") return VMP::Boundary_mode::SOFT;
+  throw std::runtime_error("there is no boundary mode '" + name + "'");
+}
+
 struct Options
 {
-  std::string source, target, output, report, energy, solver;
+  std::string source, target, output, refined_source, report, energy, solver, boundary;
   int number_of_threads, number_of_iterations;
-  bool is_quiet;
+  bool do_refine, is_quiet;
 };
 
 // The mesh in the order of the file, and the same mesh as a complex.
@@ -104,6 +116,22 @@ struct Problem
     VMP::IO::read_boundary_targets(options.target, source, targets);
     build(options.source);
     check_targets(options.target);
+  }
+
+  // Takes over the vertices that refinement has added, behind those of the file.
+  void update_source()
+  {
+    VMP::Tetrahedron_soup_3 refined;
+    std::vector<Vertex_handle> vertices;
+    VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, refined, vertices);
+    source.points.resize(indices.size());
+    for(std::size_t v = 0; v < vertices.size(); ++v)
+      source.points[indices.at(vertices[v])] = refined.points[v];
+    for(auto& cell : refined.cells)
+      for(std::size_t& v : cell)
+        v = indices.at(vertices[v]);
+    source.cells = std::move(refined.cells);
+    source.cell_references = std::move(refined.cell_references);
   }
 
   VMP::Tetrahedron_soup_3 source;
@@ -144,7 +172,7 @@ private:
   std::vector<Cell_handle> cells;
 };
 
-// A property map that finds the point of a vertex by its index in the file.
+// A property map that finds the point of a vertex by its index in the file. New vertices are appended.
 struct Point_map
 {
   using key_type = Vertex_handle;
@@ -160,10 +188,13 @@ struct Point_map
 
   friend void put(const Point_map& map, Vertex_handle v, const Point_3& p)
   {
-    (*map.points)[map.indices->at(v)] = {p.x(), p.y(), p.z()};
+    const auto [entry, is_new] = map.indices->emplace(v, map.points->size());
+    if(is_new)
+      map.points->emplace_back();
+    (*map.points)[entry->second] = {p.x(), p.y(), p.z()};
   }
 
-  const Index_map* indices;
+  Index_map* indices;
   Points* points;
 };
 
@@ -188,18 +219,29 @@ struct Progress
   bool is_shown;
 };
 
-template <typename ConcurrencyTag>
 Result parameterize(Problem& problem, const Options& options, Points& uvw)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(options.number_of_threads));
+#endif
+  // a vertex without a cell keeps its place, or takes the prescribed one
+  uvw = problem.source.points;
+  for(std::size_t v = 0; v < uvw.size(); ++v)
+    if(!std::isnan(problem.targets[v][0]))
+      uvw[v] = problem.targets[v];
+
   Result result;
   Progress progress{!options.is_quiet && isatty(STDERR_FILENO) != 0};
   with_energy(options.energy, [&](const auto& energy)
   {
-    with_solver<ConcurrencyTag>(options.solver, [&](const auto& solver)
+    with_solver(options.solver, [&](const auto& solver)
     {
-      result = CGAL::stretch_minimizing_volume_parameterization<ConcurrencyTag>(
+      result = CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
         problem.c3t3, Point_map{&problem.indices, &uvw},
         params::boundary_map(Point_map{&problem.indices, &problem.targets})
+          .boundary_mode(boundary_mode(options.boundary))
+          .do_refine(options.do_refine)
           .energy(energy)
           .solver_traits(solver)
           .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
@@ -207,24 +249,9 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
     });
   });
   progress.finish();
+  if(result.number_of_added_vertices > 0 && result.has_valid_map)
+    problem.update_source();
   return result;
-}
-
-Result parameterize(Problem& problem, const Options& options, Points& uvw)
-{
-  // a vertex without a cell keeps its place, or takes the prescribed one
-  uvw = problem.source.points;
-  for(std::size_t v = 0; v < uvw.size(); ++v)
-    if(!std::isnan(problem.targets[v][0]))
-      uvw[v] = problem.targets[v];
-
-#ifdef CGAL_LINKED_WITH_TBB
-  const std::size_t n = static_cast<std::size_t>(options.number_of_threads);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, n);
-  if(n > 1)
-    return parameterize<CGAL::Parallel_tag>(problem, options, uvw);
-#endif
-  return parameterize<CGAL::Sequential_tag>(problem, options, uvw);
 }
 
 Exit_code exit_code(const Result& result)
@@ -240,18 +267,27 @@ Exit_code exit_code(const Result& result)
   }
 }
 
-void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw)
+void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh)
 {
   Output_file file(filename);
+  VMP::IO::write_MEDIT(file.stream(), mesh);
+  file.commit();
+}
+
+void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw)
+{
   if(fs::path(filename).extension() == ".vtu")
+  {
+    Output_file file(filename);
     VMP::IO::write_VTU(file.stream(), source, uvw);
+    file.commit();
+  }
   else
   {
     VMP::Tetrahedron_soup_3 image = source;
     image.points = uvw;
-    VMP::IO::write_MEDIT(file.stream(), image);
+    write_mesh(filename, image);
   }
-  file.commit();
 }
 
 std::size_t peak_memory_bytes()
@@ -302,6 +338,11 @@ bool parse(int argc, char* argv[], Options& options)
     ("help", "print this text")
     ("output", po::value(&options.output)->value_name("FILE"),
      "the map: the mesh with the new coordinates (*.mesh), or the source with the map as data (*.vtu)")
+    ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
+     "the source with the vertices that --refine has added (*.mesh)")
+    ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
+     "auto, fixed or soft: may the boundary be missed?")
+    ("refine", po::bool_switch(&options.do_refine), "split edges where the boundary cannot be reached otherwise")
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "stretch, dirichlet, arap, lscm, lpm, mips or symmetric_dirichlet")
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"), "cg or cholmod")
@@ -339,7 +380,8 @@ bool parse(int argc, char* argv[], Options& options)
 void check(const Options& options)
 {
   with_energy(options.energy, [](const auto&) {});
-  with_solver<CGAL::Sequential_tag>(options.solver, [](const auto&) {});
+  with_solver(options.solver, [](const auto&) {});
+  boundary_mode(options.boundary);
   if(options.number_of_threads < 1 || options.number_of_iterations < 0)
     throw std::runtime_error("the number of threads or of iterations is too small");
 #ifndef CGAL_LINKED_WITH_TBB
@@ -353,7 +395,7 @@ void check(const Options& options)
 
   const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
   std::vector<fs::path> others = {canonical(options.source), canonical(options.target)};
-  for(const std::string& name : {options.output, options.report})
+  for(const std::string& name : {options.output, options.refined_source, options.report})
   {
     if(name.empty())
       continue;
@@ -387,6 +429,8 @@ Exit_code run(const Options& options, Result& result)
   {
     if(!options.output.empty())
       write_map(options.output, problem.source, uvw);
+    if(!options.refined_source.empty())
+      write_mesh(options.refined_source, problem.source);
     if(!options.is_quiet)
       print(result);
   }
