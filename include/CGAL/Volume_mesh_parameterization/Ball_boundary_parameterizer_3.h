@@ -29,11 +29,12 @@ namespace Volume_mesh_parameterization {
 
 maps the boundary of a complex that is a topological sphere onto the unit sphere around the origin.
 
-The image is a polyhedron inscribed in the sphere. Its central projection covers the sphere once: the origin sees each
-triangle from inside, which is checked with exact predicates on the coordinates written.
-The method is the one of Praun and Hoppe \cgalCite{cgal:ph-spr-03}: the surface is coarsened to a tetrahedron by edge
-collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet energy, which
-compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
+The image is a polyhedron inscribed in the sphere. Its central projection covers the sphere once: the origin
+sees each triangle from inside, which is checked with exact predicates on the coordinates written.
+
+The method is the one of Praun and Hoppe \cgalCite{cgal:ph-spr-03}: the surface is coarsened to a tetrahedron by
+edge collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
+energy, which compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -48,9 +49,10 @@ public:
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
   ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
   ///
-  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_MANIFOLD_BOUNDARY`,
-  ///         `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of floating-point numbers were met
+  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
+  ///         `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of
+  ///         floating-point numbers were met
   ///
   /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
   template <typename C3t3, typename VertexPointMap>

@@ -35,14 +35,15 @@ namespace Volume_mesh_parameterization {
 
 maps the boundary of a complex that is a topological sphere onto the boundary of a cube, or of a box, around the origin.
 
-Eight vertices become the corners of the box, twelve disjoint paths along edges of the boundary its edges, and the six patches
-between them its faces: the coordinates that are constant on a face or on an edge of the box are so exactly, bit by bit. No
-triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
+Eight vertices become the corners of the box, twelve disjoint paths along edges of the boundary its edges, and the
+six patches between them its faces: the coordinates that are constant on a face or an edge of the box are so
+exactly, bit by bit. No triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
 
-The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are short on the
-sphere, and the patches are mapped by mean value coordinates \cgalCite{cgal:f-mvc-03} of the package \ref
-PkgSurfaceMeshParameterization. Finally the symmetric Dirichlet energy of the map from the boundary, scaled
-to the area of the box, is lowered; vertices move in their face or along their edge of the box.
+The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are shortest paths on the
+sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the patches
+are mapped from the sphere by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
+\ref PkgSurfaceMeshParameterization. Finally the symmetric Dirichlet energy of the map from the boundary, scaled
+to the area of the box, is lowered: vertices move in their face or along their edge of the box.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -66,24 +67,25 @@ public:
 
   /// writes the image of each vertex of the boundary of the complex.
   ///
-  /// The corners are the vertices whose images on the sphere are closest to a cube, turned such that the map
-  /// is similar to the scaling of the bounding box of the boundary to the cube.
+  /// The corners are chosen such that the patches have areas in the ratio of those of the faces of the box, turned
+  /// such that the map is similar to the scaling of the bounding box of the boundary to the box, and close to the
+  /// corners of the bounding box.
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
   ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
   ///
-  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_MANIFOLD_BOUNDARY`,
-  ///         `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, `ERROR_BOUNDARY_TOO_COARSE`
-  ///         if no disjoint paths between the corners were found, or
+  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
+  ///         `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, or
   ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of floating-point numbers were met
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
-    return map(c3t3, target, [](const internal::Boundary_surface_3<C3t3>& boundary,
-                                const std::vector<Eigen::Vector3d>& sphere)
+    return map(c3t3, target, [this](const internal::Boundary_surface_3<C3t3>& boundary,
+                                    const std::vector<Eigen::Vector3d>& sphere)
     {
-      return internal::cube_corners_3(internal::points_of(boundary.mesh()), sphere);
+      return internal::cube_corners_3(internal::unit_points(boundary.mesh()), sphere, m_half_lengths);
     });
   }
 

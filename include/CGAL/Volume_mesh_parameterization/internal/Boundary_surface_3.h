@@ -20,10 +20,12 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <Eigen/Dense>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -89,19 +91,29 @@ private:
   {
     if(m_facets.empty())
       return ERROR_EMPTY_COMPLEX;
+    for(const Vertex_handle v : m_vertices)
+      if(!is_finite(point(c3t3, v)))
+        return ERROR_NON_FINITE_COORDINATE;
     if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(m_facets))
       return ERROR_NON_MANIFOLD_BOUNDARY;
 
-    const auto& tr = c3t3.triangulation();
-    const auto point = tr.geom_traits().construct_point_3_object(); // of a bare or a weighted point
     for(const Vertex_handle v : m_vertices)
-    {
-      const auto& p = point(tr.point(v));
-      m_mesh.add_vertex(Boundary_point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())));
-    }
+      m_mesh.add_vertex(point(c3t3, v));
     for(const std::array<std::size_t, 3>& facet : m_facets)
       m_mesh.add_face(vertex_index(facet[0]), vertex_index(facet[1]), vertex_index(facet[2]));
     return CGAL::is_closed(m_mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
+  }
+
+  static Boundary_point_3 point(const C3t3& c3t3, const Vertex_handle v)
+  {
+    const auto& tr = c3t3.triangulation();
+    const auto p = tr.geom_traits().construct_point_3_object()(tr.point(v)); // of a bare or a weighted point
+    return Boundary_point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+
+  static bool is_finite(const Boundary_point_3& p)
+  {
+    return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
   }
 
   static Boundary_mesh_3::Vertex_index vertex_index(const std::size_t i)
@@ -116,11 +128,18 @@ private:
   Error_code m_status = OK;
 };
 
-inline std::vector<Eigen::Vector3d> points_of(const Boundary_mesh_3& mesh)
+// The points of the surface, moved and scaled such that the longest side of their bounding box is 1.
+inline std::vector<Eigen::Vector3d> unit_points(const Boundary_mesh_3& mesh)
 {
   std::vector<Eigen::Vector3d> points;
+  Eigen::AlignedBox3d box;
   for(const auto v : mesh.vertices())
+  {
     points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+    box.extend(points.back());
+  }
+  for(Eigen::Vector3d& point : points)
+    point = (point - box.center()) / box.sizes().maxCoeff();
   return points;
 }
 

@@ -42,7 +42,7 @@ class Box_map_3
 public:
   Box_map_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere_images,
             const Eigen::Vector3d& half_lengths)
-    : m_mesh(mesh), m_rings(mesh), m_points(points_of(mesh)), m_sphere(sphere_images),
+    : m_mesh(mesh), m_rings(mesh), m_points(unit_points(mesh)), m_sphere(sphere_images),
       m_images(sphere_images.size(), Eigen::Vector3d::Zero()), m_domain(sphere_images.size(), half_lengths)
   {
     for(const auto v : m_mesh.vertices())

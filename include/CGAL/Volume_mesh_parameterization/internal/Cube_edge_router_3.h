@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -35,12 +36,13 @@ namespace internal {
 
 // Finds disjoint paths along edges of a triangulated sphere that join eight of its vertices like the edges of a cube.
 //
-// The paths are shortest paths, found one after the other, for the distances of the points given. They respect the cyclic
-// order of the edges around the corners, and those of a spanning tree come first: then no path separates the ends of a later
-// one (Praun, Sweldens, Schroeder, Consistent mesh parameterizations, 2001). On a coarse surface earlier paths may nevertheless
-// use up the vertices that a later one needs; then all are found again in another order.
+// The paths are shortest paths, found one after the other, for the distances of the points given. They respect
+// the cyclic order of the edges around the corners, and those of a spanning tree come first: then no path
+// separates the ends of a later one (Praun, Sweldens, Schroeder, Consistent mesh parameterizations, 2001).
+// Earlier paths may nevertheless use up the vertices that a later one needs. Therefore paths keep away from each other
+// and from the corners, and if one is not found, all are found again in another order.
 //
-// No edge of the surface joins two vertices of a path that do not follow each other: it would be shorter than the path.
+// No edge of the surface joins two vertices of a path that do not follow each other: they are shortened.
 class Cube_edge_router_3
 {
 public:
@@ -133,25 +135,63 @@ private:
     return exits;
   }
 
-  // Vertices that are joined to an end by an edge that the path may not take are of no use to it.
   std::vector<int> find_path(const int source, const std::vector<int>& source_exits,
                              const int target, const std::vector<int>& target_exits) const
   {
-    const auto contains = [](const std::vector<int>& range, const int v)
-    {
-      return std::find(range.begin(), range.end(), v) != range.end();
-    };
-    if(contains(m_rings[source], target) && !(contains(source_exits, target) && contains(target_exits, source)))
+    const std::vector<int>& ring = m_rings[source];
+    if(contains(ring, target) && !(contains(source_exits, target) && contains(target_exits, source)))
       return {};
 
-    std::vector<bool> is_blocked = m_is_used;
-    for(const int v : m_rings[source])
-      if(!contains(source_exits, v))
-        is_blocked[v] = true;
-    for(const int v : m_rings[target])
-      if(!contains(target_exits, v))
-        is_blocked[v] = true;
-    return shortest_vertex_path_3(m_rings, m_points, source, target, is_blocked);
+    std::vector<double> costs = costs_of_vertices(source, target);
+    forbid_other_neighbours(source, source_exits, costs);
+    forbid_other_neighbours(target, target_exits, costs);
+    return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs));
+  }
+
+  // Makes it expensive to pass by other paths, and even more to pass by other corners, which need their neighbours.
+  std::vector<double> costs_of_vertices(const int source, const int target) const
+  {
+    std::vector<double> costs(m_points.size(), 1.);
+    for(std::size_t v = 0; v < costs.size(); ++v)
+      if(m_is_used[v])
+        for(const int w : m_rings[static_cast<int>(v)])
+          costs[w] = 3;
+    for(const int corner : m_corners)
+      if(corner != source && corner != target)
+        for(const int w : m_rings[corner])
+          costs[w] = 10;
+    for(std::size_t v = 0; v < costs.size(); ++v)
+      if(m_is_used[v])
+        costs[v] = (std::numeric_limits<double>::infinity)();
+    return costs;
+  }
+
+  // Neighbours of the end of a path that it may not take first must not follow later: the edge would be a chord.
+  void forbid_other_neighbours(const int end, const std::vector<int>& exits, std::vector<double>& costs) const
+  {
+    for(const int v : m_rings[end])
+      if(!contains(exits, v))
+        costs[v] = (std::numeric_limits<double>::infinity)();
+  }
+
+  // Goes from each vertex to the last one of the path that is joined to it by an edge.
+  std::vector<int> without_chords(const std::vector<int>& path) const
+  {
+    std::vector<int> result;
+    for(auto it = path.begin(); it != path.end(); )
+    {
+      result.push_back(*it);
+      auto next = path.end() - 1;
+      while(next != it && !contains(m_rings[*it], *next))
+        --next;
+      it = (next == it) ? path.end() : next;
+    }
+    return result;
+  }
+
+  static bool contains(const std::vector<int>& range, const int v)
+  {
+    return std::find(range.begin(), range.end(), v) != range.end();
   }
 
   const Vertex_rings_3& m_rings;

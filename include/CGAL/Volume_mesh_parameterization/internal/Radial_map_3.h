@@ -63,7 +63,7 @@ public:
   {
     const std::vector<int>& ring = m_rings[v];
     for(std::size_t i = 0; i < ring.size(); ++i)
-        if(radial_orientation(image, m_images[ring[i]], m_images[ring[(i + 1) % ring.size()]]) != POSITIVE)
+      if(radial_orientation(image, m_images[ring[i]], m_images[ring[(i + 1) % ring.size()]]) != POSITIVE)
         return false;
     return true;
   }

@@ -19,7 +19,6 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -51,7 +50,8 @@ struct Unit_sphere_3
 
 // Maps a triangulated topological sphere onto the unit sphere, one to one, by the method of
 // Praun and Hoppe, Spherical parametrization and remeshing (2003): the surface is coarsened to a tetrahedron,
-// which is easy to map; then the vertices come back, each inside the kernel of its ring, and the map is relaxed level by level.
+// which is easy to map; then the vertices come back, each inside the kernel of its ring, and the map is
+// relaxed level by level.
 class Spherical_map_3
 {
 public:
@@ -91,7 +91,7 @@ private:
     relax(20, 1e-3);
   }
 
-  // The ring is star-shaped as seen from the vertex onto which v was collapsed; so is it from points close by inside.
+  // The vertex onto which the removed one was collapsed sees its whole ring; so do the points close by inside.
   bool insert(const Removed_vertex& removed)
   {
     m_rings.insert(removed);

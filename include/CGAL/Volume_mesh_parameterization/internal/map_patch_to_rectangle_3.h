@@ -21,9 +21,11 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <Eigen/Dense>
 #include <Eigen/SparseLU>
 
 #include <cstddef>
+#include <iterator>
 #include <unordered_map>
 #include <vector>
 
@@ -31,7 +33,7 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// A border parameterizer for CGAL's Surface_mesh_parameterization: the border keeps the coordinates that it has in the map.
+// A border parameterizer for CGAL's Surface_mesh_parameterization: the border keeps the coordinates it has.
 class Prescribed_border_parameterizer_3
 {
 public:

@@ -32,7 +32,7 @@ inline Error_code map_to_sphere_3(const Boundary_mesh_3& mesh, std::vector<Eigen
   if(status != OK)
     return status;
 
-  const std::vector<Eigen::Vector3d> points = points_of(mesh);
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
   Spherical_map_3 map(points, Vertex_rings_3(mesh));
   if(!map.run())
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;

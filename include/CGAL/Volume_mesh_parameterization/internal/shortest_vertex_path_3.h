@@ -27,9 +27,10 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// The shortest path along edges whose inner vertices are not blocked, or an empty one.
+// The shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end,
+// which is infinite for vertices that the path may not touch; that of the target does not matter.
 inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
-                                               const int source, const int target, const std::vector<bool>& is_blocked)
+                                               const int source, const int target, const std::vector<double>& costs)
 {
   using Entry = std::pair<double, int>;
   std::vector<double> distance(points.size(), (std::numeric_limits<double>::infinity)());
@@ -45,8 +46,9 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
       continue;
     for(const int w : rings[nearest.second])
     {
-      const double candidate = nearest.first + (points[w] - points[nearest.second]).norm();
-      if((!is_blocked[w] || w == target) && candidate < distance[w])
+      const double length = (points[w] - points[nearest.second]).norm();
+      const double candidate = nearest.first + ((w == target) ? length : costs[w] * length);
+      if(candidate < distance[w])
       {
         distance[w] = candidate;
         previous[w] = nearest.second;
