@@ -50,7 +50,8 @@ public:
   static constexpr bool has_barrier = true;
 
   /// \pre `beta > 0` and `lambda > 0`
-  explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01, const double lambda = 1)
+  explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01,
+                            const double lambda = 1)
     : m_energy(energy), m_beta(beta), m_lambda(lambda)
   {
     CGAL_precondition(beta > 0 && lambda > 0);

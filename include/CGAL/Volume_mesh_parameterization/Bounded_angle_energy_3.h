@@ -30,19 +30,23 @@ ratio of the largest to the smallest singular value, stays below \f$K\f$ in ever
 
 The ratio itself has kinks where singular values are equal. The barrier acts on a smooth and symmetric
 measure instead, the energy \f$m = (|J|^2\,|J^{-1}|^2 - 1)/8\f$ of `MIPS_energy_3`. With
-\f$k(r) = r + 1/r\f$, the distortion of angles of `Distortion_3`, it satisfies \f$k (k + 2)/8 \le m \le k^2/4\f$.
-So
+\f$k(r) = r + 1/r\f$, the distortion of angles of `Distortion_3`, it satisfies
+\f$k (k + 2)/8 \le m \le k^2/4\f$. So
 \f[ m < M = \tfrac{1}{8}\, k(K)\,(k(K) + 2) \quad\Rightarrow\quad r < K, \f]
 and every cell with \f$k(r) < k(K)/\sqrt{2}\f$ satisfies \f$m < M\f$: what is asked for is stricter than
 the bound by at most the factor \f$\sqrt{2}\f$, and not at all where \f$\sigma_2^2 = \sigma_1 \sigma_3\f$.
 
 The energy is \f$\psi = \psi_0 + w\,\varphi\left(\frac{M - m}{M - M/4}\right)\f$ with the inverse spline
 \f$\varphi\f$ of `Barrier_energy_3`. It is twice continuously differentiable, and equal to \f$\psi_0\f$ where
-\f$m \le M/4\f$, for instance where \f$k(r) \le k(K)/\sqrt{8}\f$. Where less than 1/20 of the way to the
-bound is left, \f$\varphi\f$ is continued by the parabola that touches it there. Thus the minimization may
-start from a map that exceeds the bound, and leads below it if it can; if it cannot, because the
-boundary forces a cell to be distorted, the bound is exceeded by little. Whether it is met is told by
-the maximal distortion of angles of the result, which is then below \f$k(K)\f$.
+\f$m \le M/4\f$, for instance where \f$k(r) \le k(K)/\sqrt{8}\f$. Where less than 1/20 of the way from
+there to \f$M\f$ is left, \f$\varphi\f$ is continued by the parabola that touches it there. So the energy is finite, the
+minimization may start from a map that exceeds the bound, and leads below it if it can. If it
+cannot, \f$m\f$ exceeds \f$M\f$ by little. Whether the bound is met is told by the result: then its maximal
+distortion of angles is below \f$k(K)\f$.
+
+A facet with three prescribed vertices limits what can be asked for: the ratio in its cell is not
+below the one of the singular values of the map of the facet. Cells whose four vertices are prescribed
+are not influenced at all.
 
 It tends to infinity when a cell becomes flat, and when it collapses if \f$\psi_0\f$ does.
 
@@ -61,9 +65,10 @@ public:
 
   /// \param bound the number \f$K\f$
   /// \param energy the energy \f$\psi_0\f$
-  /// \param weight the number \f$w\f$
+  /// \param weight the number \f$w\f$; a larger one keeps cells farther away from the bound
   /// \pre `bound > 1` and `weight > 0`
-  explicit Bounded_angle_energy_3(const double bound, const Energy& energy = Energy(), const double weight = 1)
+  explicit Bounded_angle_energy_3(const double bound, const Energy& energy = Energy(),
+                                  const double weight = 1)
     : m_energy(energy), m_limit(limit(bound)), m_weight(weight)
   {
     CGAL_precondition(bound > 1 && weight > 0);

@@ -41,7 +41,8 @@ struct LSCM_energy_3
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     const Eigen::Matrix<T, 3, 1> square = s.cwiseProduct(s);
-    const Eigen::Matrix<T, 3, 1> difference(square[0] - square[1], square[1] - square[2], square[2] - square[0]);
+    const Eigen::Matrix<T, 3, 1> difference(square[0] - square[1], square[1] - square[2],
+                                            square[2] - square[0]);
     return difference.squaredNorm();
   }
 
