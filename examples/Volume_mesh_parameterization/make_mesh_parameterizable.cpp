@@ -48,7 +48,8 @@ VMP::Parameterization_result parameterize(const C3t3& c3t3)
   std::unordered_map<Vertex_handle, Point_3> uvw;
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, boost::make_assoc_property_map(uvw),
-    params::boundary_map(boost::make_function_property_map<Vertex_handle>(target)));
+    params::boundary_map(boost::make_function_property_map<Vertex_handle>(target))
+           .boundary_mode(VMP::Boundary_mode::FIXED));
   std::cout << result.number_of_cells << " cells: " << result.message << std::endl;
   return result;
 }

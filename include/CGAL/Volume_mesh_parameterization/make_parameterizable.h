@@ -42,7 +42,8 @@ among edges those that the boundary map degenerates, then the one that most of t
 removed contain (each counted once for each cell around the edge), then the longest. Facets and cells get a vertex
 only if none of their edges can be split. Without a boundary map, all edges inside the complex that join two
 vertices of the boundary must be split, and the number of insertions is minimal; with a
-boundary map this rule is a heuristic for a small number.
+boundary map this rule is a heuristic for a small number. It is then not recognized that an edge with distinct images
+may need a vertex as well, for instance if it joins two vertices of a flat part of the target's boundary.
 
 The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
 subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of
@@ -83,8 +84,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
 
 \return the number of inserted vertices
 
-The time is O(n + m d log m) for n cells and m edges, facets and cells that are or contain a simplex to be removed,
-each with at most d cells around it.
+The time is O(n + m d (d + log m)) for n cells and m simplices to be removed, with at most d cells around an edge.
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`
 */

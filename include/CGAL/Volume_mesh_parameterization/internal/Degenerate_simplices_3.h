@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/exact_point_3.h>
 
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <boost/container/static_vector.hpp>
 

@@ -17,7 +17,6 @@
 
 #include <boost/container/static_vector.hpp>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 
