@@ -3,11 +3,12 @@
 #include "cube_complex.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -137,11 +138,13 @@ Parameterization_result parameterize(Complex& complex)
                                                           params::boundary_map(complex.boundary_map()));
 }
 
-void check_refusal(Complex& complex, const VMP::Error_code status, const std::vector<std::string>& words)
+void check_refusal(Complex& complex, const VMP::Error_code status, const std::vector<std::string>& words,
+                   const VMP::Boundary_mode mode = VMP::Boundary_mode::AUTO)
 {
   Counting_visitor visitor;
   const Captured_output output;
-  const Parameterization_result result = parameterize(complex, params::visitor(std::ref(visitor)));
+  const Parameterization_result result
+    = parameterize(complex, params::visitor(std::ref(visitor)).boundary_mode(mode));
   CHECK(result.status == status);
   INFO(result.message);
   for(const std::string& word : words)
@@ -263,11 +266,24 @@ TEST_CASE("Each named parameter by itself")
     CHECK(result.energy > plain.energy);
     check_valid_map(complex, result);
 
-    const Parameterization_result one = parameterize(complex, params::number_of_iterations(1u));
+    const Parameterization_result one
+      = parameterize(complex, params::number_of_iterations(1u).boundary_mode(VMP::Boundary_mode::FIXED));
     CHECK(one.status == VMP::ERROR_NOT_FLIP_FREE);
     CHECK(!one.has_valid_map);
     CHECK(one.number_of_inverted_cells > 0);
     CHECK(complex.uvw.empty());
+  }
+  SECTION("boundary_mode")
+  {
+    for(const VMP::Boundary_mode mode : {VMP::Boundary_mode::AUTO, VMP::Boundary_mode::FIXED})
+    {
+      CHECK(parameterize(complex, params::boundary_mode(mode)).energy == plain.energy);
+      CHECK(complex.uvw == expected);
+    }
+    const Parameterization_result soft = parameterize(complex, params::boundary_mode(VMP::Boundary_mode::SOFT));
+    CHECK(soft.has_valid_map);
+    CHECK(soft.number_of_untangling_iterations == 0);
+    CHECK(complex.uvw != expected);
   }
   SECTION("maximum_running_time")
   {
@@ -298,7 +314,8 @@ TEST_CASE("Each named parameter by itself")
       const Captured_output output;
       parameterize(complex, params::verbose(verbose));
       const std::string text = output.text();
-      CHECK(std::count(text.begin(), text.end(), '\n') == (verbose ? static_cast<int>(plain.number_of_iterations) : 0));
+      const std::size_t lines = std::count(text.begin(), text.end(), '\n');
+      CHECK(lines == (verbose ? plain.number_of_iterations : 0));
     }
     CHECK(complex.uvw == expected);
   }
@@ -346,9 +363,12 @@ TEST_CASE("Named parameters combine in any order")
                                          .vertex_is_constrained_map(is_constrained)
                                          .number_of_iterations(100)
                                          .maximum_running_time(100)
+                                         .boundary_mode(VMP::Boundary_mode::AUTO)
+                                         .do_refine(false)
                                          .visitor(std::ref(visitor))
                                          .verbose(true));
-  CHECK(call(params::verbose(true).visitor(std::ref(visitor)).maximum_running_time(100).number_of_iterations(100)
+  CHECK(call(params::verbose(true).do_refine(false).boundary_mode(VMP::Boundary_mode::AUTO)
+                    .visitor(std::ref(visitor)).maximum_running_time(100).number_of_iterations(100)
                     .vertex_is_constrained_map(is_constrained).solver_traits(Solver())
                     .energy(VMP::Stretch_energy_3()).boundary_map(complex.boundary_map())) == expected);
   CHECK(call(params::number_of_iterations(100).boundary_map(complex.boundary_map()).verbose(true)
@@ -373,7 +393,7 @@ TEST_CASE("Property maps need no more than their concepts demand")
   const Point_map expected = complex.uvw;
   Point_map uvw;
   const auto result = CGAL::stretch_minimizing_volume_parameterization(
-    complex.c3t3, Write_only_map{&uvw}, params::boundary_map(Read_only_map{&complex.target}));
+    std::as_const(complex.c3t3), Write_only_map{&uvw}, params::boundary_map(Read_only_map{&complex.target}));
   CHECK(result.status == VMP::OK);
   CHECK(uvw == expected);
 
@@ -493,7 +513,7 @@ TEST_CASE("Cells that the boundary map inverts or flattens are refused, with the
   const Negative_cells negative(complex, complex.target);
   REQUIRE(negative.number > 0);
   check_refusal(complex, VMP::ERROR_PRESCRIBED_CELL_INVERTED,
-                {to_string(negative.number) + " cell", "cell " + to_string(negative.first)});
+                {to_string(negative.number) + " cell", "cell " + to_string(negative.first)}, VMP::Boundary_mode::FIXED);
 }
 
 TEST_CASE("Each status has a sentence")
