@@ -42,7 +42,8 @@ struct Soft_boundary_parameters
   /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this, \f$\eta\f$
   double residual_tolerance = 1e-6;
 
-  /// ends if the energy changes by less than this times the diameter of the bounding box of the source, \f$\varepsilon_f\f$
+  /// ends if the energy changes by less than this times the diameter of the bounding box of the source,
+  /// \f$\varepsilon_f\f$
   double energy_tolerance = 1e-8;
   /// ends if no vertex moves by more than this times that diameter
   double step_tolerance = 1e-8;

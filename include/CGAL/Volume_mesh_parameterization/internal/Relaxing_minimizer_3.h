@@ -22,6 +22,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -63,12 +64,13 @@ public:
     }
     if(!has_moved && uses_relaxation())
       has_moved = move(0, false);
-    m_can_relax = uses_relaxation();
-
     if(has_solver_failed())
       return Step_status::SOLVER_FAILED;
     if(m_step_length >= 1)
       m_negative_curvature.raise();
+    // a relaxation has to pay off before there is another one
+    m_can_relax = uses_relaxation() && m_evaluation.energy < m_lowest_energy;
+    m_lowest_energy = (std::min)(m_lowest_energy, m_evaluation.energy);
     if(!has_moved)
       return is_gradient_small() ? Step_status::DONE : Step_status::STUCK;
     return is_converged() ? Step_status::DONE : Step_status::CONTINUE;
@@ -173,7 +175,8 @@ private:
   double m_last_energy;        // after the last step that was not a relaxation
   double m_step_length = 0;
   Negative_curvature m_negative_curvature;
-  bool m_can_relax = m_parameters.maximal_number_of_relaxations > 0; // not twice in a row
+  double m_lowest_energy = std::numeric_limits<double>::infinity();
+  bool m_can_relax = m_parameters.maximal_number_of_relaxations > 0;
   std::size_t m_relaxations_left = 0;
   Linear_solver_status m_solver_status = Linear_solver_status::SUCCESS;
 };

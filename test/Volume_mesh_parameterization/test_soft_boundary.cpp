@@ -1,0 +1,291 @@
+// The map with soft boundary: penalty, alignment, engine, relaxation.
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
+
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace internal = CGAL::Volume_mesh_parameterization::internal;
+
+using Constraint = VMP::Linear_constraint_3<int>;
+using Constraints = std::vector<Constraint>;
+using Solver = VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>;
+using Engine = internal::Soft_boundary_engine_3<VMP::Stretch_energy_3, Solver, CGAL::Sequential_tag>;
+
+namespace {
+
+const VMP::Stretch_energy_3 stretch;
+
+// Couples the first and the last vertex, which share no cell.
+Constraints coupling(const internal::Numbered_mesh_3& mesh)
+{
+  return {{{{0, {1, 2, 3}}, {mesh.number_of_vertices() - 1, {-1, 0.5, 2}}}, 0.75}};
+}
+
+// Answers a direction, exact up to rounding, by a dense factorization.
+class Dense_solver
+{
+public:
+  using NT = double;
+  using Matrix = VMP::Block_sparse_matrix_3<NT>;
+
+  void analyze_pattern(const Matrix&) {}
+
+  VMP::Linear_solver_status factorize(const Matrix& A)
+  {
+    m_dense.setZero(3 * A.size(), 3 * A.size());
+    for(int row = 0; row < A.size(); ++row)
+      for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+        m_dense.block<3, 3>(3 * row, 3 * A.column(k)) = A.block(k);
+    return VMP::Linear_solver_status::SUCCESS;
+  }
+
+  VMP::Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double)
+  {
+    x = m_dense.ldlt().solve(b);
+    return VMP::Linear_solver_status::SUCCESS;
+  }
+
+  const Eigen::MatrixXd& matrix() const { return m_dense; }
+
+private:
+  Eigen::MatrixXd m_dense;
+};
+
+bool is_flip_free(const internal::Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return internal::inverted_cells(mesh, positions).number == 0;
+}
+
+// Runs until the end, and checks what holds after each step.
+void run(Engine& engine, const internal::Numbered_mesh_3& mesh)
+{
+  engine.start();
+  REQUIRE(is_flip_free(mesh, engine.positions()));
+  double weight_before = engine.weight();
+  while(engine.is_running() && engine.last_step().iteration < 500)
+  {
+    const double energy_before = engine.last_step().energy;
+    const double weight = engine.weight();
+    const bool was_relaxing = engine.is_relaxing();
+    engine.step();
+    REQUIRE(is_flip_free(mesh, engine.positions()));
+    // a relaxation is for another target, and a larger weight gives another energy
+    if(weight == weight_before && !was_relaxing && !engine.is_relaxing() && engine.last_step().step_length > 0)
+      REQUIRE(engine.last_step().energy <= energy_before);
+    weight_before = weight;
+  }
+  REQUIRE(!engine.is_running());
+}
+
+VMP::Soft_boundary_parameters without_snapping()
+{
+  VMP::Soft_boundary_parameters parameters;
+  parameters.do_snap = false;
+  return parameters;
+}
+
+} // namespace
+
+TEST_CASE("The derivatives of energy plus penalty agree with finite differences")
+{
+  internal::Numbered_mesh_3 mesh = cube_mesh(2, 0.1);
+  mesh.number_of_free_vertices = mesh.number_of_vertices();
+  internal::Quadratic_penalty_3 penalty(coupling(mesh), 7);
+  std::vector<Eigen::Matrix3d> inverse_sources;
+  for(const std::array<int, 4>& cell : mesh.cells)
+    inverse_sources.push_back(internal::edge_matrix(mesh.source, cell).inverse());
+  Dense_solver solver;
+  internal::Newton_method_3<CGAL::Sequential_tag, Dense_solver>
+    newton(mesh, inverse_sources, std::vector<double>(mesh.cells.size(), 1.), solver, &penalty);
+
+  Eigen::Matrix3Xd u = 1.25 * mesh.source;
+  const Eigen::Matrix3Xd gradient = newton.gradient(stretch, u);
+  newton.compute_direction(stretch, u, 1, 1e-2);
+  CHECK(newton.gradient_norm() == Approx(gradient.norm()));
+
+  const double h = 1e-5;
+  for(const int v : {0, 1, mesh.number_of_vertices() - 1})
+    for(int i = 0; i < 3; ++i)
+    {
+      const double x = u(i, v);
+      u(i, v) = x + h;
+      const double energy_after = newton.evaluate(stretch, u).energy;
+      const Eigen::Matrix3Xd gradient_after = newton.gradient(stretch, u);
+      u(i, v) = x - h;
+      const double energy_before = newton.evaluate(stretch, u).energy;
+      const Eigen::Matrix3Xd gradient_before = newton.gradient(stretch, u);
+      u(i, v) = x;
+
+      CHECK(gradient(i, v) == Approx((energy_after - energy_before) / (2 * h)).margin(1e-6));
+      const Eigen::Matrix3Xd column = (gradient_after - gradient_before) / (2 * h);
+      const Eigen::Map<const Eigen::VectorXd> expected(column.data(), column.size());
+      CHECK((solver.matrix().col(3 * v + i) - expected).norm() < 1e-6 * expected.norm());
+    }
+}
+
+TEST_CASE("A penalty can hold the current positions")
+{
+  const internal::Numbered_mesh_3 mesh = cube_mesh(2);
+  internal::Quadratic_penalty_3 penalty(coupling(mesh), 2);
+  const double residual = penalty.residual(mesh.source);
+  REQUIRE(residual > 0);
+  CHECK(penalty.value(mesh.source) == Approx(2 * residual * residual));
+  penalty.hold(mesh.source);
+  CHECK(penalty.value(mesh.source) == 0);
+  CHECK(penalty.residual(mesh.source) == residual);
+  penalty.release();
+  CHECK(penalty.value(mesh.source) == Approx(2 * residual * residual));
+}
+
+TEST_CASE("Alignment")
+{
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, -2, 0.5).normalized()).matrix();
+  const Eigen::Vector3d translation(10, -20, 30);
+
+  SECTION("finds a similarity, also for the vertices inside")
+  {
+    const auto similarity = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 3 * rotation * p + translation; };
+    const internal::Numbered_mesh_3 mesh = mapped_cube(3, 0.15, similarity);
+    const Eigen::Matrix3Xd aligned = internal::similarity_alignment_3(mesh);
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      CHECK((aligned.col(v) - similarity(mesh.source.col(v))).norm() < 1e-12 * translation.norm());
+  }
+
+  SECTION("does not reflect")
+  {
+    const internal::Numbered_mesh_3 mesh
+      = mapped_cube(2, 0, [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return -p; });
+    CHECK(is_flip_free(mesh, internal::similarity_alignment_3(mesh)));
+  }
+
+  SECTION("minimizes the sum of squared distances among the similarities near it")
+  {
+    const internal::Numbered_mesh_3 mesh = twisted_cube(3);
+    const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+    const Eigen::Matrix3Xd aligned = internal::similarity_alignment_3(mesh);
+    const auto distance = [&](const Eigen::Matrix3d& A, const Eigen::Vector3d& t)
+    {
+      return ((A * aligned.rightCols(n)).colwise() + t - mesh.target.rightCols(n)).squaredNorm();
+    };
+    const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    const double minimum = distance(identity, zero);
+    for(const double h : {-1e-3, 1e-3})
+    {
+      CHECK(distance((1 + h) * identity, zero) > minimum);
+      for(int i = 0; i < 3; ++i)
+      {
+        CHECK(distance(identity, h * Eigen::Vector3d::Unit(i)) > minimum);
+        CHECK(distance(Eigen::AngleAxisd(h, Eigen::Vector3d::Unit(i)).matrix(), zero) > minimum);
+      }
+    }
+  }
+}
+
+TEST_CASE("A twisted cube is reached from the aligned source")
+{
+  const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
+  VMP::Soft_boundary_parameters parameters = without_snapping();
+
+  SECTION("with growing weight") {}
+  SECTION("with a single weight")
+  {
+    parameters = VMP::single_weight_soft_boundary_parameters();
+    parameters.do_snap = false;
+  }
+  SECTION("with full Hessians") { parameters.use_full_hessian = true; }
+  SECTION("without relaxation") { parameters.maximal_number_of_relaxations = 0; }
+  SECTION("with full Hessians where they are positive definite, without relaxation")
+  {
+    parameters.use_full_hessian = true;
+    parameters.maximal_number_of_relaxations = 0;
+  }
+
+  Solver solver;
+  Engine engine(mesh, stretch, solver, parameters);
+  run(engine, mesh);
+  CHECK(engine.status() == VMP::OK);
+  CHECK(engine.residual() <= parameters.residual_tolerance);
+  CHECK(is_flip_free(mesh, engine.snapped_positions()));
+}
+
+TEST_CASE("The engine ends as soon as the boundary can be snapped")
+{
+  const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
+  Solver solver;
+  Engine engine(mesh, stretch, solver);
+  run(engine, mesh);
+  REQUIRE(engine.can_snap());
+  const Eigen::Matrix3Xd snapped = engine.snapped_positions();
+  CHECK(is_flip_free(mesh, snapped));
+  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  CHECK(snapped.rightCols(n) == mesh.target.rightCols(n));
+  CHECK(snapped.leftCols(mesh.number_of_free_vertices) == engine.positions().leftCols(mesh.number_of_free_vertices));
+}
+
+TEST_CASE("The result does not depend on units")
+{
+  internal::Numbered_mesh_3 mesh = twisted_cube(3, 0.1);
+  Solver solver;
+  Engine engine(mesh, stretch, solver, without_snapping());
+  run(engine, mesh);
+  const double factor = 1000;
+  internal::Numbered_mesh_3 large = mesh;
+  large.source *= 7;
+  large.target *= factor;
+  Engine other(large, stretch, solver, without_snapping());
+  run(other, large);
+  CHECK((other.positions() / factor - engine.positions()).norm() < 1e-6);
+  CHECK(other.last_step().energy == Approx(engine.last_step().energy));
+}
+
+TEST_CASE("A vertex is held on a plane")
+{
+  const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
+  Solver solver;
+  Engine unconstrained(mesh, stretch, solver, without_snapping());
+  run(unconstrained, mesh);
+
+  const Eigen::Vector3d normal = Eigen::Vector3d(1, 1, 1).normalized();
+  const double value = normal.dot(unconstrained.positions().col(0)) + 0.1;
+  Engine engine(mesh, stretch, solver, without_snapping(), {{{{0, normal}}, value}});
+  run(engine, mesh);
+  CHECK(engine.status() == VMP::OK);
+  CHECK(normal.dot(engine.positions().col(0)) == Approx(value).epsilon(1e-5));
+  CHECK(!engine.can_snap()); // which would give the constraint up
+}
+
+TEST_CASE("The distance of two vertices that share no cell is kept")
+{
+  const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
+  const int a = 0, b = mesh.number_of_free_vertices - 1;
+  const Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  Solver solver;
+  Engine engine(mesh, stretch, solver, without_snapping(), {{{{a, axis}, {b, -axis}}, 0.25}});
+  run(engine, mesh);
+  CHECK(engine.status() == VMP::OK);
+  CHECK(engine.positions()(0, a) - engine.positions()(0, b) == Approx(0.25).epsilon(1e-5));
+}
+
+TEST_CASE("A boundary that cannot be reached is approached, and said so")
+{
+  // two vertices of the boundary change their places
+  internal::Numbered_mesh_3 mesh = cube_mesh(2);
+  const int last = mesh.number_of_vertices() - 1;
+  mesh.target.col(last).swap(mesh.target.col(last - 1));
+  Solver solver;
+  Engine engine(mesh, stretch, solver);
+  run(engine, mesh);
+  CHECK(engine.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(engine.residual() > 1e-6);
+  CHECK(!engine.can_snap());
+}
