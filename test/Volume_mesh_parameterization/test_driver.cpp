@@ -190,7 +190,8 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "vertices", "cells", "boundary_vertices", "added_vertices", "inverted_cells", "boundary_residual",
-  "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free", "energy_value",
+  "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free",
+  "seconds_numbering", "seconds_start", "seconds_untangling", "seconds_minimization", "seconds_check", "energy_value",
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "peak_memory_bytes"};
