@@ -114,7 +114,8 @@ def print_summary(result):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("driver", help="the program parameterize_mesh_file")
     add_case_options(parser)
     parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
