@@ -32,9 +32,9 @@ inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
   if(n == 0)
     return mesh.source;
-  const auto source = mesh.source.rightCols(n);
-  const auto target = mesh.target.rightCols(n);
-  const Eigen::Matrix4d similarity = Eigen::umeyama(source, target);
+  const Eigen::MatrixXd source = mesh.source.rightCols(n); // of dynamic size: GCC 12 warns of fixed ones
+  const Eigen::MatrixXd target = mesh.target.rightCols(n);
+  const Eigen::MatrixXd similarity = Eigen::umeyama(source, target);
   const Eigen::Matrix3d scaled_rotation = similarity.topLeftCorner<3, 3>();
   // without a correlation of source and target the best scale would be zero
   const bool is_invertible = scaled_rotation.determinant() > 0;
