@@ -30,6 +30,7 @@ enum Error_code
   ERROR_LINEAR_SOLVER_FAILED,    ///< the linear solver failed
   ERROR_EMPTY_COMPLEX,           ///< the complex has no cell
   ERROR_NON_FINITE_COORDINATE,   ///< a coordinate is infinite or not a number
+  ERROR_SIZE_OUT_OF_RANGE,       ///< source or target are too large or too small for floating-point numbers
   ERROR_INVERTED_SOURCE_CELL,    ///< a cell of the source has no positive volume
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
   ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary encloses no positive volume
@@ -65,6 +66,8 @@ inline const char* get_error_message(const Error_code code)
       return "The complex has no cell.";
     case ERROR_NON_FINITE_COORDINATE:
       return "A coordinate is infinite or not a number.";
+    case ERROR_SIZE_OUT_OF_RANGE:
+      return "The source or the target is too large or too small for floating-point numbers; scale it.";
     case ERROR_INVERTED_SOURCE_CELL:
       return "A cell of the source has no positive volume.";
     case ERROR_MISSING_BOUNDARY_TARGET:

@@ -69,7 +69,6 @@ public:
   template <typename VertexUVWMap>
   Parameterization_result run(VertexUVWMap uvw_map)
   {
-    make_complex_parameterizable();
     while(attempt(uvw_map)) {}
     m_result.seconds_total = m_run.seconds();
     return m_result;
@@ -80,12 +79,18 @@ private:
   using Complex = Numbered_complex_3<C3t3>;
   using Stages = Parameterization_3<ConcurrencyTag, Energy, Solver, Visitor>;
 
-  void make_complex_parameterizable()
+  // Refines where the boundary map forces cells to be degenerate; false if nothing is to be done.
+  bool make_complex_parameterizable()
   {
     if constexpr(!std::is_const<C3t3>::value)
-      if(m_options.do_refine)
+      if(m_options.do_refine && !m_is_parameterizable)
+      {
+        m_is_parameterizable = true;
         m_result.number_of_added_vertices = make_parameterizable(
           m_c3t3, parameters::boundary_map(m_target).vertex_is_constrained_map(m_is_constrained));
+        return m_result.number_of_added_vertices > 0;
+      }
+    return false;
   }
 
   // Returns true if the complex has been refined and another attempt makes sense.
@@ -98,6 +103,8 @@ private:
     m_result.seconds_numbering += m_run.seconds() - begin;
     const bool can_be_fixed = check.status == OK;
     const bool can_be_soft = can_be_fixed || check.status == ERROR_PRESCRIBED_CELL_INVERTED;
+    if(can_be_soft && make_complex_parameterizable())
+      return true;
     if(!can_be_fixed && !(can_be_soft && m_options.mode != Boundary_mode::FIXED))
       return false;
 
@@ -145,7 +152,7 @@ private:
       return false;
     else
     {
-      if(!m_options.do_refine || m_run.is_exhausted(m_result)
+      if(!m_options.do_refine || m_run.is_exhausted()
          || m_number_of_refinements++ == maximal_number_of_refinements)
         return false;
       std::vector<std::pair<Vertex_handle, Vertex_handle> > edges;
@@ -201,6 +208,7 @@ private:
   Engine_run<Visitor> m_run;
   const Boundary_options<C3t3>& m_options;
   Parameterization_result m_result;
+  bool m_is_parameterizable = false;
   int m_number_of_refinements = 0;
 };
 

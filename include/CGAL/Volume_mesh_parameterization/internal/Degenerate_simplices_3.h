@@ -15,8 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Simplex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/exact_point_3.h>
 
-#include <CGAL/number_utils.h>
-
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
@@ -96,11 +94,6 @@ public:
   }
 
 private:
-  static bool is_finite_point(const Exact_point_3& p)
-  {
-    return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z());
-  }
-
   Prescribed_simplices_3<VertexHandle> m_is_prescribed;
   BoundaryMap m_target;
 };

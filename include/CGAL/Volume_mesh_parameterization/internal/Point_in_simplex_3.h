@@ -87,7 +87,7 @@ private:
     std::array<Exact_point_3, 4> points;
     for(int i = 0; i < 4; ++i)
       points[i] = (c->vertex(i) == v) ? p : point(c->vertex(i));
-    return CGAL::orientation(points[0], points[1], points[2], points[3]) == CGAL::POSITIVE;
+    return is_positive_cell(points);
   }
 
   const Tr& m_tr;

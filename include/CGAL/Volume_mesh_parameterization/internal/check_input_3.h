@@ -72,6 +72,28 @@ inline Input_check check_coordinates(const Numbered_mesh_3& mesh)
   return {};
 }
 
+// The volume of a cell is a product of three lengths, and energies have their fourth powers.
+template <typename Points>
+Input_check check_size(const Points& points, const char* name)
+{
+  constexpr double smallest = 1e-70, largest = 1e70;
+  const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
+    return {};
+  return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
+                      ", which is not between ", smallest, " and ", largest, ".");
+}
+
+inline Input_check check_source_size(const Numbered_mesh_3& mesh)
+{
+  return check_size(mesh.source, "source");
+}
+
+inline Input_check check_target_size(const Numbered_mesh_3& mesh)
+{
+  return check_size(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices), "prescribed points");
+}
+
 inline Input_check check_source_cells(const Numbered_mesh_3& mesh)
 {
   const Inverted_cells inverted = inverted_cells(mesh, mesh.source);
@@ -121,7 +143,7 @@ inline Input_check check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const auto check : { check_coordinates, check_source_cells, check_target_volume, check_prescribed_cells })
+  for(const auto check : { check_coordinates, check_source_size, check_target_size, check_source_cells, check_target_volume, check_prescribed_cells })
   {
     const Input_check result = check(mesh);
     if(result.status != OK)

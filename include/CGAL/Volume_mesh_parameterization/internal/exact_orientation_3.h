@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/exact_point_3.h>
 
 #include <Eigen/Dense>
 
@@ -28,13 +27,12 @@ namespace internal {
 // Is the cell positively oriented? Decided by exact predicates on the coordinates as they are.
 inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
 {
-  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
   const auto point = [&](const int i)
   {
     const auto column = positions.col(cell[i]);
-    return Point_3(column[0], column[1], column[2]);
+    return Exact_point_3(column[0], column[1], column[2]);
   };
-  return CGAL::orientation(point(0), point(1), point(2), point(3)) == CGAL::POSITIVE;
+  return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
 // The cells that fulfil a condition and are not positively oriented.
