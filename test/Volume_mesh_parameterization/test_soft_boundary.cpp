@@ -65,12 +65,13 @@ bool is_flip_free(const internal::Numbered_mesh_3& mesh, const Eigen::Matrix3Xd&
   return internal::inverted_cells(mesh, positions).number == 0;
 }
 
-// Runs until the end, and checks what holds after each step.
-void run(Engine& engine, const internal::Numbered_mesh_3& mesh)
+// Runs until the end, and checks what holds after each step. Returns whether there was a relaxation.
+bool run(Engine& engine, const internal::Numbered_mesh_3& mesh)
 {
   engine.start();
   REQUIRE(is_flip_free(mesh, engine.positions()));
   double weight_before = engine.weight();
+  bool has_relaxed = false;
   while(engine.is_running() && engine.last_step().iteration < 500)
   {
     const double energy_before = engine.last_step().energy;
@@ -82,8 +83,10 @@ void run(Engine& engine, const internal::Numbered_mesh_3& mesh)
     if(weight == weight_before && !was_relaxing && !engine.is_relaxing() && engine.last_step().step_length > 0)
       REQUIRE(engine.last_step().energy <= energy_before);
     weight_before = weight;
+    has_relaxed |= engine.is_relaxing();
   }
   REQUIRE(!engine.is_running());
+  return has_relaxed;
 }
 
 VMP::Soft_boundary_parameters without_snapping()
@@ -216,6 +219,17 @@ TEST_CASE("A twisted cube is reached from the aligned source")
   CHECK(engine.status() == VMP::OK);
   CHECK(engine.residual() <= parameters.residual_tolerance);
   CHECK(is_flip_free(mesh, engine.snapped_positions()));
+}
+
+TEST_CASE("Relaxation helps where the full Hessian is not positive definite")
+{
+  const internal::Numbered_mesh_3 mesh = ring(4);
+  VMP::Soft_boundary_parameters parameters = without_snapping();
+  parameters.use_full_hessian = true;
+  Solver solver;
+  Engine engine(mesh, stretch, solver, parameters);
+  CHECK(run(engine, mesh));
+  CHECK(engine.status() == VMP::OK);
 }
 
 TEST_CASE("The engine ends as soon as the boundary can be snapped")
