@@ -74,6 +74,14 @@ def read_comparison(filename):
     return rows
 
 
+def processor():
+    """Its name where the system tells it."""
+    cpuinfo = Path("/proc/cpuinfo")
+    lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.machine()
+
+
 def line(row):
     if row["exit_code"] != 0:
         return f"{row['model']:<24} {row['program']:<32} exit code {row['exit_code']}"
@@ -120,7 +128,7 @@ def main():
     exponents = fits(compared)
     for fit in exponents:
         print(f"{fit['program']:<32} {fit['quantity']:<18} ~ cells^{fit['exponent']:.2f}")
-    machine = {"processor": platform.processor() or platform.machine(), "system": platform.platform()}
+    machine = {"processor": processor(), "system": platform.platform()}
     write_json(arguments.prefix + ".json", {"machine": machine, "options": options, "runs": rows, "fits": exponents})
     plot(compared, exponents, arguments.prefix + ".svg")
 

@@ -40,7 +40,9 @@ def fits(rows):
 def panel(rows, exponents, quantity):
     """The part of the gnuplot script for one quantity."""
     script, curves = [], []
-    for i, (program, pairs) in enumerate(points(rows, quantity).items(), 1):
+    programs = sorted({row["program"] for row in rows})
+    for program, pairs in points(rows, quantity).items():
+        i = 1 + programs.index(program)   # a program looks the same in both panels
         block = f"${quantity}_{i}"
         script += [f"{block} << EOD", *(f"{cells} {value}" for cells, value in pairs), "EOD"]
         title = program.replace('"', "'")
@@ -54,9 +56,9 @@ def panel(rows, exponents, quantity):
 
 
 def plot(rows, exponents, filename):
-    script = ["set terminal svg size 1200,600 noenhanced background 'white'", f'set output "{filename}"',
+    script = ["set terminal svg size 1200,700 noenhanced background 'white'", f'set output "{filename}"',
               "set logscale xy", 'set format "%g"', 'set xlabel "cells"', "set grid",
-              "set key bottom right", "set multiplot layout 1,2"]
+              "set key outside below left reverse Left", "set multiplot layout 1,2"]
     for quantity in QUANTITIES:
         script += panel(rows, exponents, quantity)
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
