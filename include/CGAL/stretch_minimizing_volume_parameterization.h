@@ -113,7 +113,8 @@ predicates on the coordinates that are written.
     \cgalParamDefault{a constant property map returning `false`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the maximal number of Newton steps}
+    \cgalParamDescription{the maximal number of Newton steps of each stage: with fixed boundary, with soft boundary,
+                          and again after each refinement}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`1000`}
   \cgalParamNEnd

@@ -45,7 +45,8 @@ inline void print(const Parameterization_step& step)
             << "  seconds " << step.seconds << std::endl;
 }
 
-// Runs one engine after another within the same limits, and counts steps and seconds.
+// Runs one engine after another within the same limits, and counts steps and seconds. The number of
+// steps is limited for each engine, the time for all.
 template <typename Visitor>
 class Engine_run
 {
@@ -59,10 +60,8 @@ public:
   double seconds() const { return m_timer.time(); }
   bool is_interrupted() const { return m_is_interrupted; }
 
-  bool is_exhausted(const Parameterization_result& result) const
-  {
-    return result.number_of_iterations >= m_limits.number_of_iterations;
-  }
+  // Did the last engine reach the limit of steps?
+  bool is_exhausted() const { return m_is_exhausted; }
 
   // The solver loop. Returns how it ended.
   template <typename Engine>
@@ -70,7 +69,8 @@ public:
   {
     while(engine.is_running())
     {
-      if(is_exhausted(result))
+      m_is_exhausted = engine.last_step().iteration >= m_limits.number_of_iterations;
+      if(m_is_exhausted)
         return engine.is_flip_free() ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE;
       const double begin = seconds();
       m_is_interrupted = begin > m_limits.seconds;
@@ -104,6 +104,7 @@ private:
   Run_limits m_limits;
   Real_timer m_timer;
   bool m_is_interrupted = false;
+  bool m_is_exhausted = false;
 };
 
 } // namespace internal
