@@ -10,6 +10,8 @@
 #include <CGAL/Random.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
+#include <Eigen/Dense>
+
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -17,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -236,7 +237,7 @@ TEST_CASE("a cube is mapped to the ball with moderate distortion")
     smallest = (std::min)(smallest, ratio);
     largest = (std::max)(largest, ratio);
   }
-  CHECK(smallest > 0.4); // the central projection has 0.23 and 1.85
+  CHECK(smallest > 0.4); // the central projection has 0.46 and 1.76
   CHECK(largest < 1.3);
 }
 
@@ -366,6 +367,35 @@ TEST_CASE("boundaries that are no topological sphere are named")
   const C3t3 empty;
   Point_map image;
   CHECK(Ball().parameterize(empty, boost::make_assoc_property_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
+}
+
+TEST_CASE("the derivatives of the radial distortion agree with differences")
+{
+  const Eigen::Vector3d p(0, 0, 0), q(1, 0.2, 0), r(0.3, 0.9, 0.4), b(0.8, -0.1, 0.6), c(0.1, 0.7, 0.9);
+  const VMP::internal::Radial_distortion_3 distortion(p, q, r, 0.7, b, c);
+  const Eigen::Vector3d a(-0.1, -0.2, 1.1);
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  distortion.add_derivatives(a, gradient, hessian);
+
+  const double h = 1e-5;
+  for(int i = 0; i < 3; ++i)
+  {
+    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
+    CHECK((distortion.value(a + step) - distortion.value(a - step)) / (2 * h) == Approx(gradient[i]));
+    Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;
+    Eigen::Matrix3d unused = hessian;
+    distortion.add_derivatives(a - step, before, unused);
+    distortion.add_derivatives(a + step, after, unused);
+    for(int j = 0; j < 3; ++j)
+      CHECK((after[j] - before[j]) / (2 * h) == Approx(hessian(i, j)));
+  }
+
+  // an isometry of a triangle of area 0.005 at distance 1
+  const VMP::internal::Radial_distortion_3 isometry(p, 0.1 * Eigen::Vector3d::UnitX(), 0.1 * Eigen::Vector3d::UnitY(),
+                                                    1, Eigen::Vector3d(0.1, 0, 1), Eigen::Vector3d(0, 0.1, 1));
+  CHECK(isometry.value(Eigen::Vector3d::UnitZ()) == Approx(4 * 0.005).epsilon(1e-4));
+  CHECK(std::isinf(isometry.value(-Eigen::Vector3d::UnitZ())));
 }
 
 TEST_CASE("coarsening to a tetrahedron is undone exactly")
