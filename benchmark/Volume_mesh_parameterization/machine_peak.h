@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <ctime>
+#include <utility>
 
 // The processor time of this program in seconds: other programs on the machine do not count.
 inline double processor_seconds()
@@ -27,22 +28,17 @@ double shortest_seconds(const Function& f)
   return shortest;
 }
 
-// Fused multiplications and additions that do not wait for each other, in registers.
-template <int number_of_chains>
-double multiply_and_add(const int number_of_rounds)
+// Fused multiplications and additions that do not wait for each other. The chains are listed by the
+// template arguments 0, 1, ..., so that every compiler keeps them in registers.
+template <std::size_t... chain>
+double multiply_and_add(const int number_of_rounds, std::index_sequence<chain...>)
 {
   using Packet = Eigen::internal::packet_traits<double>::type;
-  const Packet factor = Eigen::internal::pset1<Packet>(0.5), summand = Eigen::internal::pset1<Packet>(1.);
-  Packet chains[number_of_chains];
-  for(int c = 0; c < number_of_chains; ++c)
-    chains[c] = Eigen::internal::pset1<Packet>(c);
+  const Packet factor = Eigen::internal::pset1<Packet>(0.5);
+  Packet sums[] = {Eigen::internal::pset1<Packet>(chain)...};
   for(int i = 0; i < number_of_rounds; ++i)
-    for(int c = 0; c < number_of_chains; ++c)
-      chains[c] = Eigen::internal::pmadd(chains[c], factor, summand);
-  double sum = 0;
-  for(int c = 0; c < number_of_chains; ++c)
-    sum += Eigen::internal::predux(chains[c]);
-  return sum;
+    ((sums[chain] = Eigen::internal::pmadd(factor, factor, sums[chain])), ...);
+  return (Eigen::internal::predux(sums[chain]) + ...);
 }
 
 // Operations per second of one thread.
@@ -50,9 +46,10 @@ inline double measure_peak_flops()
 {
   constexpr int packet_size = Eigen::internal::packet_traits<double>::size;
   constexpr int number_of_chains = 12; // more than latency times throughput; they fit into sixteen registers
+  using Chains = std::make_index_sequence<number_of_chains>;
   const int number_of_rounds = 10000000;
   volatile double sum = 0;
-  const double seconds = shortest_seconds([&] { sum = multiply_and_add<number_of_chains>(number_of_rounds); });
+  const double seconds = shortest_seconds([&] { sum = multiply_and_add(number_of_rounds, Chains()); });
   return 2. * packet_size * number_of_chains * number_of_rounds / seconds;
 }
 
