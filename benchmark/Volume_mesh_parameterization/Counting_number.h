@@ -72,7 +72,8 @@ struct NumTraits<Counting_number> : GenericNumTraits<Counting_number>
   using Nested = Counting_number;
   using Literal = Counting_number;
 
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 1, AddCost = 1, MulCost = 1 };
+  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1,
+         ReadCost = 1, AddCost = 1, MulCost = 1 };
 };
 
 } // namespace Eigen
