@@ -134,6 +134,18 @@ TEST_CASE("Scaling the diagonal changes the diagonal blocks only")
   CHECK(dense(A).norm() == 0);
 }
 
+TEMPLATE_LIST_TEST_CASE("A system without unknowns is solved", "", Solvers)
+{
+  const auto A = pattern<typename TestType::NT>(cube_mesh(1));
+  REQUIRE(A.size() == 0);
+  TestType solver;
+  solver.analyze_pattern(A);
+  CHECK(solver.factorize(A) == Linear_solver_status::SUCCESS);
+  VectorXd x;
+  CHECK(solver.solve(VectorXd(0), x, 1e-2) == Linear_solver_status::SUCCESS);
+  CHECK(x.size() == 0);
+}
+
 TEMPLATE_LIST_TEST_CASE("A positive definite system is solved, also with new values", "", Solvers)
 {
   using NT = typename TestType::NT;

@@ -74,6 +74,8 @@ public:
 
   Linear_solver_status factorize(const Matrix& A)
   {
+    if(A.size() == 0) // nothing to do, and CHOLMOD fails
+      return Linear_solver_status::SUCCESS;
     copy_values(A);
     if(m_factor == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;
@@ -92,6 +94,11 @@ public:
   /// solves A x = b; the tolerance is not needed
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double /* tolerance */)
   {
+    if(b.size() == 0)
+    {
+      x = b;
+      return Linear_solver_status::SUCCESS;
+    }
     cholmod_dense right = {};
     right.nrow = right.nzmax = right.d = static_cast<std::size_t>(b.size());
     right.ncol = 1;
