@@ -53,6 +53,7 @@ public:
 
   bool run()
   {
+    sort_edges_by_distance();
     Random random(0);
     for(int attempt = 0; attempt < 100; ++attempt)
     {
@@ -69,6 +70,18 @@ public:
   const std::vector<int>& path(const std::size_t i) const { return m_paths[i]; }
 
 private:
+  void sort_edges_by_distance()
+  {
+    const auto squared_distance = [&](const Cube_edge_3& edge)
+    {
+      return (m_points[m_corners[edge.corner]] - m_points[m_corners[edge.other_corner()]]).squaredNorm();
+    };
+    std::stable_sort(m_edges.begin(), m_edges.end(), [&](const Cube_edge_3& a, const Cube_edge_3& b)
+    {
+      return squared_distance(a) < squared_distance(b);
+    });
+  }
+
   bool route_all()
   {
     put_spanning_tree_first();
