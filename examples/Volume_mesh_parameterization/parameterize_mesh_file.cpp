@@ -1,18 +1,11 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes.
 #include "JSON_object.h"
+#include "Named_energy_3.h"
 #include "Output_file.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
@@ -66,20 +59,6 @@ using Result = VMP::Parameterization_result;
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
-
-// Calls `f` with the energy of that name, plus a barrier if it has none.
-template <typename F>
-void with_energy(const std::string& name, const F& f)
-{
-  if(name == "stretch") return f(VMP::Stretch_energy_3());
-  if(name == "dirichlet") return f(VMP::Barrier_energy_3<VMP::Dirichlet_energy_3>());
-  if(name == "arap") return f(VMP::Barrier_energy_3<VMP::ARAP_energy_3>());
-  if(name == "lscm") return f(VMP::Barrier_energy_3<VMP::LSCM_energy_3>());
-  if(name == "lpm") return f(VMP::Barrier_energy_3<VMP::LPM_energy_3>());
-  if(name == "mips") return f(VMP::MIPS_energy_3());
-  if(name == "symmetric_dirichlet") return f(VMP::Symmetric_Dirichlet_energy_3());
-  throw std::runtime_error("there is no energy '" + name + "'");
-}
 
 // Calls `f` with the linear solver of that name.
 template <typename F>
@@ -233,20 +212,17 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
 
   Result result;
   Progress progress{!options.is_quiet && isatty(STDERR_FILENO) != 0};
-  with_energy(options.energy, [&](const auto& energy)
+  with_solver(options.solver, [&](const auto& solver)
   {
-    with_solver(options.solver, [&](const auto& solver)
-    {
-      result = CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
-        problem.c3t3, Point_map{&problem.indices, &uvw},
-        params::boundary_map(Point_map{&problem.indices, &problem.targets})
-          .boundary_mode(boundary_mode(options.boundary))
-          .do_refine(options.do_refine)
-          .energy(energy)
-          .solver_traits(solver)
-          .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-          .visitor(progress));
-    });
+    result = CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
+      problem.c3t3, Point_map{&problem.indices, &uvw},
+      params::boundary_map(Point_map{&problem.indices, &problem.targets})
+        .boundary_mode(boundary_mode(options.boundary))
+        .do_refine(options.do_refine)
+        .energy(Named_energy_3(options.energy))
+        .solver_traits(solver)
+        .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
+        .visitor(progress));
   });
   progress.finish();
   if(result.number_of_added_vertices > 0 && result.has_valid_map)
@@ -384,7 +360,7 @@ bool parse(int argc, char* argv[], Options& options)
 // Finds faults in the options before anything expensive is done.
 void check(const Options& options)
 {
-  with_energy(options.energy, [](const auto&) {});
+  Named_energy_3{options.energy};
   with_solver(options.solver, [](const auto&) {});
   boundary_mode(options.boundary);
   if(options.number_of_threads < 1 || options.number_of_iterations < 0)
