@@ -44,6 +44,7 @@ class Fixed_boundary_engine_3
 public:
   Fixed_boundary_engine_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver)
     : m_energy(energy),
+      m_prescribed(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices)),
       m_scale(scale(mesh)),
       m_u(m_scale * mesh.target),
       m_newton(mesh, inverse_sources(mesh),
@@ -101,7 +102,12 @@ public:
   std::size_t number_of_inverted_cells_at_start() const { return m_inverted_cells_at_start; }
 
   // The images of all vertices; those of the prescribed ones are bitwise what was given.
-  Eigen::Matrix3Xd positions() const { return m_u / m_scale; }
+  Eigen::Matrix3Xd positions() const
+  {
+    Eigen::Matrix3Xd result = m_u / m_scale;
+    result.rightCols(m_prescribed.cols()) = m_prescribed; // scaling may have lost bits of denormal numbers
+    return result;
+  }
 
 private:
   static constexpr double theta = 0.01;
@@ -154,6 +160,7 @@ private:
   }
 
   const Energy& m_energy;
+  Eigen::Matrix3Xd m_prescribed;
   double m_scale;
   Eigen::Matrix3Xd m_u;
   Newton m_newton;

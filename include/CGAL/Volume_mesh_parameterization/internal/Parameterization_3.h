@@ -90,7 +90,7 @@ public:
     if(m_result.has_valid_map)
     {
       m_result.boundary_residual = boundary_residual();
-      if(m_result.boundary_residual > 0 && m_result.status != ERROR_INTERRUPTED)
+      if(!meets_boundary() && m_result.status != ERROR_INTERRUPTED)
         m_result.status = ERROR_BOUNDARY_NOT_REACHED;
       const Distortion_of_map_3 distortion = distortion_of_map_3(m_mesh, m_positions, m_energy);
       m_result.distortion = distortion.as_it_is;
@@ -133,6 +133,13 @@ private:
       for(auto& term : constraint.terms)
         term.vertex = number[term.vertex];
     return constraints;
+  }
+
+  // The residual may be zero by underflow.
+  bool meets_boundary() const
+  {
+    const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
+    return m_positions.rightCols(n) == m_mesh.target.rightCols(n);
   }
 
   // The largest distance of a prescribed vertex to its target, relative to the diagonal of the

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -105,6 +106,16 @@ inline Input_check check_source_cells(const Numbered_mesh_3& mesh)
 }
 
 // Each connected component of the target must have a positive volume, which depends on its boundary only.
+// The inverse of the edge matrix of a cell is needed.
+inline Input_check check_source_determinants(const Numbered_mesh_3& mesh)
+{
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if(!(edge_matrix(mesh.source, mesh.cells[c]).determinant() > 0))
+      return failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", c,
+                          " of the source is so flat that its volume is positive in exact arithmetic only.");
+  return {};
+}
+
 inline Input_check check_target_volume(const Numbered_mesh_3& mesh)
 {
   std::vector<int> rank(mesh.number_of_vertices()), parent(mesh.number_of_vertices());
@@ -143,7 +154,8 @@ inline Input_check check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const auto check : { check_coordinates, check_source_size, check_target_size, check_source_cells, check_target_volume, check_prescribed_cells })
+  for(const auto check : { check_coordinates, check_source_size, check_target_size,
+                           check_source_cells, check_source_determinants, check_target_volume, check_prescribed_cells })
   {
     const Input_check result = check(mesh);
     if(result.status != OK)
