@@ -3,27 +3,20 @@
 //
 // Usage: fuzz_parameterization [NUMBER_OF_INPUTS [SEED]]
 // Input i is made from the seed SEED + i only, so a failure can be repeated by itself.
+#include "Any_energy_3.h"
+#include "complex_checks.h"
 #include "fuzz_inputs.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
-#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Lp_stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -32,20 +25,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
-#include <variant>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
@@ -58,50 +49,6 @@ using Cell_handle = C3t3::Cell_handle;
 using Vertex_set = std::unordered_set<Vertex_handle>;
 using Point_map = std::unordered_map<Vertex_handle, Point_3>;
 using CG = VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>;
-
-// Any of the energies, so that the parameterization is compiled once for all of them.
-class Any_energy_3
-{
-public:
-  static constexpr bool has_barrier = false;
-
-  explicit Any_energy_3(Random& random)
-  {
-    const std::vector<Energies> all = {
-      VMP::Stretch_energy_3(), VMP::Dirichlet_energy_3(), VMP::ARAP_energy_3(), VMP::LSCM_energy_3(), VMP::LPM_energy_3(),
-      VMP::MIPS_energy_3(), VMP::Symmetric_Dirichlet_energy_3(), VMP::Lp_stretch_energy_3(),
-      VMP::Barrier_energy_3<VMP::ARAP_energy_3>(), VMP::Power_energy_3<VMP::MIPS_energy_3>(),
-      VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>(3) };
-    m_energy = all[random.one_in(2) ? 0 : random.below(all.size())];
-  }
-
-  template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return std::visit([&](const auto& energy) -> T { return energy.value(s); }, m_energy);
-  }
-
-  template <typename T>
-  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return std::visit([&](const auto& energy) -> Eigen::Matrix<T, 3, 1> { return energy.gradient(s); }, m_energy);
-  }
-
-  template <typename T>
-  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return std::visit([&](const auto& energy) -> Eigen::Matrix<T, 3, 3> { return energy.hessian(s); }, m_energy);
-  }
-
-private:
-  using Energies = std::variant<
-    VMP::Stretch_energy_3, VMP::Dirichlet_energy_3, VMP::ARAP_energy_3, VMP::LSCM_energy_3, VMP::LPM_energy_3,
-    VMP::MIPS_energy_3, VMP::Symmetric_Dirichlet_energy_3, VMP::Lp_stretch_energy_3,
-    VMP::Barrier_energy_3<VMP::ARAP_energy_3>, VMP::Power_energy_3<VMP::MIPS_energy_3>,
-    VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3> >;
-
-  Energies m_energy;
-};
 
 // Ends the computation after a number of steps.
 struct Visitor
@@ -148,87 +95,12 @@ void expect(const bool condition, const char* promise)
     throw std::logic_error(std::string("broken promise: ") + promise);
 }
 
-bool is_finite(const Point_3& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
-bool has_same_bits(const Point_3& p, const Point_3& q)
-{
-  for(int i = 0; i < 3; ++i)
-    if(p[i] != q[i] || std::signbit(p[i]) != std::signbit(q[i]))
-      return false;
-  return true;
-}
-
-// Are all cells positive, by exact predicates on the points that `point` tells?
-template <typename Function>
-bool has_positive_cells(const C3t3& c3t3, const Function& point)
-{
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-  {
-    std::array<Point_3, 4> p;
-    for(int i = 0; i < 4; ++i)
-    {
-      p[i] = point(c->vertex(i));
-      if(!is_finite(p[i]))
-        return false;
-    }
-    if(CGAL::orientation(p[0], p[1], p[2], p[3]) != CGAL::POSITIVE)
-      return false;
-  }
-  return true;
-}
-
-bool has_positive_cells(const C3t3& c3t3)
-{
-  return has_positive_cells(c3t3, [](const Vertex_handle v) { return v->point(); });
-}
-
-// Do cells know their neighbors, and vertices their cells?
-bool is_consistent(const Tr& tr)
-{
-  for(const Cell_handle c : tr.all_cell_handles())
-    for(int i = 0; i < 4; ++i)
-    {
-      const Cell_handle n = c->neighbor(i);
-      if(n == Cell_handle() || n->neighbor(n->index(c)) != c || n->has_vertex(c->vertex(i)))
-        return false;
-      for(int j = 1; j < 4; ++j)
-        if(!n->has_vertex(c->vertex((i + j) % 4)))
-          return false;
-    }
-  for(const Vertex_handle v : tr.finite_vertex_handles())
-    if(!v->cell()->has_vertex(v))
-      return false;
-  return true;
-}
-
-Vertex_set vertices_of_cells(const C3t3& c3t3)
-{
-  Vertex_set result;
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    for(int i = 0; i < 4; ++i)
-      result.insert(c->vertex(i));
-  return result;
-}
-
-Vertex_set boundary_vertices(const C3t3& c3t3)
-{
-  Vertex_set result;
-  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
-    for(int i = 0; i < 4; ++i)
-      for(int j = 1; j < 4 && !c3t3.is_in_complex(c->neighbor(i)); ++j)
-        result.insert(c->vertex((i + j) % 4));
-  return result;
-}
-
 // All arguments of a call.
 class Problem
 {
 public:
   Problem(const VMP::Tetrahedron_soup_3& soup, Random& random)
-    : m_energy(random)
+    : m_energy(random.one_in(2) ? 0 : random.below(VMP::Any_energy_3::number_of_energies))
   {
     std::vector<Vertex_handle> vertices;
     std::vector<Cell_handle> cells;
@@ -328,7 +200,9 @@ private:
 
   void check_limits(const VMP::Parameterization_result& result) const
   {
-    expect(result.number_of_iterations <= m_number_of_iterations, "the number of iterations is respected");
+    // three stages, and one more after each refinement
+    const std::size_t number_of_stages = m_do_refine ? 23 : 3;
+    expect(result.number_of_iterations <= number_of_stages * m_number_of_iterations, "the number of iterations is respected");
     expect(m_visitor.number_of_steps == result.number_of_iterations, "the visitor is told of each step");
     expect(m_visitor.number_of_steps <= m_visitor.limit, "the visitor ends the computation");
     expect(!result.message.empty(), "there is a message");
@@ -369,7 +243,7 @@ private:
 
   C3t3 m_c3t3;
   std::vector<Vertex_handle> m_vertices;
-  Any_energy_3 m_energy;
+  VMP::Any_energy_3 m_energy;
   Point_map m_targets, m_images;
   Vertex_set m_constrained;
   std::vector<VMP::Linear_constraint_3<Vertex_handle> > m_constraints;
