@@ -128,13 +128,13 @@ template <typename NamedParameters>
 Parameterization_result parameterize(Complex& complex, const NamedParameters& np)
 {
   complex.uvw.clear();
-  return CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+  return CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map(),
                                                           np.boundary_map(complex.boundary_map()));
 }
 
 Parameterization_result parameterize(Complex& complex)
 {
-  return CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+  return CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map(),
                                                           params::boundary_map(complex.boundary_map()));
 }
 
@@ -350,7 +350,7 @@ TEST_CASE("Named parameters combine in any order")
     visitor.steps.clear();
     const Captured_output output;
     const Parameterization_result result
-      = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), np);
+      = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), np); // not constant
     CHECK(result.status == VMP::OK);
     CHECK(visitor.steps.size() == result.number_of_iterations);
     CHECK(!output.text().empty());
@@ -382,7 +382,7 @@ TEST_CASE("A tag chooses the threads and not the result")
   const Point_map expected = complex.uvw;
   complex.uvw.clear();
   CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(
-    complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()));
+    std::as_const(complex.c3t3), complex.uvw_map(), params::boundary_map(complex.boundary_map()));
   CHECK(complex.uvw == expected);
 }
 
@@ -399,7 +399,7 @@ TEST_CASE("Property maps need no more than their concepts demand")
 
   const auto target = [&](const Vertex_handle v) -> Point_3 { return complex.target.at(v); };
   CGAL::stretch_minimizing_volume_parameterization(
-    complex.c3t3, Write_only_map{&uvw},
+    std::as_const(complex.c3t3), Write_only_map{&uvw},
     params::boundary_map(boost::make_function_property_map<Vertex_handle>(target)));
   CHECK(uvw == expected);
 }

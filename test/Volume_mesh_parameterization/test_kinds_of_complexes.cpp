@@ -33,7 +33,7 @@ namespace {
 template <typename Complex>
 Parameterization_result parameterize(Complex& complex)
 {
-  return CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+  return CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map(),
                                                           params::boundary_map(complex.boundary_map()));
 }
 
@@ -203,7 +203,7 @@ TEST_CASE("A ball meshed by Mesh_3")
   };
   std::unordered_map<Vertex_handle, Point_3> uvw;
   const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, boost::make_assoc_property_map(uvw),
+    std::as_const(c3t3), boost::make_assoc_property_map(uvw),
     params::boundary_map(boost::make_function_property_map<Vertex_handle>(bend)));
   CHECK(result.status == VMP::OK);
   CHECK(result.number_of_cells == c3t3.number_of_cells_in_complex());
