@@ -51,8 +51,8 @@ public:
   ///
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
-  ///         `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of
-  ///         floating-point numbers were met
+  ///         `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding
+  ///         spoilt the map
   ///
   /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
   template <typename C3t3, typename VertexPointMap>

@@ -78,7 +78,7 @@ public:
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
   ///         `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, or
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if the limits of floating-point numbers were met
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {

@@ -58,7 +58,7 @@ inline Eigen::Matrix3d rotation_between(const std::vector<Eigen::Vector3d>& imag
 // the third axis of a box with corner (a, b, c) is 4 atan(a b / c), and so on.
 inline Eigen::Vector3d corner_on_sphere(const Eigen::Vector3d& half_lengths)
 {
-  const Eigen::Vector3d areas = half_lengths.prod() * half_lengths.cwiseInverse();
+  const Eigen::Vector3d areas = half_lengths.minCoeff() * half_lengths.cwiseInverse();
   Eigen::Vector3d corner;
   for(int axis = 0; axis < 3; ++axis)
   {
