@@ -38,8 +38,8 @@ enum Error_code
   ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary of the complex is not a manifold
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
-  ERROR_BOUNDARY_TOO_COARSE,         ///< the edges of the boundary do not suffice for disjoint paths between the corners
-  ERROR_BOUNDARY_MAP_NOT_BIJECTIVE   ///< the map of the boundary is not one to one, by the limits of floating-point numbers
+  ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has no disjoint paths along edges between the corners
+  ERROR_BOUNDARY_MAP_NOT_BIJECTIVE   ///< rounding made the map of the boundary not one to one
 };
 
 /*!
@@ -83,9 +83,9 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
       return "The boundary of the complex has handles; it must be a topological sphere.";
     case ERROR_BOUNDARY_TOO_COARSE:
-      return "The edges of the boundary do not suffice for disjoint paths between the corners; refine the boundary or choose other corners.";
+      return "The boundary has no disjoint paths along edges between the corners; refine it or choose other corners.";
     case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE:
-      return "The map of the boundary is not one to one, by the limits of floating-point numbers.";
+      return "Rounding made the map of the boundary not one to one.";
   }
   return "Unknown error code.";
 }
