@@ -106,11 +106,17 @@ inline Input_check check_source_cells(const Numbered_mesh_3& mesh)
 }
 
 // Each connected component of the target must have a positive volume, which depends on its boundary only.
-// The inverse of the edge matrix of a cell is needed.
+// The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
+inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
+{
+  const Eigen::Matrix3d inverse = edges.inverse();
+  return edges.determinant() > 0 && inverse.allFinite() && inverse.determinant() > 0;
+}
+
 inline Input_check check_source_determinants(const Numbered_mesh_3& mesh)
 {
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(!(edge_matrix(mesh.source, mesh.cells[c]).determinant() > 0))
+    if(!has_positive_inverse(edge_matrix(mesh.source, mesh.cells[c])))
       return failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", c,
                           " of the source is so flat that its volume is positive in exact arithmetic only.");
   return {};
