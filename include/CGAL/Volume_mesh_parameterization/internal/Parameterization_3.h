@@ -70,7 +70,7 @@ public:
     Soft_engine engine(m_mesh, m_energy, m_solver, parameters, renumbered(constraints));
     engine.start();
     run(engine, begin);
-    if(constraints.empty() && engine.can_snap() && !m_run.is_interrupted())
+    if(engine.can_snap() && !m_run.is_interrupted())
     {
       const double begin_of_fixed = m_run.seconds();
       Fixed_engine fixed(m_mesh, m_energy, m_solver);

@@ -105,7 +105,6 @@ inline Input_check check_source_cells(const Numbered_mesh_3& mesh)
                       " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6, ".");
 }
 
-// Each connected component of the target must have a positive volume, which depends on its boundary only.
 // The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
 inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
 {
@@ -122,6 +121,7 @@ inline Input_check check_source_determinants(const Numbered_mesh_3& mesh)
   return {};
 }
 
+// Each connected component of the target must have a positive volume, which depends on its boundary only.
 inline Input_check check_target_volume(const Numbered_mesh_3& mesh)
 {
   std::vector<int> rank(mesh.number_of_vertices()), parent(mesh.number_of_vertices());
