@@ -275,7 +275,7 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
 
   const auto sentence = [&folder](const std::string& files)
   {
-    CHECK(folder.run(files + " --quiet --output map.mesh --report report.json") == 2);
+    CHECK(folder.run(files + " --quiet --boundary fixed --output map.mesh --report report.json") == 2);
     CHECK(!fs::exists(folder.path("map.mesh")));
     CHECK(folder.text("stdout") == "");
     const std::string report = folder.text("report.json");
@@ -343,7 +343,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   CHECK(folder.text("stdout").find("--max-iterations") != std::string::npos);
 }
 
-TEST_CASE("No map without inverted cells: exit code 3, a report and no output")
+TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may be missed, 0 with refinement")
 {
   const Folder folder;
   const std::size_t length = 6;
@@ -357,11 +357,26 @@ TEST_CASE("No map without inverted cells: exit code 3, a report and no output")
   }
   folder.write("source.mesh", source);
   folder.write("target.mesh", target);
-  CHECK(folder.run("source.mesh target.mesh --quiet --output map.mesh --report report.json") == 3);
+  const std::string command = "source.mesh target.mesh --quiet --output map.mesh --report report.json --boundary ";
+  CHECK(folder.run(command + "fixed") == 3);
   CHECK(folder.text("stderr") != "");
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "report.json"});
   CHECK(keys(folder.text("report.json")) == report_keys);
   CHECK(number(folder.text("report.json"), "inverted_cells") > 0);
+
+  // a valid map that misses the boundary
+  CHECK(folder.run(command + "auto") == 1);
+  CHECK(folder.names() == Names{"map.mesh", "report.json", "source.mesh", "target.mesh"});
+  CHECK(number(folder.text("report.json"), "inverted_cells") == 0);
+  CHECK(number(folder.text("report.json"), "boundary_residual") > 0);
+
+  // edges are split where the boundary could not be reached
+  CHECK(folder.run(command + "auto --refine --refined-source refined.mesh") == 0);
+  CHECK(number(folder.text("report.json"), "added_vertices") > 0);
+  const Soup refined = folder.soup("refined.mesh");
+  CHECK(refined.points.size() == folder.soup("map.mesh").points.size());
+  CHECK(refined.points.size() > source.points.size());
+  CHECK(std::equal(source.points.begin(), source.points.end(), refined.points.begin()));
 }
 
 TEST_CASE("The report never replaces what is not a regular file")
