@@ -22,7 +22,6 @@
 
 #include <Eigen/Dense>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -123,11 +122,7 @@ private:
   std::vector<Eigen::Matrix3d> inverse_sources(const Numbered_mesh_3& mesh) const
   {
     const double ratio = std::cbrt(volume(mesh.source, mesh.cells) / volume(mesh.target, mesh.cells)) / m_scale;
-    std::vector<Eigen::Matrix3d> result;
-    result.reserve(mesh.cells.size());
-    for(const std::array<int, 4>& cell : mesh.cells)
-      result.push_back(edge_matrix(mesh.source, cell).inverse() * ratio);
-    return result;
+    return scaled_inverse_sources(mesh, ratio);
   }
 
   void start_untangling()

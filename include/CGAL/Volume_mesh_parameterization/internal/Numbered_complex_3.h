@@ -54,7 +54,6 @@ public:
     copy_points(c3t3, target);
   }
 
-  Numbered_mesh_3& mesh() { return m_mesh; }
   const Numbered_mesh_3& mesh() const { return m_mesh; }
   const std::vector<Vertex_handle>& vertices() const { return m_vertices; }
   std::size_t number_of_boundary_vertices() const { return m_number_of_boundary_vertices; }

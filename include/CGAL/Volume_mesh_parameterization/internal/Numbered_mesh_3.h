@@ -44,6 +44,16 @@ Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>
   return edges;
 }
 
+// The inverse edge matrices X^{-1} of the cells in the source, times a factor.
+inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
+{
+  std::vector<Eigen::Matrix3d> result;
+  result.reserve(mesh.cells.size());
+  for(const std::array<int, 4>& cell : mesh.cells)
+    result.push_back(edge_matrix(mesh.source, cell).inverse() * factor);
+  return result;
+}
+
 template <typename Positions>
 double volume(const Positions& positions, const std::vector<std::array<int, 4> >& cells)
 {

@@ -26,7 +26,6 @@
 
 #include <Eigen/Dense>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -153,11 +152,7 @@ private:
   std::vector<Eigen::Matrix3d> inverse_sources() const
   {
     const double ratio = std::cbrt(volume(m_mesh.source, m_mesh.cells)) / (m_scale * m_length);
-    std::vector<Eigen::Matrix3d> result;
-    result.reserve(m_mesh.cells.size());
-    for(const std::array<int, 4>& cell : m_mesh.cells)
-      result.push_back(edge_matrix(m_mesh.source, cell).inverse() * ratio);
-    return result;
+    return scaled_inverse_sources(m_mesh, ratio);
   }
 
   // of the bounding box of the source, where that has volume 1
