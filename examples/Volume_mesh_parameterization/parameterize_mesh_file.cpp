@@ -83,7 +83,7 @@ struct Options
 {
   std::string source, target, output, refined_source, report, energy, solver, boundary;
   int number_of_threads, number_of_iterations;
-  bool do_refine, is_quiet;
+  bool do_refine, do_slide, is_quiet;
 };
 
 // The mesh in the order of the file, and the same mesh as a complex.
@@ -219,6 +219,7 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
       params::boundary_map(Point_map{&problem.indices, &problem.targets})
         .boundary_mode(boundary_mode(options.boundary))
         .do_refine(options.do_refine)
+        .do_slide_boundary(options.do_slide)
         .energy(Named_energy_3(options.energy))
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
@@ -289,6 +290,7 @@ void write_report(const std::string& filename, const Result& result, Exit_code c
           .add("cells", result.number_of_cells)
           .add("boundary_vertices", result.number_of_boundary_vertices)
           .add("added_vertices", result.number_of_added_vertices)
+          .add("sliding_vertices", result.number_of_sliding_vertices)
           .add("inverted_cells", result.number_of_inverted_cells)
           .add("boundary_residual", result.boundary_residual)
           .add("iterations", result.number_of_iterations)
@@ -324,6 +326,7 @@ bool parse(int argc, char* argv[], Options& options)
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
      "auto, fixed or soft: may the boundary be missed?")
     ("refine", po::bool_switch(&options.do_refine), "split edges where the boundary cannot be reached otherwise")
+    ("slide", po::bool_switch(&options.do_slide), "let boundary vertices move in planes and along edges of the target")
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "stretch, dirichlet, arap, lscm, lpm, mips or symmetric_dirichlet")
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"), "cg or cholmod")

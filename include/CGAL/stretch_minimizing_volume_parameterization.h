@@ -71,7 +71,7 @@ predicates on the coordinates that are written.
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target.
-                    Prescribed vertices receive exactly the points given.}
+                    Prescribed vertices receive exactly the points given, unless they slide or the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{energy}
     \cgalParamDescription{the energy whose mean over the cells is minimized}
@@ -97,6 +97,21 @@ predicates on the coordinates that are written.
     \cgalParamDefault{`false`}
     \cgalParamPrecondition{`c3t3` is not constant if the value is `true`}
   \cgalParamNEnd
+  \cgalParamNBegin{do_slide_boundary}
+    \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
+                          the targets describe is planar. From the map with the boundary at its targets on, the energy
+                          is minimized further: a vertex whose facets are coplanar moves in their plane, one
+                          whose facets lie in two planes along their common line, and every other one stays. So the
+                          images of planar patches, of the edges between them and of the complex remain the same,
+                          and remain one to one.}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A patch
+                    is planar if its vertices are in its plane up to 1e-7 times the diagonal of the bounding box;
+                    they move parallel to the plane. In planes orthogonal to an axis, that coordinate keeps its bits.
+                    Vertices that `vertex_is_constrained_map` tells stay at their targets, also on the
+                    boundary. Nothing slides if the boundary is missed.}
+  \cgalParamNEnd
   \cgalParamNBegin{soft_boundary_parameters}
     \cgalParamDescription{the parameters of the map with soft boundary}
     \cgalParamType{`Volume_mesh_parameterization::Soft_boundary_parameters`}
@@ -108,7 +123,8 @@ predicates on the coordinates that are written.
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{tells the vertices inside the complex that `boundary_map` prescribes as well}
+    \cgalParamDescription{tells the vertices inside the complex that `boundary_map` prescribes as well,
+                          and those of the boundary that must not slide}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
   \cgalParamNEnd
@@ -190,7 +206,8 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), VMP::Soft_boundary_parameters()),
     choose_parameter(get_parameter(np, internal_np::positional_constraints),
                      std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
-    choose_parameter(get_parameter(np, internal_np::do_refine), false)
+    choose_parameter(get_parameter(np, internal_np::do_refine), false),
+    choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false)
   };
   CGAL_precondition_msg(!(options.do_refine && std::is_const<C3t3>::value), "A constant complex cannot be refined.");
 

@@ -37,12 +37,15 @@ struct Parameterization_result
   std::size_t number_of_cells = 0;
   std::size_t number_of_boundary_vertices = 0;
   std::size_t number_of_added_vertices = 0;    ///< by refinement
+  std::size_t number_of_sliding_vertices = 0;  ///< on the boundary, if `do_slide_boundary(true)` was passed
 
   std::size_t number_of_infeasibility_proofs = 0; ///< exact proofs that no map with this connectivity meets this boundary
 
   std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map
   std::size_t number_of_inverted_cells = 0;          ///< of the result, by exact predicates on its coordinates
-  double boundary_residual = 0; ///< largest distance to the prescribed points, relative to the diagonal of their bounding box
+  /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
+  /// that slide, to the plane or line through their point, where rounding counts as 0
+  double boundary_residual = 0;
 
   std::size_t number_of_iterations = 0;            ///< Newton steps
   std::size_t number_of_untangling_iterations = 0; ///< those of them that untangled

@@ -50,6 +50,7 @@ struct Boundary_options
   Soft_boundary_parameters soft;
   std::vector<Linear_constraint_3<typename C3t3::Vertex_handle> > constraints;
   bool do_refine; // only if C3t3 is not const
+  bool do_slide;
 };
 
 // From a complex to the images of its vertices: numbers it, checks the input, tries the stages that
@@ -123,6 +124,9 @@ private:
     }
     if(needs_soft)
       stages.run_with_soft_boundary(m_options.soft, numbered_constraints(complex));
+
+    if(m_options.do_slide && !m_run.is_interrupted())
+      stages.slide([&](const std::size_t v) { return get(m_is_constrained, complex.vertices()[v]); });
 
     stages.evaluate();
     const std::string reason = m_result.status == OK || m_result.message.empty() ? "" : " " + m_result.message;

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton_method_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Sliding_directions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Untangler_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/harmonic_map_3.h>
 
@@ -32,7 +33,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // The map with fixed boundary, one Newton step at a time:
-// harmonic start, untangling until no cell is inverted, minimization of the energy.
+// harmonic start, untangling until no cell is inverted, minimization of the energy. In the last stage,
+// vertices may slide in given directions.
 template <typename Energy, typename Solver, typename ConcurrencyTag>
 class Fixed_boundary_engine_3
 {
@@ -41,13 +43,14 @@ class Fixed_boundary_engine_3
   using Minimizer = Minimizer_3<Newton, Energy, ConcurrencyTag>;
 
 public:
-  Fixed_boundary_engine_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver)
+  Fixed_boundary_engine_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver,
+                          const Sliding_directions_3* const directions = nullptr)
     : m_energy(energy),
       m_prescribed(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices)),
       m_scale(scale(mesh)),
       m_u(m_scale * mesh.target),
       m_newton(mesh, inverse_sources(mesh),
-               std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())), solver)
+               std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())), solver, nullptr, directions)
   {}
 
   // Starts from the harmonic map.
@@ -63,6 +66,13 @@ public:
   {
     m_u = m_scale * positions;
     start_untangling();
+  }
+
+  // Only minimizes the energy, from the given images, which must not invert a cell.
+  void start_minimization(const Eigen::Matrix3Xd& positions)
+  {
+    m_u = m_scale * positions;
+    enter(Phase::MINIMIZATION);
   }
 
   // One Newton step; to be called while is_running().

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Sliding_directions_3.h>
 
 #include <Eigen/Dense>
 
@@ -30,8 +31,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // The parts of which untangling and minimization are made: a Newton direction and a line search
-// for any energy, on one mesh, plus an optional quadratic penalty. The pattern of the Hessian is set,
-// and analyzed, once.
+// for any energy, on one mesh, plus an optional quadratic penalty, with vertices that are free or that
+// slide in given directions. The pattern of the Hessian is set, and analyzed, once.
 template <typename ConcurrencyTag, typename Solver>
 class Newton_method_3
 {
@@ -42,8 +43,10 @@ public:
                   const std::vector<Eigen::Matrix3d>& inverse_sources,
                   const std::vector<double>& weights,
                   Solver& solver,
-                  const Quadratic_penalty_3* const penalty = nullptr)
+                  const Quadratic_penalty_3* const penalty = nullptr,
+                  const Sliding_directions_3* const directions = nullptr)
     : m_penalty(penalty),
+      m_directions(directions),
       m_hessian(pattern(mesh)),
       m_packs(mesh, inverse_sources, weights, m_hessian),
       m_energy_sum(m_packs),
@@ -71,6 +74,8 @@ public:
     m_energy_sum.compute_gradient(energy, u, result);
     if(m_penalty != nullptr)
       m_penalty->add_gradient(u, result);
+    if(m_directions != nullptr)
+      m_directions->project(result);
     return result;
   }
 
@@ -84,6 +89,11 @@ public:
     {
       m_penalty->add_gradient(u, m_gradient);
       m_penalty->add_hessian(m_hessian);
+    }
+    if(m_directions != nullptr)
+    {
+      m_directions->project(m_gradient);
+      m_directions->project(m_hessian);
     }
     Linear_solver_status status = solve(tolerance);
     // a semi-definite matrix may fail to be definite by rounding
@@ -175,12 +185,15 @@ private:
     if(status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED)
     {
       m_direction.leftCols(m_gradient.cols()) = Eigen::Map<const Positions>(solution.data(), 3, m_gradient.cols());
+      if(m_directions != nullptr)
+        m_directions->project(m_direction);
       m_slope = gradient.dot(solution);
     }
     return status;
   }
 
   const Quadratic_penalty_3* m_penalty;
+  const Sliding_directions_3* m_directions;
   Block_sparse_matrix_3<NT> m_hessian;
   Cell_packs_3 m_packs;
   Energy_sum_3<ConcurrencyTag> m_energy_sum;

@@ -18,6 +18,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Fixed_boundary_engine_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Sliding_boundary_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Sliding_directions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/distortion_of_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
@@ -27,7 +29,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iostream>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -58,6 +60,7 @@ public:
     const double begin = m_run.seconds();
     Fixed_engine engine(m_mesh, m_energy, m_solver);
     engine.start();
+    m_result.seconds_to_flip_free = m_run.seconds();
     m_result.number_of_inverted_cells_at_start = engine.number_of_inverted_cells_at_start();
     run(engine, begin);
   }
@@ -69,6 +72,7 @@ public:
     const double begin = m_run.seconds();
     Soft_engine engine(m_mesh, m_energy, m_solver, parameters, renumbered(constraints));
     engine.start();
+    m_result.seconds_to_flip_free = m_run.seconds();
     run(engine, begin);
     if(engine.can_snap() && !m_run.is_interrupted())
     {
@@ -77,6 +81,30 @@ public:
       fixed.start(engine.snapped_positions());
       run(fixed, begin_of_fixed);
     }
+  }
+
+  // Lets the vertices of planar patches of the boundary slide, but for those that are constrained. This
+  // begins at the map found so far, so that the energy falls, if that is flip-free and meets the boundary.
+  template <typename Predicate>
+  void slide(const Predicate& is_constrained)
+  {
+    if(!is_flip_free() || !meets_boundary())
+      return;
+    const double begin = m_run.seconds();
+    m_sliding.emplace(m_mesh, [&](const int v) { return is_constrained(m_order[v]); });
+    m_result.number_of_sliding_vertices = m_sliding->number_of_sliding_vertices();
+    if(m_result.number_of_sliding_vertices == 0)
+      return;
+
+    const std::vector<std::size_t> order = m_sliding->order();
+    Numbered_mesh_3 mesh = reordered(m_mesh, order);
+    mesh.number_of_free_vertices += static_cast<int>(m_result.number_of_sliding_vertices);
+    const Sliding_directions_3 directions = m_sliding->directions(order);
+    Fixed_engine engine(mesh, m_energy, m_solver, &directions);
+    engine.start_minimization(reordered(m_positions, order));
+    run(engine, begin);
+    m_positions = in_original_order(m_positions, order);
+    m_sliding->restore(m_positions);
   }
 
   bool is_flip_free() const { return inverted_cells(m_mesh, m_positions).number == 0; }
@@ -103,13 +131,7 @@ public:
   }
 
   // The images of the vertices, in the order of the mesh that was given.
-  Positions positions() const
-  {
-    Positions result(3, m_positions.cols());
-    for(std::size_t i = 0; i < m_order.size(); ++i)
-      result.col(m_order[i]) = m_positions.col(i);
-    return result;
-  }
+  Positions positions() const { return in_original_order(m_positions, m_order); }
 
 private:
   using Fixed_engine = Fixed_boundary_engine_3<Energy, Solver, ConcurrencyTag>;
@@ -118,7 +140,6 @@ private:
   template <typename Engine>
   void run(Engine& engine, const double begin)
   {
-    m_result.seconds_to_flip_free = m_run.seconds();
     m_result.seconds_start += m_run.seconds() - begin;
     m_result.status = m_run.run(engine, m_result);
     m_positions = engine.positions();
@@ -135,21 +156,25 @@ private:
     return constraints;
   }
 
-  // The residual may be zero by underflow.
   bool meets_boundary() const
   {
+    if(m_sliding)
+      return m_sliding->residual(m_positions) == 0 && m_sliding->has_same_orientations(m_positions);
+    // the residual may be zero by underflow
     const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
     return m_positions.rightCols(n) == m_mesh.target.rightCols(n);
   }
 
-  // The largest distance of a prescribed vertex to its target, relative to the diagonal of the
-  // bounding box of the targets.
+  // The largest distance of a prescribed vertex to its target, or to where it may slide, relative to the
+  // diagonal of the bounding box of the targets.
   double boundary_residual() const
   {
     const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
     const auto targets = m_mesh.target.rightCols(n);
     const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
-    return (m_positions.rightCols(n) - targets).colwise().norm().maxCoeff() / diagonal;
+    const double distance = m_sliding ? m_sliding->residual(m_positions)
+                                      : (m_positions.rightCols(n) - targets).colwise().norm().maxCoeff();
+    return distance / diagonal;
   }
 
   std::vector<std::size_t> m_order;
@@ -159,6 +184,7 @@ private:
   Engine_run<Visitor>& m_run;
   Parameterization_result& m_result;
   Positions m_positions;
+  std::optional<Sliding_boundary_3> m_sliding; // once vertices may slide
 };
 
 } // namespace internal

@@ -47,17 +47,31 @@ inline std::vector<std::size_t> spatial_order_3(const Numbered_mesh_3& mesh)
   return order;
 }
 
+// The columns in the given order, and back.
+inline Eigen::Matrix3Xd reordered(const Eigen::Matrix3Xd& columns, const std::vector<std::size_t>& order)
+{
+  Eigen::Matrix3Xd result(3, columns.cols());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    result.col(i) = columns.col(order[i]);
+  return result;
+}
+
+inline Eigen::Matrix3Xd in_original_order(const Eigen::Matrix3Xd& columns, const std::vector<std::size_t>& order)
+{
+  Eigen::Matrix3Xd result(3, columns.cols());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    result.col(order[i]) = columns.col(i);
+  return result;
+}
+
 // The mesh with its vertices in the given order, and its cells by their first vertex.
 inline Numbered_mesh_3 reordered(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& order)
 {
   std::vector<int> number(order.size());
-  Numbered_mesh_3 result = mesh;
   for(std::size_t i = 0; i < order.size(); ++i)
-  {
     number[order[i]] = static_cast<int>(i);
-    result.source.col(i) = mesh.source.col(order[i]);
-    result.target.col(i) = mesh.target.col(order[i]);
-  }
+  Numbered_mesh_3 result = { reordered(mesh.source, order), reordered(mesh.target, order), mesh.cells,
+                             mesh.number_of_free_vertices };
   for(std::array<int, 4>& cell : result.cells)
     for(int& v : cell)
       v = number[v];
