@@ -35,6 +35,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -83,7 +84,8 @@ struct Options
 {
   std::string source, target, output, refined_source, report, energy, solver, boundary;
   int number_of_threads, number_of_iterations;
-  bool do_refine, do_slide, is_quiet;
+  double maximal_angle_distortion;
+  bool do_refine, do_slide, use_volume_weights, is_quiet;
 };
 
 // The mesh in the order of the file, and the same mesh as a complex.
@@ -221,6 +223,8 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
         .do_refine(options.do_refine)
         .do_slide_boundary(options.do_slide)
         .energy(Named_energy_3(options.energy))
+        .use_volume_weights(options.use_volume_weights)
+        .maximal_angle_distortion(options.maximal_angle_distortion)
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(progress));
@@ -329,6 +333,10 @@ bool parse(int argc, char* argv[], Options& options)
     ("slide", po::bool_switch(&options.do_slide), "let boundary vertices move in planes and along edges of the target")
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "stretch, dirichlet, arap, lscm, lpm, mips or symmetric_dirichlet")
+    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
+    ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
+       ->default_value(std::numeric_limits<double>::infinity(), "none"),
+     "bring the distortion of angles of every cell below K, if that is possible")
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"), "cg or cholmod")
     ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1), "number of threads")
     ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
@@ -368,6 +376,8 @@ void check(const Options& options)
   boundary_mode(options.boundary);
   if(options.number_of_threads < 1 || options.number_of_iterations < 0)
     throw std::runtime_error("the number of threads or of iterations is too small");
+  if(!(options.maximal_angle_distortion > 2))
+    throw std::runtime_error("the distortion of angles cannot be below 2");
 #ifndef CGAL_LINKED_WITH_TBB
   if(options.number_of_threads > 1)
     throw std::runtime_error("this program was built without TBB, it has only one thread");

@@ -78,6 +78,23 @@ predicates on the coordinates that are written.
     \cgalParamType{a model of `DistortionEnergy_3`}
     \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
   \cgalParamNEnd
+  \cgalParamNBegin{use_volume_weights}
+    \cgalParamDescription{whether a cell counts by its volume in the source, as in the mean distortions of
+                          `Volume_mesh_parameterization::Distortion_3`; otherwise all cells count alike, as in the paper}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximal_angle_distortion}
+    \cgalParamDescription{a bound below which the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of
+                          every cell is brought}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no bound}
+    \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further if
+                    a cell exceeds the bound, with a weight that grows until none does. Whether this succeeded is
+                    told by the status, what was reached by `Parameterization_result::distortion`. Prescribed
+                    facets may force more than the bound; then the message says so. Ignored if the boundary is missed.}
+    \cgalParamPrecondition{The value is larger than 2.}
+  \cgalParamNEnd
   \cgalParamNBegin{solver_traits}
     \cgalParamDescription{the solver for the linear system of a Newton step}
     \cgalParamType{a model of `NewtonSolverTraits_3`, passed by `std::ref()` if it keeps a state of interest}
@@ -99,11 +116,11 @@ predicates on the coordinates that are written.
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
-                          the targets describe is planar. From the map with the boundary at its targets on, the energy
-                          is minimized further: a vertex whose facets are coplanar moves in their plane, one
-                          whose facets lie in two planes along their common line, and every other one stays. So the
-                          images of planar patches, of the edges between them and of the complex remain the same,
-                          and remain one to one.}
+                          the targets describe is planar. As soon as a map with the boundary at its targets inverts
+                          no cell, a vertex whose facets are coplanar moves in their plane, one whose facets
+                          lie in two planes along their common line, and every other one stays. So the images of
+                          planar patches, of the edges between them and of the complex remain the same, and
+                          remain one to one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A patch
@@ -201,19 +218,26 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     choose_parameter(get_parameter(np, internal_np::verbose), false)
   };
 
-  const VMP::internal::Boundary_options<C3t3> options = {
+  constexpr bool has_angle_bound
+    = !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value;
+  using Options = VMP::internal::Parameterization_options<C3t3, has_angle_bound>;
+  const Options options = {
     choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO),
     choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), VMP::Soft_boundary_parameters()),
     choose_parameter(get_parameter(np, internal_np::positional_constraints),
                      std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
     choose_parameter(get_parameter(np, internal_np::do_refine), false),
-    choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false)
+    choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false),
+    choose_parameter(get_parameter(np, internal_np::use_volume_weights), false),
+    static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
+                                         (std::numeric_limits<double>::infinity)()))
   };
+  CGAL_precondition_msg(options.maximal_angle_distortion > 2, "The distortion of angles is 2 or more.");
   CGAL_precondition_msg(!(options.do_refine && std::is_const<C3t3>::value), "A constant complex cannot be refined.");
 
   return VMP::internal::Complex_parameterization_3<
     ConcurrencyTag, C3t3, Energy, std::remove_reference_t<Solver>, std::remove_reference_t<Visitor>,
-    std::remove_const_t<decltype(is_constrained)>, std::remove_const_t<decltype(boundary_map)> >(
+    std::remove_const_t<decltype(is_constrained)>, std::remove_const_t<decltype(boundary_map)>, Options>(
       c3t3, is_constrained, boundary_map, energy, solver, visitor, limits, options).run(uvw_map);
 }
 

@@ -25,6 +25,7 @@ enum Error_code
   OK = 0,                        ///< the map has no inverted cell, meets the boundary exactly, and is a minimizer
   ERROR_NOT_CONVERGED,           ///< the map is valid, but the number of iterations did not suffice to minimize the energy
   ERROR_INTERRUPTED,             ///< the visitor or the time limit ended the computation
+  ERROR_ANGLE_BOUND_NOT_REACHED, ///< the map is valid, but the distortion of angles exceeds the bound in some cell
   ERROR_BOUNDARY_NOT_REACHED,    ///< the map has no inverted cell, but does not meet the boundary
   ERROR_NOT_FLIP_FREE,           ///< no map without inverted cells was found
   ERROR_LINEAR_SOLVER_FAILED,    ///< the linear solver failed
@@ -39,7 +40,8 @@ enum Error_code
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
   ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has no disjoint paths along edges between the corners
-  ERROR_BOUNDARY_MAP_NOT_BIJECTIVE   ///< rounding made the map of the boundary not one to one
+  ERROR_BOUNDARY_MAP_NOT_BIJECTIVE,  ///< rounding made the map of the boundary not one to one
+  ERROR_NO_POLYCUBE                  ///< no polycube was found whose faces have the directions of the labels
 };
 
 /*!
@@ -56,6 +58,8 @@ inline const char* get_error_message(const Error_code code)
       return "The map is valid, but the maximal number of iterations was reached before the energy was minimal.";
     case ERROR_INTERRUPTED:
       return "The visitor or the time limit ended the computation.";
+    case ERROR_ANGLE_BOUND_NOT_REACHED:
+      return "The map is valid, but the distortion of angles is not below the bound in every cell.";
     case ERROR_BOUNDARY_NOT_REACHED:
       return "The map has no inverted cell, but it does not meet the boundary.";
     case ERROR_NOT_FLIP_FREE:
@@ -86,6 +90,8 @@ inline const char* get_error_message(const Error_code code)
       return "The boundary has no disjoint paths along edges between the corners; refine it or choose other corners.";
     case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE:
       return "Rounding made the map of the boundary not one to one.";
+    case ERROR_NO_POLYCUBE:
+      return "No polycube was found whose faces have the directions that the facets of the boundary are labelled with.";
   }
   return "Unknown error code.";
 }

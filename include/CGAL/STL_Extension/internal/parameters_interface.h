@@ -22,9 +22,11 @@ CGAL_add_named_parameter(boundary_map_t, boundary_map, boundary_map)
 CGAL_add_named_parameter(boundary_mode_t, boundary_mode, boundary_mode)
 CGAL_add_named_parameter(do_refine_t, do_refine, do_refine)
 CGAL_add_named_parameter(do_slide_boundary_t, do_slide_boundary, do_slide_boundary)
+CGAL_add_named_parameter(maximal_angle_distortion_t, maximal_angle_distortion, maximal_angle_distortion)
 CGAL_add_named_parameter(positional_constraints_t, positional_constraints, positional_constraints)
 CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, soft_boundary_parameters)
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
+CGAL_add_named_parameter(use_volume_weights_t, use_volume_weights, use_volume_weights)
 
 // Comes last: since CGAL 6 the original undefines CGAL_add_named_parameter.
 #include_next <CGAL/STL_Extension/internal/parameters_interface.h>

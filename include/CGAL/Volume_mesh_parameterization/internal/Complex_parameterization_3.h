@@ -42,27 +42,31 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// How the boundary is to be met.
-template <typename C3t3>
-struct Boundary_options
+// What is asked for beyond a minimizer: how the boundary is to be met, and perhaps a bound.
+template <typename C3t3, bool HasAngleBound>
+struct Parameterization_options
 {
+  static constexpr bool has_angle_bound = HasAngleBound; // needs a further energy, which takes time to compile
+
   Boundary_mode mode;
   Soft_boundary_parameters soft;
   std::vector<Linear_constraint_3<typename C3t3::Vertex_handle> > constraints;
   bool do_refine; // only if C3t3 is not const
   bool do_slide;
+  bool use_volume_weights;
+  double maximal_angle_distortion; // if there is a bound
 };
 
 // From a complex to the images of its vertices: numbers it, checks the input, tries the stages that
 // are allowed, and refines the complex between two attempts.
 template <typename ConcurrencyTag, typename C3t3, typename Energy, typename Solver, typename Visitor,
-          typename VertexIsConstrainedMap, typename BoundaryMap>
+          typename VertexIsConstrainedMap, typename BoundaryMap, typename Options>
 class Complex_parameterization_3
 {
 public:
   Complex_parameterization_3(C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target,
                              const Energy& energy, Solver& solver, Visitor& visitor, const Run_limits& limits,
-                             const Boundary_options<C3t3>& options)
+                             const Options& options)
     : m_c3t3(c3t3), m_is_constrained(is_constrained), m_target(target),
       m_energy(energy), m_solver(solver), m_run(visitor, limits), m_options(options)
   {}
@@ -109,7 +113,9 @@ private:
     if(!can_be_fixed && !(can_be_soft && m_options.mode != Boundary_mode::FIXED))
       return false;
 
-    Stages stages(complex.mesh(), m_energy, m_solver, m_run, m_result);
+    Numbered_mesh_3 mesh = complex.mesh();
+    mesh.has_volume_weights = m_options.use_volume_weights;
+    Stages stages(mesh, m_energy, m_solver, m_run, m_options.do_slide, m_result);
     bool needs_soft = m_options.mode != Boundary_mode::FIXED;
     if(can_be_fixed && m_options.mode != Boundary_mode::SOFT)
     {
@@ -127,6 +133,10 @@ private:
 
     if(m_options.do_slide && !m_run.is_interrupted())
       stages.slide([&](const std::size_t v) { return get(m_is_constrained, complex.vertices()[v]); });
+
+    if constexpr(Options::has_angle_bound)
+      if(!m_run.is_interrupted())
+        stages.bound_angle_distortion(m_options.maximal_angle_distortion);
 
     stages.evaluate();
     const std::string reason = m_result.status == OK || m_result.message.empty() ? "" : " " + m_result.message;
@@ -210,7 +220,7 @@ private:
   const Energy& m_energy;
   Solver& m_solver;
   Engine_run<Visitor> m_run;
-  const Boundary_options<C3t3>& m_options;
+  const Options& m_options;
   Parameterization_result m_result;
   bool m_is_parameterizable = false;
   int m_number_of_refinements = 0;

@@ -49,8 +49,7 @@ public:
       m_prescribed(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices)),
       m_scale(scale(mesh)),
       m_u(m_scale * mesh.target),
-      m_newton(mesh, inverse_sources(mesh),
-               std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())), solver, nullptr, directions)
+      m_newton(mesh, inverse_sources(mesh), cell_weights(mesh), solver, nullptr, directions)
   {}
 
   // Starts from the harmonic map.
@@ -75,6 +74,14 @@ public:
     enter(Phase::MINIMIZATION);
   }
 
+  // Leaves the minimization to another engine; to be called after start().
+  void end_when_flip_free()
+  {
+    m_minimizes = false;
+    if(is_flip_free())
+      end(OK);
+  }
+
   // One Newton step; to be called while is_running().
   void step()
   {
@@ -85,7 +92,11 @@ public:
       const Step_status status = m_untangler->step();
       report(*m_untangler);
       if(status == Step_status::DONE)
+      {
         enter(Phase::MINIMIZATION);
+        if(!m_minimizes)
+          end(OK);
+      }
       else if(status == Step_status::STUCK)
         end(ERROR_NOT_FLIP_FREE);
       else if(status == Step_status::SOLVER_FAILED)
@@ -175,6 +186,7 @@ private:
   Phase m_phase = Phase::START;
   Error_code m_status = ERROR_NOT_CONVERGED;
   bool m_is_running = true;
+  bool m_minimizes = true;
   std::size_t m_inverted_cells_at_start = 0;
 };
 

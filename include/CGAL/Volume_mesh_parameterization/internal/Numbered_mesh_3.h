@@ -29,6 +29,7 @@ struct Numbered_mesh_3
   Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
+  bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
@@ -61,6 +62,19 @@ double volume(const Positions& positions, const std::vector<std::array<int, 4> >
   for(const std::array<int, 4>& cell : cells)
     sum += edge_matrix(positions, cell).determinant() / 6;
   return sum;
+}
+
+// How much each cell counts; the sum is 1.
+inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
+{
+  std::vector<double> result(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size()));
+  if(mesh.has_volume_weights)
+  {
+    const double total = volume(mesh.source, mesh.cells);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      result[c] = edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / total;
+  }
+  return result;
 }
 
 } // namespace internal

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
@@ -24,10 +25,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/distortion_of_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/unavoidable_angle_distortion_3.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -44,13 +47,15 @@ public:
   using Positions = Eigen::Matrix3Xd;
   using Constraints = std::vector<Linear_constraint_3<int> >;
 
+  // With `do_slide`, the boundary does not stay fixed while the energy is minimized: see slide().
   Parameterization_3(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver,
-                     Engine_run<Visitor>& run, Parameterization_result& result)
+                     Engine_run<Visitor>& run, const bool do_slide, Parameterization_result& result)
     : m_order(spatial_order_3(mesh)),
       m_mesh(reordered(mesh, m_order)),
       m_energy(energy),
       m_solver(solver),
       m_run(run),
+      m_do_slide(do_slide),
       m_result(result)
   {}
 
@@ -62,6 +67,8 @@ public:
     engine.start();
     m_result.seconds_to_flip_free = m_run.seconds();
     m_result.number_of_inverted_cells_at_start = engine.number_of_inverted_cells_at_start();
+    if(m_do_slide)
+      engine.end_when_flip_free();
     run(engine, begin);
   }
 
@@ -79,12 +86,14 @@ public:
       const double begin_of_fixed = m_run.seconds();
       Fixed_engine fixed(m_mesh, m_energy, m_solver);
       fixed.start(engine.snapped_positions());
+      if(m_do_slide)
+        fixed.end_when_flip_free();
       run(fixed, begin_of_fixed);
     }
   }
 
-  // Lets the vertices of planar patches of the boundary slide, but for those that are constrained. This
-  // begins at the map found so far, so that the energy falls, if that is flip-free and meets the boundary.
+  // Minimizes the energy while vertices of planar patches of the boundary slide, but for those that are
+  // constrained. Nothing is done unless the map found so far is flip-free and meets the boundary.
   template <typename Predicate>
   void slide(const Predicate& is_constrained)
   {
@@ -93,18 +102,29 @@ public:
     const double begin = m_run.seconds();
     m_sliding.emplace(m_mesh, [&](const int v) { return is_constrained(m_order[v]); });
     m_result.number_of_sliding_vertices = m_sliding->number_of_sliding_vertices();
-    if(m_result.number_of_sliding_vertices == 0)
-      return;
+    minimize_further(m_energy, begin);
+  }
 
-    const std::vector<std::size_t> order = m_sliding->order();
-    Numbered_mesh_3 mesh = reordered(m_mesh, order);
-    mesh.number_of_free_vertices += static_cast<int>(m_result.number_of_sliding_vertices);
-    const Sliding_directions_3 directions = m_sliding->directions(order);
-    Fixed_engine engine(mesh, m_energy, m_solver, &directions);
-    engine.start_minimization(reordered(m_positions, order));
-    run(engine, begin);
-    m_positions = in_original_order(m_positions, order);
-    m_sliding->restore(m_positions);
+  // Brings the distortion of angles of every cell below a bound, by a barrier whose weight grows until it holds
+  // against the energy. Does so if the map found so far is flip-free and meets the boundary.
+  void bound_angle_distortion(const double bound)
+  {
+    double reached = is_flip_free() ? largest_angle_distortion() : 0;
+    if(reached < bound || !meets_boundary())
+      return;
+    const double unavoidable = m_sliding ? 0 : unavoidable_angle_distortion_3(m_mesh);
+    const double largest_weight = unavoidable < bound ? 1e4 : 1;
+    const double ratio = (bound + std::sqrt(bound * bound - 4)) / 2;
+    for(double weight = 1; !(reached < bound) && weight <= largest_weight && !m_run.is_interrupted(); weight *= 10)
+    {
+      minimize_further(Bounded_angle_energy_3<Energy>(ratio, m_energy, weight), m_run.seconds());
+      reached = largest_angle_distortion();
+    }
+    if(!(reached < bound) && !m_run.is_interrupted())
+    {
+      m_result.status = ERROR_ANGLE_BOUND_NOT_REACHED;
+      m_result.message = describe_angle_distortion(reached, unavoidable);
+    }
   }
 
   bool is_flip_free() const { return inverted_cells(m_mesh, m_positions).number == 0; }
@@ -145,6 +165,34 @@ private:
     m_positions = engine.positions();
   }
 
+  // Minimizes an energy from the map found so far. Vertices that slide go on doing so.
+  template <typename Other_energy>
+  void minimize_further(const Other_energy& energy, const double begin)
+  {
+    using Engine = Fixed_boundary_engine_3<Other_energy, Solver, ConcurrencyTag>;
+    if(!m_sliding)
+    {
+      Engine engine(m_mesh, energy, m_solver);
+      engine.start_minimization(m_positions);
+      run(engine, begin);
+      return;
+    }
+    const std::vector<std::size_t> order = m_sliding->order();
+    Numbered_mesh_3 mesh = reordered(m_mesh, order);
+    mesh.number_of_free_vertices += static_cast<int>(m_result.number_of_sliding_vertices);
+    const Sliding_directions_3 directions = m_sliding->directions(order);
+    Engine engine(mesh, energy, m_solver, &directions);
+    engine.start_minimization(reordered(m_positions, order));
+    run(engine, begin);
+    m_positions = in_original_order(m_positions, order);
+    m_sliding->restore(m_positions);
+  }
+
+  double largest_angle_distortion() const
+  {
+    return distortion_of_map_3(m_mesh, m_positions, m_energy).as_it_is.angle_max;
+  }
+
   Constraints renumbered(Constraints constraints) const
   {
     std::vector<int> number(m_order.size());
@@ -182,6 +230,7 @@ private:
   const Energy& m_energy;
   Solver& m_solver;
   Engine_run<Visitor>& m_run;
+  bool m_do_slide;
   Parameterization_result& m_result;
   Positions m_positions;
   std::optional<Sliding_boundary_3> m_sliding; // once vertices may slide

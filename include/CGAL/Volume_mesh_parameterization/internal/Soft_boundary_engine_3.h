@@ -58,8 +58,7 @@ public:
       m_length(std::cbrt(volume(snapped(m_start), mesh.cells))),
       m_scale(std::exp2(-std::round(std::log2(m_length)))),
       m_penalty(scaled(constraints), penalty_factor(parameters.weight)),
-      m_newton(with_free_vertices(mesh), inverse_sources(), std::vector<double>(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size())),
-               solver, &m_penalty)
+      m_newton(with_free_vertices(mesh), inverse_sources(), cell_weights(mesh), solver, &m_penalty)
   {}
 
   // Computes the start.

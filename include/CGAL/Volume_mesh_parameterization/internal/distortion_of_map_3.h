@@ -54,17 +54,18 @@ Distortion_of_map_3 distortion_of_map_3(const Numbered_mesh_3& mesh, const Eigen
   const double source_volume = volume(mesh.source, mesh.cells);
   const double scale = std::cbrt(source_volume / volume(image, mesh.cells));
   Distortion_of_map_3 result;
-  for(const std::array<int, 4>& cell : mesh.cells)
+  const std::vector<double> weights = cell_weights(mesh);
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
+    const std::array<int, 4>& cell = mesh.cells[c];
     const Eigen::Matrix3d X = edge_matrix(mesh.source, cell);
     const Eigen::Matrix3d J = edge_matrix(image, cell) * X.inverse();
     const Eigen::Vector3d s = signed_singular_values_3<double>(J).s;
     const double cell_volume = X.determinant() / 6 / source_volume;
     add_cell(result.as_it_is, cell_volume, s);
     add_cell(result.at_source_volume, cell_volume, scale * s);
-    result.energy += energy.value(Eigen::Vector3d(scale * s));
+    result.energy += weights[c] * energy.value(Eigen::Vector3d(scale * s));
   }
-  result.energy /= static_cast<double>(mesh.cells.size());
   return result;
 }
 

@@ -71,7 +71,7 @@ inline Numbered_mesh_3 reordered(const Numbered_mesh_3& mesh, const std::vector<
   for(std::size_t i = 0; i < order.size(); ++i)
     number[order[i]] = static_cast<int>(i);
   Numbered_mesh_3 result = { reordered(mesh.source, order), reordered(mesh.target, order), mesh.cells,
-                             mesh.number_of_free_vertices };
+                             mesh.number_of_free_vertices, mesh.has_volume_weights };
   for(std::array<int, 4>& cell : result.cells)
     for(int& v : cell)
       v = number[v];

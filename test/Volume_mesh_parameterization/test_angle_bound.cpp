@@ -1,0 +1,146 @@
+// The bound for the distortion of angles, and the weights of cells.
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/unavoidable_angle_distortion_3.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Eigen::Matrix3d;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using VMP::internal::Numbered_mesh_3;
+using VMP::internal::edge_matrix;
+
+namespace {
+
+struct Map
+{
+  VMP::Parameterization_result result;
+  Matrix3Xd positions;
+};
+
+// The map with fixed boundary and, if it is finite, the bound.
+Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_limits<double>::infinity())
+{
+  const VMP::Stretch_energy_3 energy;
+  VMP::Conjugate_gradient_solver_traits_3<> solver;
+  VMP::Default_visitor visitor;
+  VMP::internal::Engine_run<VMP::Default_visitor> run(visitor, { 1000, 1e10, false });
+  Map map;
+  VMP::internal::Parameterization_3<CGAL::Sequential_tag, VMP::Stretch_energy_3,
+                                    VMP::Conjugate_gradient_solver_traits_3<>, VMP::Default_visitor>
+    stages(mesh, energy, solver, run, false, map.result);
+  stages.run_with_fixed_boundary();
+  stages.bound_angle_distortion(bound);
+  stages.evaluate();
+  map.positions = stages.positions();
+  return map;
+}
+
+Vector3d singular_values(const Numbered_mesh_3& mesh, const Matrix3Xd& image, const std::array<int, 4>& cell)
+{
+  const Matrix3d J = edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse();
+  return Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+}
+
+double largest_angle_distortion(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
+{
+  double result = 0;
+  for(const std::array<int, 4>& cell : mesh.cells)
+  {
+    const Vector3d s = singular_values(mesh, image, cell);
+    result = (std::max)(result, s[0] / s[2] + s[2] / s[0]);
+  }
+  return result;
+}
+
+// Without the cells in the corners, whose vertices are all on the boundary.
+Numbered_mesh_3 twisted_cube_with_inner_corners()
+{
+  return mapped_cube(6, 0.1, [](const Vector3d& p) -> Vector3d
+  {
+    const Vector3d center = Vector3d::Constant(3.);
+    return center + Eigen::AngleAxisd(0.5 * p[2] / 6, Vector3d::UnitZ()) * (p - center).cwiseProduct(Vector3d(1, 1, 4));
+  });
+}
+
+} // namespace
+
+TEST_CASE("A bound below the largest distortion of angles is met, with the boundary unchanged")
+{
+  const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
+  const Map free = parameterize(mesh);
+  REQUIRE(free.result.status == VMP::OK);
+  const double unavoidable = VMP::internal::unavoidable_angle_distortion_3(mesh);
+  const double reached = largest_angle_distortion(mesh, free.positions);
+  REQUIRE(unavoidable < reached);
+
+  const double bound = 0.3 * unavoidable + 0.7 * reached;
+  const Map bounded = parameterize(mesh, bound);
+  CHECK(bounded.result.status == VMP::OK);
+  CHECK(largest_angle_distortion(mesh, bounded.positions) < bound);
+  CHECK(bounded.result.number_of_inverted_cells == 0);
+  CHECK(bounded.result.boundary_residual == 0);
+  CHECK(bounded.result.energy > free.result.energy);
+}
+
+TEST_CASE("A bound that is met anyway changes nothing")
+{
+  const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
+  CHECK(parameterize(mesh, 1e6).positions == parameterize(mesh).positions);
+}
+
+TEST_CASE("A bound below what the boundary forces is reported, with a valid map")
+{
+  const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
+  const Map map = parameterize(mesh, 2.5);
+  CHECK(map.result.status == VMP::ERROR_ANGLE_BOUND_NOT_REACHED);
+  CHECK(map.result.has_valid_map);
+  CHECK(map.result.message.find("The prescribed vertices alone force") != std::string::npos);
+}
+
+TEST_CASE("The unavoidable distortion of angles is that of the worst prescribed facet")
+{
+  // one interior vertex; the facets in the planes z = 0 and z = 2 are stretched by 5 in one direction
+  const Numbered_mesh_3 mesh = mapped_cube(2, 0, [](const Vector3d& p) { return Vector3d(5 * p[0], p[1], p[2]); });
+  CHECK(VMP::internal::unavoidable_angle_distortion_3(mesh) == Approx(5 + 1. / 5));
+}
+
+TEST_CASE("Volume weights minimize the mean over the volume")
+{
+  Numbered_mesh_3 mesh = twisted_cube(4, 0);
+  mesh.source.row(0) = mesh.source.row(0).array().square(); // cells of different sizes
+  const auto mean_stretch = [&](const Matrix3Xd& image)
+  {
+    double sum = 0, total = 0;
+    for(const std::array<int, 4>& cell : mesh.cells)
+    {
+      const double volume = edge_matrix(mesh.source, cell).determinant();
+      sum += volume * singular_values(mesh, image, cell).cwiseInverse().squaredNorm();
+      total += volume;
+    }
+    return sum / total;
+  };
+
+  const Map uniform = parameterize(mesh);
+  mesh.has_volume_weights = true;
+  const Map weighted = parameterize(mesh);
+  REQUIRE(weighted.result.status == VMP::OK);
+  CHECK(mean_stretch(weighted.positions) < 0.999 * mean_stretch(uniform.positions));
+}
