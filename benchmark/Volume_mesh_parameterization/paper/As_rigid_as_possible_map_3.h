@@ -1,0 +1,59 @@
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_AS_RIGID_AS_POSSIBLE_MAP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_AS_RIGID_AS_POSSIBLE_MAP_3_H
+
+#include "Jacobian_system_3.h"
+
+#include <CGAL/Volume_mesh_parameterization/internal/Signed_singular_values_3.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+// The map with fixed boundary whose Jacobians are nearest to rotations, after Chao et al., A Simple
+// Geometric Model for Elastic Deformations (TOG 2010): starts from the harmonic map, and takes the nearest
+// rotations and the nearest map by turns. Nothing forbids inverted cells.
+class As_rigid_as_possible_map_3
+{
+public:
+  explicit As_rigid_as_possible_map_3(const Jacobian_system_3::Mesh& mesh)
+    : m_mesh(mesh), m_system(mesh), m_u(m_system.fit(Eigen::Matrix3Xd::Zero(3, 3 * mesh.cells.size())))
+  {}
+
+  const Eigen::Matrix3Xd& positions() const { return m_u; }
+  double energy() const { return m_energy; }
+  bool is_running() const { return m_is_running; }
+
+  void step()
+  {
+    constexpr double tolerance = 1e-6;
+    const Eigen::Matrix3Xd jacobians = m_system.jacobians(m_u);
+    const Eigen::Matrix3Xd rotations = nearest_rotations(jacobians);
+    const double energy = (jacobians - rotations).squaredNorm();
+    m_is_running = !(std::abs(m_energy - energy) < tolerance * energy);
+    m_energy = energy;
+    m_u = m_system.fit(rotations);
+  }
+
+private:
+  Eigen::Matrix3Xd nearest_rotations(const Eigen::Matrix3Xd& jacobians) const
+  {
+    namespace internal = CGAL::Volume_mesh_parameterization::internal;
+    Eigen::Matrix3Xd result(3, jacobians.cols());
+    for(std::size_t t = 0; t < m_mesh.cells.size(); ++t)
+    {
+      const Eigen::Index column = 3 * static_cast<Eigen::Index>(t);
+      const auto J = internal::signed_singular_values_3<double>(Eigen::Matrix3d(jacobians.middleCols<3>(column)));
+      const double weight = std::sqrt(internal::edge_matrix(m_mesh.source, m_mesh.cells[t]).determinant() / 6);
+      result.middleCols<3>(column) = weight * J.R * J.Q.transpose();
+    }
+    return result;
+  }
+
+  const Jacobian_system_3::Mesh& m_mesh;
+  Jacobian_system_3 m_system;
+  Eigen::Matrix3Xd m_u;
+  double m_energy = 0;
+  bool m_is_running = true;
+};
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_AS_RIGID_AS_POSSIBLE_MAP_3_H

@@ -1,0 +1,99 @@
+// Runs a method that the paper compares with:
+//   run_baseline METHOD SOURCE.mesh TARGET NAME [K]
+// METHOD is dirichlet, arap (both of them without a barrier), injective (locally injective mapping of the
+// ARAP energy) or bounded (bounded distortion mapping with the bound K). Writes the map NAME.mesh, and
+// NAME.csv with a row for each step.
+#include "As_rigid_as_possible_map_3.h"
+#include "Bounded_distortion_map_3.h"
+#include "Jacobian_system_3.h"
+#include "Locally_injective_map_3.h"
+#include "Map_problem.h"
+
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <Eigen/Dense>
+
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <string>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+// Calls `row`, which writes the rest of a row, after each step; returns the map.
+template <typename Method, typename Row>
+Eigen::Matrix3Xd run(Method& method, const int maximal_number_of_steps, std::ostream& log,
+                     const CGAL::Real_timer& timer, const Row& row)
+{
+  for(int i = 0; i < maximal_number_of_steps && method.is_running(); ++i)
+  {
+    method.step();
+    log << i + 1 << "," << timer.time() << ",";
+    row();
+    log << "\n";
+  }
+  return method.positions();
+}
+
+Eigen::Matrix3Xd run(const std::string& method, const Map_problem& problem, const double K, std::ostream& log)
+{
+  CGAL::Real_timer timer;
+  timer.start();
+  log.precision(std::numeric_limits<double>::max_digits10);
+  const Map_problem::Mesh& mesh = problem.mesh();
+  if(method == "dirichlet")
+  {
+    const Jacobian_system_3 system(mesh);
+    const Eigen::Matrix3Xd u = system.fit(Eigen::Matrix3Xd::Zero(3, 3 * static_cast<Eigen::Index>(mesh.cells.size())));
+    log << "step,seconds,energy\n1," << timer.time() << "," << system.jacobians(u).squaredNorm() << "\n";
+    return u;
+  }
+  if(method == "arap")
+  {
+    log << "step,seconds,energy\n";
+    As_rigid_as_possible_map_3 map(mesh);
+    return run(map, 1000, log, timer, [&]() { log << map.energy(); });
+  }
+  if(method == "injective")
+  {
+    log << "step,seconds,energy,distance,weight,shift,step_length\n";
+    Locally_injective_map_3<VMP::Barrier_energy_3<VMP::ARAP_energy_3> > map(mesh);
+    const auto distance = [&]() { return (map.positions() - mesh.target).rightCols(
+                                    mesh.number_of_vertices() - mesh.number_of_free_vertices).norm(); };
+    return run(map, 200, log, timer, [&]() { log << map.energy() << "," << distance() << "," << map.weight() << ","
+                                                 << map.shift() << "," << map.step_length(); });
+  }
+  if(method == "bounded")
+  {
+    log << "step,seconds,distance,violating_cells\n";
+    Bounded_distortion_map_3 map(mesh, K);
+    return run(map, 1000, log, timer, [&]() { log << map.distance() << "," << map.number_of_violating_cells(); });
+  }
+  throw std::runtime_error("there is no method '" + method + "'");
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    if(argc < 5)
+      throw std::runtime_error("usage: run_baseline METHOD SOURCE.mesh TARGET NAME [K]");
+    const Map_problem problem(argv[2], argv[3]);
+    const std::string name = argv[4];
+    std::ofstream log(name + ".csv");
+    problem.write(name + ".mesh", run(argv[1], problem, argc > 5 ? std::atof(argv[5]) : 20, log));
+    if(!log.flush())
+      throw std::runtime_error(name + ".csv: the file cannot be written");
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,169 @@
+// Runs the method of the paper itself, the map with soft boundary, step by step:
+//   run_soft_boundary SOURCE.mesh TARGET NAME [options]
+// Writes the map NAME.mesh, and NAME.csv with the energies of distortion and positions and the squared
+// norms of their gradients after each step; lengths are such that the target has volume 1.
+#include "../../../examples/Volume_mesh_parameterization/Named_energy_3.h"
+#include "Map_problem.h"
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/tags.h>
+
+#include <boost/program_options.hpp>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace po = boost::program_options;
+
+struct Options
+{
+  std::string source, target, name, energy;
+  std::size_t number_of_steps, shape_interval;
+  VMP::Soft_boundary_parameters parameters;
+};
+
+// The mean of an energy over the cells, and its gradient by all vertices.
+class Mean_energy
+{
+  using Mesh = Map_problem::Mesh;
+
+public:
+  Mean_energy(const Mesh& mesh, const Named_energy_3& energy)
+    : m_mesh(with_free_vertices(mesh)),
+      m_energy(energy),
+      m_pattern(pattern(m_mesh)),
+      m_packs(m_mesh, scaled_inverse_sources(m_mesh, 1), cell_weights(m_mesh), m_pattern),
+      m_sum(m_packs)
+  {}
+
+  double value(const Eigen::Matrix3Xd& u) const { return m_sum.evaluate(m_energy, u).energy; }
+
+  // In lengths for which the mesh has volume 1; in those of u, its cells have.
+  double squared_gradient_norm(const Eigen::Matrix3Xd& u) const
+  {
+    Eigen::Matrix3Xd gradient(3, u.cols());
+    m_sum.compute_gradient(m_energy, u, gradient);
+    return std::pow(static_cast<double>(m_mesh.cells.size()), 2. / 3) * gradient.squaredNorm();
+  }
+
+private:
+  using Pattern = VMP::Block_sparse_matrix_3<double>;
+
+  static Mesh with_free_vertices(Mesh mesh)
+  {
+    mesh.number_of_free_vertices = mesh.number_of_vertices();
+    return mesh;
+  }
+
+  static Pattern pattern(const Mesh& mesh)
+  {
+    Pattern matrix;
+    set_pattern(mesh, {}, matrix);
+    return matrix;
+  }
+
+  Mesh m_mesh;
+  const Named_energy_3& m_energy;
+  Pattern m_pattern;
+  VMP::internal::Cell_packs_3 m_packs;
+  VMP::internal::Energy_sum_3<CGAL::Sequential_tag> m_sum;
+};
+
+bool parse(int argc, char* argv[], Options& options)
+{
+  VMP::Soft_boundary_parameters& parameters = options.parameters;
+  po::options_description description("Options");
+  description.add_options()
+    ("help", "print this text")
+    ("source", po::value(&options.source)->required())
+    ("target", po::value(&options.target)->required())
+    ("name", po::value(&options.name)->required())
+    ("energy", po::value(&options.energy)->default_value("stretch"), "as in parameterize_mesh_file")
+    ("weight", po::value(&parameters.weight)->default_value(1e8), "the weight of the positions")
+    ("raises", po::value(&parameters.maximal_number_of_raises)->default_value(0), "how often it may be raised")
+    ("relaxations", po::value(&parameters.maximal_number_of_relaxations)->default_value(5), "0: without relaxation")
+    ("full-hessian", po::bool_switch(&parameters.use_full_hessian), "do not project the Hessian of a cell")
+    ("steps", po::value(&options.number_of_steps)->default_value(500), "the maximal number of steps")
+    ("shape-interval", po::value(&options.shape_interval)->default_value(0),
+     "write NAME_STEP.mesh each time so many steps have been taken");
+  po::positional_options_description positional;
+  positional.add("source", 1).add("target", 1).add("name", 1);
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(description).positional(positional).run(), given);
+  if(given.count("help") != 0)
+    std::cout << "Usage: run_soft_boundary SOURCE.mesh TARGET NAME [options]\n" << description;
+  else
+    po::notify(given);
+  parameters.do_snap = false;
+  return given.count("help") == 0;
+}
+
+void run(const Options& options)
+{
+  const Map_problem problem(options.source, options.target);
+  const Named_energy_3 energy(options.energy);
+  const Mean_energy mean_energy(problem.mesh(), energy);
+  std::ofstream log(options.name + ".csv");
+  log.precision(std::numeric_limits<double>::max_digits10);
+  log << "step,seconds,is_relaxing,weight,distance,step_length,"
+         "distortion_energy,position_energy,distortion_gradient,position_gradient\n";
+
+  CGAL::Real_timer timer; // does not run while the log is written
+  timer.start();
+  VMP::CHOLMOD_solver_traits_3 solver;
+  VMP::internal::Soft_boundary_engine_3<Named_energy_3, VMP::CHOLMOD_solver_traits_3, CGAL::Sequential_tag>
+    engine(problem.mesh(), energy, solver, options.parameters);
+  engine.start();
+  while(true)
+  {
+    timer.stop();
+    const std::size_t step = engine.last_step().iteration;
+    const Eigen::Matrix3Xd u = engine.positions();
+    const double distance = engine.residual(), weight = engine.weight();
+    log << step << "," << timer.time() << "," << engine.is_relaxing() << "," << weight << "," << distance << ","
+        << engine.last_step().step_length << "," << mean_energy.value(u) << "," << weight * distance * distance << ","
+        << mean_energy.squared_gradient_norm(u) << "," << std::pow(2 * weight * distance, 2) << "\n";
+    if(options.shape_interval > 0 && step % options.shape_interval == 0)
+      problem.write(options.name + "_" + std::to_string(step) + ".mesh", u);
+    if(!engine.is_running() || step >= options.number_of_steps)
+      break;
+    timer.start();
+    engine.step();
+  }
+  problem.write(options.name + ".mesh", engine.positions());
+  if(!log.flush())
+    throw std::runtime_error(options.name + ".csv: the file cannot be written");
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    Options options;
+    if(parse(argc, argv, options))
+      run(options);
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}
