@@ -319,6 +319,7 @@ TEST_CASE("A VTU file has the map and its distortions, bit by bit")
   CHECK(array_of(file, "Points") == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(array_of(file, "uvw") == std::vector<double>{0, 0, 0, 2, 0, 0, 0, 1. / 3, 0, 0, 0, 1});
   CHECK(array_of(file, "connectivity") == std::vector<double>{0, 1, 2, 3});
+  CHECK(file.find("Name=\"connectivity\" NumberOfComponents=\"1\"") != std::string::npos); // VTK refuses others
   CHECK(array_of(file, "offsets") == std::vector<double>{4});
   CHECK(array_of(file, "types") == std::vector<double>{10});
   CHECK(array_of(file, "reference") == std::vector<double>{7});

@@ -53,9 +53,10 @@ public:
   void end(const char* element) { m_writer << "</" << element << ">\n"; }
 
   template <std::size_t N, typename Number>
-  void write_tuples(const char* name, const std::vector<std::array<Number, N> >& tuples)
+  void write_tuples(const char* name, const std::vector<std::array<Number, N> >& tuples,
+                    const std::size_t number_of_components = N)
   {
-    begin_array(type_name(Number()), name, N);
+    begin_array(type_name(Number()), name, number_of_components);
     for(const std::array<Number, N>& tuple : tuples)
     {
       for(const Number& x : tuple)
@@ -124,7 +125,7 @@ inline void write_VTU(std::ostream& os,
   writer.end("Points");
 
   writer.begin("Cells");
-  writer.write_tuples("connectivity", soup.cells);
+  writer.write_tuples("connectivity", soup.cells, 1); // cells may have different numbers of vertices, for VTK
   writer.write_values("offsets", number_of_cells, [](std::size_t i) { return 4 * (i + 1); });
   writer.write_values("types", number_of_cells, [](std::size_t) { return vtk_tetra; });
   writer.end("Cells");
