@@ -39,7 +39,7 @@ enum Error_code
   ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary of the complex is not a manifold
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
-  ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has no disjoint paths along edges between the corners
+  ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has not enough vertices for the edges of the target
   ERROR_BOUNDARY_MAP_NOT_BIJECTIVE,  ///< rounding made the map of the boundary not one to one
   ERROR_NO_POLYCUBE                  ///< no polycube was found whose faces have the directions of the labels
 };
@@ -87,7 +87,7 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
       return "The boundary of the complex has handles; it must be a topological sphere.";
     case ERROR_BOUNDARY_TOO_COARSE:
-      return "The boundary has no disjoint paths along edges between the corners; refine it or choose other corners.";
+      return "The boundary has not enough vertices for the edges of the target; refine it or choose others.";
     case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE:
       return "Rounding made the map of the boundary not one to one.";
     case ERROR_NO_POLYCUBE:

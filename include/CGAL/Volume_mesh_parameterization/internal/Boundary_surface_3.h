@@ -44,6 +44,7 @@ class Boundary_surface_3
 public:
   using Vertex_handle = typename C3t3::Vertex_handle;
   using Cell_handle = typename C3t3::Cell_handle;
+  using Facet = typename C3t3::Facet;
 
   explicit Boundary_surface_3(const C3t3& c3t3)
   {
@@ -59,6 +60,9 @@ public:
   Vertex_handle vertex(const std::size_t index) const { return m_vertices[index]; }
   std::size_t index(const Vertex_handle v) const { return m_indices.at(v); }
   bool is_on_boundary(const Vertex_handle v) const { return m_indices.count(v) != 0; }
+
+  // The facet of the complex, on the side of its cell, that is this face of the mesh.
+  Facet facet(const Boundary_mesh_3::Face_index f) const { return m_facets_of_complex[f]; }
 
 private:
   void collect_facets(const C3t3& c3t3)
@@ -85,6 +89,7 @@ private:
       facet[k] = inserted.first->second;
     }
     m_facets.push_back(facet);
+    m_facets_of_complex.emplace_back(c, i);
   }
 
   Error_code build_mesh(const C3t3& c3t3)
@@ -124,23 +129,40 @@ private:
   std::vector<Vertex_handle> m_vertices;
   std::unordered_map<Vertex_handle, std::size_t> m_indices;
   std::vector<std::array<std::size_t, 3> > m_facets;
+  std::vector<Facet> m_facets_of_complex;
   Boundary_mesh_3 m_mesh;
   Error_code m_status = OK;
 };
 
+inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
+{
+  return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+}
+
+inline Eigen::AlignedBox3d bounding_box(const Boundary_mesh_3& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for(const auto v : mesh.vertices())
+    box.extend(eigen_point(mesh, v));
+  return box;
+}
+
 // The points of the surface, moved and scaled such that the longest side of their bounding box is 1.
 inline std::vector<Eigen::Vector3d> unit_points(const Boundary_mesh_3& mesh)
 {
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
   std::vector<Eigen::Vector3d> points;
-  Eigen::AlignedBox3d box;
   for(const auto v : mesh.vertices())
-  {
-    points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-    box.extend(points.back());
-  }
+    points.push_back(eigen_point(mesh, v));
   for(Eigen::Vector3d& point : points)
     point = (point - box.center()) / box.sizes().maxCoeff();
   return points;
+}
+
+inline void set_points(Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& points)
+{
+  for(const auto v : mesh.vertices())
+    mesh.point(v) = Boundary_point_3(points[v][0], points[v][1], points[v][2]);
 }
 
 // Is the closed surface a topological sphere?

@@ -18,7 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cube_edge_router_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/is_radially_bijective_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/map_patch_to_rectangle_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/map_patch_to_polygon_3.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
@@ -45,8 +45,7 @@ public:
     : m_mesh(mesh), m_rings(mesh), m_points(unit_points(mesh)), m_sphere(sphere_images),
       m_images(sphere_images.size(), Eigen::Vector3d::Zero()), m_domain(sphere_images.size(), half_lengths)
   {
-    for(const auto v : m_mesh.vertices())
-      m_mesh.point(v) = Boundary_point_3(m_sphere[v][0], m_sphere[v][1], m_sphere[v][2]);
+    set_points(m_mesh, m_sphere);
   }
 
   Error_code run(const std::array<int, 8>& corners)
@@ -116,7 +115,7 @@ private:
       parameters::edge_is_constrained_map(is_on_path));
   }
 
-  bool map_patch(Surface_patch_3 patch)
+  bool map_patch(const Surface_patch_3& patch)
   {
     const Box_boundary_3::Sides sides = common_sides(patch.vertices);
     if(std::count(sides.begin(), sides.end(), 0) != 2)
@@ -128,7 +127,7 @@ private:
         m_images[v] = m_domain.on_sides(v, m_images[v]);
       }
     const int axis = (sides[0] != 0) ? 0 : (sides[1] != 0) ? 1 : 2;
-    return map_patch_to_rectangle_3(patch, (axis + 1) % 3, (axis + 2) % 3, m_images);
+    return map_patch_to_polygon_3(patch, (axis + 1) % 3, (axis + 2) % 3, m_images);
   }
 
   // Those of a face of the box, for the vertices on the border of a patch.

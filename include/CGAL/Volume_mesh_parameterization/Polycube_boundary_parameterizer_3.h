@@ -1,0 +1,128 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_BOUNDARY_PARAMETERIZER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_BOUNDARY_PARAMETERIZER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/map_to_polycube_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationBoundary
+
+maps the boundary of a complex onto the boundary of a polycube: a polyhedron whose faces are normal to the axes.
+
+Each facet of the boundary is labelled with the direction, along an axis, that the normal of its image will have.
+Connected facets with the same label form a chart, which is mapped to a face of the polycube; the lines between two
+charts are mapped to its edges, and the vertices where three or more charts meet to its corners. The charts
+determine the polycube up to the coordinates of its faces. Those are chosen as close as possible to the mean coordinates
+of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
+fifth of the line that is mapped to it. The polycube lies where the complex lies.
+
+Lines are mapped by arc length, and charts by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
+\ref PkgSurfaceMeshParameterization. If triangles are flipped then, which happens only in faces that are
+not convex, an energy that is finite for flipped triangles is minimized until there are none \cgalCite{cgal:gkkrs-fm-21}.
+On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
+the image does not intersect itself, which is checked with exact predicates on the coordinates written.
+
+The boundary may have handles and several connected components, and charts may have holes. Few other boundaries
+than those of mechanical parts resemble a polycube so much that labels proposed from normals serve; the
+complex should then be turned such that the most important normals are along the axes.
+
+\cgalModels{BoundaryParameterizer_3}
+
+\sa `Cube_boundary_parameterizer_3`
+*/
+class Polycube_boundary_parameterizer_3
+{
+public:
+  /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
+  ///
+  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}: they are
+  /// found by `CGAL::alpha_expansion_graphcut()`. Charts that no polycube can have are merged into their neighbours.
+  /// This is tried with more and more weight on short lines.
+  ///
+  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
+  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
+  ///
+  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels,
+  ///         `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, or
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map
+  template <typename C3t3, typename VertexPointMap>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  {
+    return map(c3t3, target, [](const internal::Boundary_surface_3<C3t3>& boundary,
+                                std::vector<Eigen::Vector3d>& images)
+    {
+      return internal::map_to_polycube_3(boundary.mesh(), images);
+    });
+  }
+
+  /// writes the image of each vertex of the boundary of the complex, for given labels.
+  ///
+  /// \param c3t3 the complex
+  /// \param labels the directions of the facets that have a cell of the complex on one side only, as the facets of
+  ///        this cell: 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z
+  /// \param target receives the images
+  ///
+  /// \tparam FacetLabelMap a model of `ReadablePropertyMap` with `C3t3::Facet` as key type and `std::size_t` as value type
+  ///
+  /// \return the same as without labels
+  template <typename C3t3, typename FacetLabelMap, typename VertexPointMap>
+  Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target) const
+  {
+    return map(c3t3, target, [&](const internal::Boundary_surface_3<C3t3>& boundary,
+                                 std::vector<Eigen::Vector3d>& images)
+    {
+      std::vector<std::size_t> label_of_face;
+      for(const auto f : boundary.mesh().faces())
+      {
+        label_of_face.push_back(get(labels, boundary.facet(f)));
+        CGAL_precondition(label_of_face.back() < 6);
+      }
+      return internal::map_to_polycube_3(boundary.mesh(), label_of_face, images);
+    });
+  }
+
+private:
+  template <typename C3t3, typename VertexPointMap, typename MapBoundary>
+  Error_code map(const C3t3& c3t3, VertexPointMap target, const MapBoundary& map_boundary) const
+  {
+    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+
+    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
+    if(boundary.status() != OK)
+      return boundary.status();
+    std::vector<Eigen::Vector3d> images;
+    const Error_code status = map_boundary(boundary, images);
+    for(std::size_t v = 0; v < images.size(); ++v)
+      put(target, boundary.vertex(v), Point_3(images[v][0], images[v][1], images[v][2]));
+    return status;
+  }
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_BOUNDARY_PARAMETERIZER_3_H

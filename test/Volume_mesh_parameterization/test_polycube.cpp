@@ -1,0 +1,325 @@
+// Boundaries mapped to polycubes: those that are one already, bent ones, and labels that no polycube has.
+#include "catch.h"
+
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = K::Point_3;
+using Vector_3 = K::Vector_3;
+using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
+using Vertex_handle = C3t3::Vertex_handle;
+using Cell_handle = C3t3::Cell_handle;
+using Facet = C3t3::Facet;
+using Brick = std::array<int, 3>;
+using Polycube = VMP::Polycube_boundary_parameterizer_3;
+
+namespace {
+
+// The unit bricks in a box for which `is_solid` is true, of six cells each, moved by `move`.
+template <typename IsSolid, typename Move>
+VMP::Tetrahedron_soup_3 bricks(const Brick& size, const IsSolid& is_solid, const Move& move)
+{
+  VMP::Tetrahedron_soup_3 soup;
+  std::map<Brick, std::size_t> index;
+  for(int z = 0; z < size[2]; ++z)
+    for(int y = 0; y < size[1]; ++y)
+      for(int x = 0; x < size[0]; ++x)
+        for(int k = 0; k < 6 && is_solid(x, y, z); ++k)
+        {
+          Brick p = {x, y, z};
+          std::array<std::size_t, 4> cell;
+          for(int i = 0; i < 4; ++i)
+          {
+            const auto inserted = index.emplace(p, soup.points.size());
+            if(inserted.second)
+              soup.points.push_back(move(p[0], p[1], p[2]));
+            cell[i] = inserted.first->second;
+            ++p[(k + i * (k < 3 ? 1 : 2)) % 3];
+          }
+          if(k >= 3)
+            std::swap(cell[1], cell[2]);
+          soup.cells.push_back(cell);
+          soup.cell_references.push_back(1);
+        }
+  return soup;
+}
+
+std::array<double, 3> stay(const double x, const double y, const double z)
+{
+  return {x, y, z};
+}
+
+std::array<double, 3> bend(const double x, const double y, const double z)
+{
+  const double angle = 0.08 * z;
+  return {x + 0.3 * std::sin(y), std::cos(angle) * y - std::sin(angle) * (z + 6),
+          std::sin(angle) * y + std::cos(angle) * (z + 6)};
+}
+
+const Brick size = {6, 5, 7};
+
+bool is_box(int, int, int) { return true; }
+bool is_bracket(const int x, int, const int z) { return x < 2 || z < 3; }
+bool is_ring(const int x, int, const int z) { return x < 2 || x > 3 || z < 2 || z > 4; }
+bool is_stair(const int x, const int y, const int z) { return z < 2 || (z < 4 && x < 4 && y < 3) || (x < 2 && y < 3); }
+
+struct Complex
+{
+  C3t3 c3t3;
+  std::vector<Vertex_handle> vertices;
+  std::vector<Cell_handle> cells;
+  std::unordered_map<Vertex_handle, Point_3> image;
+  std::map<Facet, std::size_t> labels;
+
+  explicit Complex(const VMP::Tetrahedron_soup_3& soup)
+  {
+    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+  }
+
+  Complex(const Complex&) = delete;
+
+  VMP::Error_code parameterize()
+  {
+    image.clear();
+    return Polycube().parameterize(c3t3, boost::make_assoc_property_map(image));
+  }
+
+  VMP::Error_code parameterize_with_labels()
+  {
+    image.clear();
+    return Polycube().parameterize(c3t3, boost::make_assoc_property_map(labels),
+                                   boost::make_assoc_property_map(image));
+  }
+
+  std::vector<Facet> boundary() const
+  {
+    std::vector<Facet> result;
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        if(!c3t3.is_in_complex(c->neighbor(i)))
+          result.emplace_back(c, i);
+    return result;
+  }
+
+  // Counterclockwise as seen from outside.
+  static std::array<Vertex_handle, 3> vertices_of(const Facet& f)
+  {
+    std::array<Vertex_handle, 3> result;
+    for(int k = 0; k < 3; ++k)
+      result[k] = f.first->vertex((f.second + 1 + k) % 4);
+    if(f.second % 2 == 1)
+      std::swap(result[0], result[1]);
+    return result;
+  }
+
+  template <typename Point>
+  static std::array<Point_3, 3> triangle(const Facet& f, const Point& point)
+  {
+    const std::array<Vertex_handle, 3> v = vertices_of(f);
+    return { point(v[0]), point(v[1]), point(v[2]) };
+  }
+
+  std::array<Point_3, 3> source_triangle(const Facet& f) const
+  {
+    return triangle(f, [](const Vertex_handle v) { return v->point(); });
+  }
+
+  std::array<Point_3, 3> image_triangle(const Facet& f) const
+  {
+    return triangle(f, [this](const Vertex_handle v) { return image.at(v); });
+  }
+};
+
+// The direction to which a triangle normal to an axis turns its front, by exact predicates; 6 if it is not normal
+// to an axis or flat.
+std::size_t direction(const std::array<Point_3, 3>& t)
+{
+  for(int axis = 0; axis < 3; ++axis)
+    if(t[0][axis] == t[1][axis] && t[0][axis] == t[2][axis])
+    {
+      std::array<double, 3> above = { t[0].x(), t[0].y(), t[0].z() };
+      above[axis] = std::nextafter(above[axis], (std::numeric_limits<double>::infinity)());
+      switch(CGAL::orientation(t[0], t[1], t[2], Point_3(above[0], above[1], above[2])))
+      {
+        case CGAL::POSITIVE: return 2 * axis;
+        case CGAL::NEGATIVE: return 2 * axis + 1;
+        default: return 6;
+      }
+    }
+  return 6;
+}
+
+// Labels a complex like one with the same cells whose facets are normal to the axes.
+void copy_labels(const Complex& straight, Complex& complex)
+{
+  const std::vector<Facet> from = straight.boundary(), to = complex.boundary();
+  for(std::size_t i = 0; i < from.size(); ++i)
+    complex.labels[to[i]] = direction(straight.source_triangle(from[i]));
+}
+
+template <typename IsSolid>
+void check_identity(const IsSolid& is_solid)
+{
+  Complex complex(bricks(size, is_solid, stay));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  double largest = 0;
+  for(const auto& entry : complex.image)
+    largest = (std::max)(largest, CGAL::squared_distance(entry.first->point(), entry.second));
+  CHECK(largest < 1e-24);
+  for(const Facet& f : complex.boundary())
+    CHECK(direction(complex.image_triangle(f)) == direction(complex.source_triangle(f)));
+}
+
+template <typename IsSolid>
+void check_bent(const IsSolid& is_solid, const std::size_t number_of_coordinates)
+{
+  const Complex straight(bricks(size, is_solid, stay));
+  Complex complex(bricks(size, is_solid, bend));
+  copy_labels(straight, complex);
+  REQUIRE(complex.parameterize_with_labels() == VMP::OK);
+  std::set<std::pair<std::size_t, double> > coordinates;
+  double volume = 0;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) == complex.labels.at(f));
+    coordinates.emplace(direction(t) / 2, t[0][static_cast<int>(direction(t) / 2)]);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+  }
+  CHECK(coordinates.size() == number_of_coordinates);
+  double volume_of_source = 0;
+  for(const Cell_handle c : complex.cells)
+    volume_of_source += complex.c3t3.triangulation().tetrahedron(c).volume();
+  CHECK(volume == Approx(volume_of_source).epsilon(0.3));
+}
+
+} // namespace
+
+TEST_CASE("polycubes are mapped to themselves")
+{
+  check_identity(is_box);
+  check_identity(is_bracket);
+  check_identity(is_ring);
+  check_identity(is_stair);
+}
+
+TEST_CASE("bent polycubes are straightened, with one coordinate for each chart")
+{
+  check_bent(is_box, 6);
+  check_bent(is_bracket, 8);
+  check_bent(is_ring, 10);
+  check_bent(is_stair, 11);
+}
+
+TEST_CASE("labels are proposed for a cylinder")
+{
+  Complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>
+  {
+    const double u = x - 4, v = y - 4, length = std::hypot(u, v), radius = (std::max)(std::abs(u), std::abs(v));
+    return (length == 0) ? stay(0, 0, z) : stay(u * radius / length, v * radius / length, z);
+  }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  std::set<std::pair<std::size_t, double> > faces;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) < 6);
+    faces.emplace(direction(t), t[0][static_cast<int>(direction(t) / 2)]);
+  }
+  CHECK(faces.size() == 6);
+}
+
+TEST_CASE("the size and the place of the source do not matter")
+{
+  const double scale = GENERATE(1e-150, 1e150);
+  Complex complex(bricks(size, is_bracket, [&](const double x, const double y, const double z)
+  {
+    return stay(scale * x, scale * (y + 100), scale * z);
+  }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  for(const auto& entry : complex.image)
+    for(int axis = 0; axis < 3; ++axis)
+      CHECK(std::abs(entry.second[axis] - entry.first->point()[axis]) < 1e-12 * scale);
+}
+
+TEST_CASE("labels that no polycube has are named")
+{
+  Complex complex(bricks(size, is_box, stay));
+  copy_labels(complex, complex);
+  CHECK(complex.parameterize_with_labels() == VMP::OK);
+  const auto status = [&](const auto& change)
+  {
+    const std::map<Facet, std::size_t> labels = complex.labels;
+    for(auto& entry : complex.labels)
+      entry.second = change(entry.first, entry.second);
+    const VMP::Error_code result = complex.parameterize_with_labels();
+    CHECK(complex.image.empty());
+    complex.labels = labels;
+    return result;
+  };
+  const auto one_label = [](const Facet&, std::size_t) -> std::size_t { return 0; };
+  CHECK(status(one_label) == VMP::ERROR_NO_POLYCUBE);
+  const auto opposite_neighbours = [](const Facet&, const std::size_t label) -> std::size_t { return label == 2 ? 1 : label; };
+  CHECK(status(opposite_neighbours) == VMP::ERROR_NO_POLYCUBE);
+  const auto inside_out = [](const Facet&, const std::size_t label) { return label ^ 1; };
+  CHECK(status(inside_out) == VMP::ERROR_NO_POLYCUBE);
+  const auto without_top = [](const Facet&, const std::size_t label) -> std::size_t { return label == 4 ? 0 : label; };
+  CHECK(status(without_top) == VMP::ERROR_NO_POLYCUBE);
+  const auto island = [&](const Facet& f, const std::size_t label) -> std::size_t
+  {
+    const Point_3 p = CGAL::centroid(complex.source_triangle(f)[0], complex.source_triangle(f)[1],
+                                     complex.source_triangle(f)[2]);
+    return label == 4 && std::abs(p.x() - 3) < 1 && std::abs(p.y() - 3) < 1 ? 0 : label;
+  };
+  CHECK(status(island) == VMP::ERROR_NO_POLYCUBE);
+}
+
+TEST_CASE("a facet between two lines of the same edge is named")
+{
+  Complex complex(bricks(size, is_box, stay));
+  copy_labels(complex, complex);
+  for(const Facet& f : complex.boundary()) // one with two vertices on the edge
+  {
+    const std::array<Point_3, 3> t = complex.source_triangle(f);
+    const Point_3 p = CGAL::centroid(t[0], t[1], t[2]);
+    if(complex.labels[f] == 0 && std::abs(p.y() - 2.5) < 0.5 && p.z() > 6.5)
+      complex.labels[f] = 4;
+  }
+  CHECK(complex.parameterize_with_labels() == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  CHECK(complex.image.empty());
+}
+
+TEST_CASE("boundaries without a polycube are named")
+{
+  Complex broken(bricks(size, is_box, stay));
+  broken.vertices.front()->set_point(Point_3((std::numeric_limits<double>::infinity)(), 0, 0));
+  CHECK(broken.parameterize() == VMP::ERROR_NON_FINITE_COORDINATE);
+
+  Complex kissing(bricks({2, 2, 1}, [](const int x, const int y, int) { return x == y; }, stay));
+  CHECK(kissing.parameterize() == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
+
+  const C3t3 empty;
+  std::unordered_map<Vertex_handle, Point_3> image;
+  CHECK(Polycube().parameterize(empty, boost::make_assoc_property_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
+}
