@@ -101,7 +101,7 @@ public:
     double result = 0;
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
     {
-      const double distance = offset(positions, v).norm();
+      const double distance = offset(positions, v).stableNorm();
       if(distance > (m_projectors[v].isDiagonal(0) ? 0 : m_rounding))
         result = (std::max)(result, distance);
     }

@@ -1,0 +1,89 @@
+// Maps a blob to the cube twice: with a fixed boundary, and with one that slides in the faces of the cube.
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <unordered_map>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = K::Point_3;
+using Domain = CGAL::Labeled_mesh_domain_3<K>;
+using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
+using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+// Negative inside of three balls that melt into each other.
+double blob(const Point_3& p)
+{
+  double sum = 0;
+  for(const Point_3& center : {Point_3(-0.6, 0, 0), Point_3(0.5, 0.3, 0), Point_3(0.3, -0.4, 0.6)})
+    sum += std::exp(-4 * CGAL::squared_distance(p, center));
+  return 0.4 - sum;
+}
+
+// Maps the complex to the cube and writes the map to a file; false if something fails.
+bool parameterize(C3t3& c3t3, Point_map& target, const bool do_slide, const std::string& filename)
+{
+  Point_map uvw;
+  const auto uvw_map = boost::make_assoc_property_map(uvw);
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    c3t3, uvw_map,
+    params::boundary_map(boost::make_assoc_property_map(target))
+           .do_refine(true)
+           .do_slide_boundary(do_slide));
+
+  std::cout << result.message << "\n"
+            << result.number_of_sliding_vertices << " of " << result.number_of_boundary_vertices
+            << " vertices of the boundary slide\n"
+            << "energy " << result.energy << "\n"
+            << "distortion of angles:  mean " << result.distortion.angle_mean
+            << ", max " << result.distortion.angle_max << "\n"
+            << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
+            << ", max " << result.distortion_at_source_volume.volume_max << "\n" << std::endl;
+  if(result.status != VMP::OK)
+    return false;
+
+  std::ofstream out(filename);
+  VMP::IO::write_VTU(out, c3t3, uvw_map);
+  out.close();
+  return !out.fail();
+}
+
+int main()
+{
+  Domain domain = Domain::create_implicit_mesh_domain(blob, K::Sphere_3(CGAL::ORIGIN, 4.));
+  const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.1,
+                                           params::facet_distance = 0.01, params::cell_radius_edge_ratio = 3,
+                                           params::cell_size = 0.12);
+  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+
+  Point_map target;
+  const VMP::Error_code status
+    = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, boost::make_assoc_property_map(target));
+  if(status != VMP::OK)
+  {
+    std::cerr << VMP::get_error_message(status) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const bool is_fixed_done = parameterize(c3t3, target, false, "fixed_boundary.vtu");
+  const bool is_sliding_done = parameterize(c3t3, target, true, "sliding_boundary.vtu");
+  return is_fixed_done && is_sliding_done ? EXIT_SUCCESS : EXIT_FAILURE;
+}
