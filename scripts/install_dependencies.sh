@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are needed and missing.
+# Installs the Debian packages that are needed and missing, those given as arguments among them.
 set -euo pipefail
 
 packages=(g++ make cmake libcgal-dev libboost-program-options-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial
-  libtbb-dev catch2)
+  libtbb-dev catch2 "$@")
 models=/usr/share/doc/libcgal-dev/data.tar.gz # CGAL's models, in package libcgal-demo
 
 missing=()

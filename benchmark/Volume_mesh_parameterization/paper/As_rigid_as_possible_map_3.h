@@ -16,7 +16,7 @@ class As_rigid_as_possible_map_3
 {
 public:
   explicit As_rigid_as_possible_map_3(const Jacobian_system_3::Mesh& mesh)
-    : m_mesh(mesh), m_system(mesh), m_u(m_system.fit(Eigen::Matrix3Xd::Zero(3, 3 * mesh.cells.size())))
+    : m_system(mesh), m_u(m_system.fit(Eigen::Matrix3Xd::Zero(3, 3 * mesh.cells.size())))
   {}
 
   const Eigen::Matrix3Xd& positions() const { return m_u; }
@@ -39,17 +39,15 @@ private:
   {
     namespace internal = CGAL::Volume_mesh_parameterization::internal;
     Eigen::Matrix3Xd result(3, jacobians.cols());
-    for(std::size_t t = 0; t < m_mesh.cells.size(); ++t)
+    for(Eigen::Index column = 0; column < jacobians.cols(); column += 3)
     {
-      const Eigen::Index column = 3 * static_cast<Eigen::Index>(t);
       const auto J = internal::signed_singular_values_3<double>(Eigen::Matrix3d(jacobians.middleCols<3>(column)));
-      const double weight = std::sqrt(internal::edge_matrix(m_mesh.source, m_mesh.cells[t]).determinant() / 6);
-      result.middleCols<3>(column) = weight * J.R * J.Q.transpose();
+      const double weight = m_system.weight(static_cast<std::size_t>(column / 3));
+      result.middleCols<3>(column) = std::sqrt(weight) * J.R * J.Q.transpose();
     }
     return result;
   }
 
-  const Jacobian_system_3::Mesh& m_mesh;
   Jacobian_system_3 m_system;
   Eigen::Matrix3Xd m_u;
   double m_energy = 0;

@@ -13,10 +13,10 @@
 #include <vector>
 
 // The linear part of methods that prescribe the Jacobians of the cells: finds the positions whose
-// Jacobians are nearest to given ones, with the volumes of the cells as weights and the boundary
-// fixed. The matrix, the Laplacian, is factorized once.
+// Jacobians are nearest to given ones, with the weights of the cells that the mesh asks for and the
+// boundary fixed. The matrix, the Laplacian, is factorized once.
 //
-// The Jacobians of all cells form one matrix of three rows; multiplied by the square root of the volume
+// The Jacobians of all cells form one matrix of three rows; multiplied by the square root of the weight
 // of the cell, so that inner products of such matrices are those of the weighted problem.
 class Jacobian_system_3
 {
@@ -27,6 +27,7 @@ public:
 
   explicit Jacobian_system_3(const Mesh& mesh)
     : m_number_of_free_vertices(mesh.number_of_free_vertices),
+      m_weights(cell_weights(mesh)),
       m_gradients(gradients(mesh)),
       m_prescribed(mesh.target.rightCols(mesh.number_of_vertices() - m_number_of_free_vertices)),
       m_of_prescribed(m_prescribed * m_gradients.bottomRows(m_prescribed.cols())),
@@ -36,6 +37,8 @@ public:
     if(m_factorization.info() != Eigen::Success)
       throw std::runtime_error("the Laplacian is not positive definite");
   }
+
+  double weight(const std::size_t cell) const { return m_weights[cell]; }
 
   // The weighted Jacobians of a map.
   Jacobians jacobians(const Positions& u) const { return u * m_gradients; }
@@ -60,14 +63,14 @@ private:
   using Matrix = Eigen::SparseMatrix<double>;
 
   // Column 3 t + i holds the derivatives of the hat functions in cell t by the i-th coordinate.
-  static Matrix gradients(const Mesh& mesh)
+  Matrix gradients(const Mesh& mesh) const
   {
     using CGAL::Volume_mesh_parameterization::internal::edge_matrix;
     std::vector<Eigen::Triplet<double> > entries;
     for(std::size_t t = 0; t < mesh.cells.size(); ++t)
     {
       const Eigen::Matrix3d X = edge_matrix(mesh.source, mesh.cells[t]);
-      const Eigen::Matrix3d inverse = std::sqrt(X.determinant() / 6) * X.inverse();
+      const Eigen::Matrix3d inverse = std::sqrt(m_weights[t]) * X.inverse();
       for(int i = 0; i < 3; ++i)
       {
         const int column = static_cast<int>(3 * t) + i;
@@ -88,6 +91,7 @@ private:
   }
 
   int m_number_of_free_vertices;
+  std::vector<double> m_weights;
   Matrix m_gradients;
   Positions m_prescribed;
   Jacobians m_of_prescribed;

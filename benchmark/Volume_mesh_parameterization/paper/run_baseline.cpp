@@ -1,8 +1,11 @@
 // Runs a method that the paper compares with:
 //   run_baseline METHOD SOURCE.mesh TARGET NAME [K]
-// METHOD is dirichlet, arap (both of them without a barrier), injective (locally injective mapping of the
-// ARAP energy) or bounded (bounded distortion mapping with the bound K). Writes the map NAME.mesh, and
-// NAME.csv with a row for each step.
+// METHOD is
+// - dirichlet or arap: these energies without a barrier, where all cells count alike, as in the paper,
+// - dirichlet_by_volume or arap_by_volume: the same where cells count by their volume,
+// - injective: locally injective mapping of the ARAP energy,
+// - bounded: bounded distortion mapping with the bound K.
+// Writes the map NAME.mesh, and NAME.csv with a row for each step.
 #include "As_rigid_as_possible_map_3.h"
 #include "Bounded_distortion_map_3.h"
 #include "Jacobian_system_3.h"
@@ -45,15 +48,16 @@ Eigen::Matrix3Xd run(const std::string& method, const Map_problem& problem, cons
   CGAL::Real_timer timer;
   timer.start();
   log.precision(std::numeric_limits<double>::max_digits10);
-  const Map_problem::Mesh& mesh = problem.mesh();
-  if(method == "dirichlet")
+  Map_problem::Mesh mesh = problem.mesh();
+  mesh.has_volume_weights = method == "dirichlet_by_volume" || method == "arap_by_volume" || method == "bounded";
+  if(method == "dirichlet" || method == "dirichlet_by_volume")
   {
     const Jacobian_system_3 system(mesh);
     const Eigen::Matrix3Xd u = system.fit(Eigen::Matrix3Xd::Zero(3, 3 * static_cast<Eigen::Index>(mesh.cells.size())));
     log << "step,seconds,energy\n1," << timer.time() << "," << system.jacobians(u).squaredNorm() << "\n";
     return u;
   }
-  if(method == "arap")
+  if(method == "arap" || method == "arap_by_volume")
   {
     log << "step,seconds,energy\n";
     As_rigid_as_possible_map_3 map(mesh);

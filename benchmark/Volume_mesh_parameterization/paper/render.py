@@ -1,0 +1,142 @@
+"""Pictures of maps by VTK, without a screen of its own: needs an X server such as Xvfb."""
+import math
+from pathlib import Path
+
+import vtk
+
+SIZE = 520
+GREY, RED = (0.82, 0.85, 0.88), (0.85, 0.05, 0.05)
+
+
+def read(filename):
+    reader = vtk.vtkXMLUnstructuredGridReader()
+    reader.SetFileName(filename)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def image_of(grid):
+    """The same mesh with the vertices at their images."""
+    image = vtk.vtkUnstructuredGrid()
+    image.ShallowCopy(grid)
+    points = vtk.vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(grid.GetPointData().GetArray("uvw"))
+    image.SetPoints(points)
+    return image
+
+
+def cut(grid, normal, part=0.5):
+    """The whole cells behind a plane through the bounding box."""
+    bounds = grid.GetBounds()
+    plane = vtk.vtkPlane()
+    plane.SetOrigin(*(bounds[2 * i] + part * (bounds[2 * i + 1] - bounds[2 * i]) for i in range(3)))
+    plane.SetNormal(*normal)
+    extract = vtk.vtkExtractGeometry()
+    extract.SetInputData(grid)
+    extract.SetImplicitFunction(plane)
+    extract.ExtractInsideOn()
+    extract.Update()
+    return extract.GetOutput()
+
+
+def inverted_cells(grid):
+    threshold = vtk.vtkThreshold()
+    threshold.SetInputData(grid)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "det_J")
+    threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_LOWER)
+    threshold.SetLowerThreshold(0)
+    threshold.Update()
+    return threshold.GetOutput()
+
+
+def surface(grid, color=GREY, edges=True):
+    return _actor(grid, edges, lambda mapper, prop: (mapper.ScalarVisibilityOff(), prop.SetColor(*color)))
+
+
+def colored_surface(grid, array, largest):
+    """Colours by a distortion, from light red for 2, the smallest one, to dark red, on a logarithmic scale."""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetScaleToLog10()
+    table.SetTableRange(2, max(largest, 2.1))
+    for i in range(256):
+        t = i / 255
+        table.SetTableValue(i, 1 - 0.6 * t * t, 0.92 * (1 - t) ** 1.3, 0.86 * (1 - t) ** 1.5)
+    table.Build()
+
+    def paint(mapper, _):
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(array)
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+    return _actor(grid, False, paint)
+
+
+def _actor(grid, edges, paint):
+    boundary = vtk.vtkDataSetSurfaceFilter()
+    boundary.SetInputData(grid)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(boundary.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetEdgeVisibility(edges)
+    actor.GetProperty().SetEdgeColor(0.35, 0.38, 0.42)
+    actor.GetProperty().SetLineWidth(0.6)
+    actor.GetProperty().SetAmbient(0.4)
+    actor.GetProperty().SetDiffuse(0.6)
+    paint(mapper, actor.GetProperty())
+    return actor
+
+
+def picture(filename, actors, direction, up):
+    """Looks along -direction at all actors, which fill the view."""
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(1, 1, 1)
+    for actor in actors:
+        renderer.AddActor(actor)
+    focus, half_size = _frame(actors, direction, up)
+    camera = renderer.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(*focus)
+    camera.SetPosition(*(x + d for x, d in zip(focus, direction)))
+    camera.SetViewUp(*up)
+    camera.SetParallelScale(1.04 * half_size)
+    renderer.ResetCameraClippingRange()
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(4)
+    window.SetSize(SIZE, SIZE)
+    window.AddRenderer(renderer)
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(str(filename))
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.Write()
+    return Path(filename).name
+
+
+def _frame(actors, direction, up):
+    """The middle of what is seen, and half of its larger side."""
+    def cross(a, b):
+        return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+    def unit(a):
+        return [x / math.sqrt(sum(y * y for y in a)) for x in a]
+    back = unit(direction)
+    right = unit(cross(up, back))
+    axes = (right, cross(back, right), back)
+    low, high = [math.inf] * 3, [-math.inf] * 3
+    for actor in actors:
+        actor.GetMapper().Update()
+        points = actor.GetMapper().GetInput().GetPoints()
+        for v in range(points.GetNumberOfPoints() if points else 0):
+            p = points.GetPoint(v)
+            for i, axis in enumerate(axes):
+                x = axis[0] * p[0] + axis[1] * p[1] + axis[2] * p[2]
+                low[i], high[i] = min(low[i], x), max(high[i], x)
+    middle = [(a + b) / 2 for a, b in zip(low, high)]
+    focus = [sum(middle[i] * axes[i][k] for i in range(3)) for k in range(3)]
+    return focus, max(high[0] - low[0], high[1] - low[1]) / 2
