@@ -152,6 +152,7 @@ private:
   {
     m_mode = random.pick({VMP::Boundary_mode::AUTO, VMP::Boundary_mode::FIXED, VMP::Boundary_mode::SOFT});
     m_do_refine = random.one_in(3);
+    m_do_slide = random.one_in(3);
     m_number_of_iterations = random.below(61);
     m_seconds = random.pick({0., 1e-3, 0.1, 100., 100., 100.});
     m_visitor.limit = random.one_in(4) ? 1 + random.below(20) : 1000;
@@ -184,6 +185,7 @@ private:
                        .solver_traits(std::ref(solver))
                        .boundary_mode(m_mode)
                        .do_refine(m_do_refine)
+                       .do_slide_boundary(m_do_slide)
                        .soft_boundary_parameters(m_soft)
                        .positional_constraints(m_constraints)
                        .vertex_is_constrained_map(Is_constrained_map{&m_constrained})
@@ -200,8 +202,8 @@ private:
 
   void check_limits(const VMP::Parameterization_result& result) const
   {
-    // three stages, and one more after each refinement
-    const std::size_t number_of_stages = m_do_refine ? 23 : 3;
+    // three stages, one more that slides, and one more after each refinement
+    const std::size_t number_of_stages = m_do_refine ? 24 : 4;
     expect(result.number_of_iterations <= number_of_stages * m_number_of_iterations, "the number of iterations is respected");
     expect(m_visitor.number_of_steps == result.number_of_iterations, "the visitor is told of each step");
     expect(m_visitor.number_of_steps <= m_visitor.limit, "the visitor ends the computation");
@@ -219,6 +221,7 @@ private:
     expect(result.number_of_vertices == number_of_vertices + result.number_of_added_vertices,
            "the number of added vertices is right");
     expect(m_do_refine || result.number_of_added_vertices == 0, "nothing is refined unless asked for");
+    expect(m_do_slide || result.number_of_sliding_vertices == 0, "nothing slides unless asked for");
   }
 
   void check_map(const VMP::Parameterization_result& result) const
@@ -237,8 +240,12 @@ private:
       return;
     Vertex_set prescribed = boundary_vertices(m_c3t3);
     prescribed.insert(m_constrained.begin(), m_constrained.end());
+    std::size_t number_of_moved_vertices = 0;
     for(const Vertex_handle v : prescribed)
-      expect(has_same_bits(m_images.at(v), m_targets.at(v)), "success means an exact boundary");
+      if(!has_same_bits(m_images.at(v), m_targets.at(v)))
+        ++number_of_moved_vertices;
+    expect(number_of_moved_vertices <= result.number_of_sliding_vertices, "success means an exact boundary");
+    expect(result.boundary_residual == 0, "success means that nothing leaves its plane");
   }
 
   C3t3 m_c3t3;
@@ -250,6 +257,7 @@ private:
   VMP::Soft_boundary_parameters m_soft;
   VMP::Boundary_mode m_mode = VMP::Boundary_mode::AUTO;
   bool m_do_refine = false;
+  bool m_do_slide = false;
   std::size_t m_number_of_iterations = 0;
   double m_seconds = 0;
   Visitor m_visitor = {0};

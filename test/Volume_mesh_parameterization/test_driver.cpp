@@ -189,7 +189,7 @@ std::vector<std::string> keys(const std::string& json)
 }
 
 const std::vector<std::string> report_keys = {
-  "status", "vertices", "cells", "boundary_vertices", "added_vertices", "inverted_cells", "boundary_residual",
+  "status", "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free",
   "seconds_numbering", "seconds_start", "seconds_untangling", "seconds_minimization", "seconds_check", "energy_value",
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
@@ -232,6 +232,28 @@ TEST_CASE("An affine boundary gives an affine map, in the order of the file")
     CHECK(number(report, "boundary_residual") == 0);
     CHECK(number(report, "peak_memory_bytes") > 1e6);
   }
+}
+
+TEST_CASE("A boundary that slides finds the identity")
+{
+  const Folder folder;
+  const Soup source = cube(3);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 3, [](const Point& p)
+  {
+    Point q = p;
+    for(std::size_t i = 0; i < 3; ++i)
+      q[i] += 0.1 * p[i] * (3 - p[i]) * std::sin(p[(i + 1) % 3]);
+    return q;
+  }));
+  CHECK(folder.run("source.mesh target.txt --slide --output map.mesh --report report.json") == 0);
+  CHECK(number(folder.text("report.json"), "sliding_vertices") == 56 - 8);
+  CHECK(number(folder.text("report.json"), "boundary_residual") == 0);
+  const Soup map = folder.soup("map.mesh");
+  REQUIRE(map.points.size() == source.points.size());
+  for(std::size_t v = 0; v < map.points.size(); ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      CHECK(std::abs(map.points[v][i] - source.points[v][i]) < 1e-4);
 }
 
 TEST_CASE("The target may be a mesh, and the output a VTU file")

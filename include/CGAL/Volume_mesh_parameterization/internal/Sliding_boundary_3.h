@@ -88,10 +88,16 @@ public:
   }
 
   // Moves the vertices of the boundary back to where they belong, which rounding or scaling made them leave.
+  // A coordinate that cannot change keeps its bits.
   void restore(Eigen::Matrix3Xd& positions) const
   {
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+    {
       positions.col(v) -= offset(positions, v);
+      for(int i = 0; i < 3; ++i)
+        if(m_projectors[v].row(i).isZero(0))
+          positions(i, v) = m_mesh.target(i, v);
+    }
   }
 
   // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in
