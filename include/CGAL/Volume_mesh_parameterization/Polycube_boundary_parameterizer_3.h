@@ -39,8 +39,8 @@ of the charts, in the sense of least squares weighted by area, such that no edge
 fifth of the line that is mapped to it. The polycube lies where the complex lies.
 
 Lines are mapped by arc length, and charts by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
-\ref PkgSurfaceMeshParameterization. If triangles are flipped then, which happens only in faces that are
-not convex, an energy that is finite for flipped triangles is minimized until there are none \cgalCite{cgal:gkkrs-fm-21}.
+\ref PkgSurfaceMeshParameterization. In a face that is not convex this may flip triangles. Therefore an energy that is
+finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered then, which also lowers the distortion.
 On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Patch_untangler_2.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Patch_relaxation_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Polycube_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/map_patch_to_polygon_3.h>
@@ -113,8 +113,7 @@ private:
     for(const int w : patch.vertices)
       m_images[w][3 - u - v] = coordinate;
     map_patch_to_polygon_3(patch, u, v, m_images);
-    if(!std::all_of(patch.faces.begin(), patch.faces.end(), [this](const Face f) { return is_positive(f); }))
-      untangle(patch, u, v);
+    relax(patch, u, v);
     find_flipped_faces(patch.faces);
   }
 
@@ -137,12 +136,12 @@ private:
            == POSITIVE;
   }
 
-  void untangle(const Surface_patch_3& patch, const int u, const int v)
+  void relax(const Surface_patch_3& patch, const int u, const int v)
   {
     Eigen::Matrix2Xd images(2, patch.vertices.size());
     for(std::size_t i = 0; i < patch.vertices.size(); ++i)
       images.col(i) << m_images[patch.vertices[i]][u], m_images[patch.vertices[i]][v];
-    Patch_untangler_2(patch.mesh, images).run();
+    Patch_relaxation_2(patch.mesh, images).run();
     for(std::size_t i = 0; i < patch.vertices.size(); ++i)
     {
       m_images[patch.vertices[i]][u] = images(0, i);

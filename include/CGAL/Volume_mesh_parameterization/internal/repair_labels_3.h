@@ -30,7 +30,8 @@ namespace Volume_mesh_parameterization {
 namespace internal {
 
 // The faces on the left of an edge that can be reached without crossing the edge or leaving the chart.
-inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh,
+                                                             const Polycube_charts_3& charts,
                                                              const Boundary_mesh_3::Halfedge_index edge)
 {
   std::vector<bool> is_reached(mesh.number_of_faces(), false);

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PATCH_UNTANGLER_2_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PATCH_UNTANGLER_2_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PATCH_RELAXATION_2_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PATCH_RELAXATION_2_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -28,16 +28,16 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Moves the inner vertices of a plane image of a surface patch until no triangle is flipped, and on to low distortion.
-// The border stays. The energy is the regularized one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
+// Moves the inner vertices of a plane image of a surface patch such that no triangle is flipped and the distortion is low.
+// The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
 //   sum over triangles of area (|J|^2 + (D^2 + 1) / 2) / chi(D),   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2,
 // where J is the Jacobian of the map from the surface, D its determinant, and epsilon tends to zero; minimized by
 // Newton's method with Hessians that are made positive.
-class Patch_untangler_2
+class Patch_relaxation_2
 {
 public:
   // Images have positive orientation; the patch is scaled to the area of its image.
-  Patch_untangler_2(const Boundary_mesh_3& patch, Eigen::Matrix2Xd& images)
+  Patch_relaxation_2(const Boundary_mesh_3& patch, Eigen::Matrix2Xd& images)
     : m_images(images), m_unknown(patch.number_of_vertices(), -1)
   {
     for(const auto v : patch.vertices())
@@ -163,7 +163,8 @@ private:
     return before;
   }
 
-  void add_derivatives(const Triangle& t, Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double> >& entries) const
+  void add_derivatives(const Triangle& t, Eigen::VectorXd& gradient,
+                       std::vector<Eigen::Triplet<double> >& entries) const
   {
     const Eigen::Matrix2d J = edges(t, m_images) * t.to_rest;
     const Eigen::Vector4d j(J(0, 0), J(1, 0), J(0, 1), J(1, 1)), cofactors(J(1, 1), -J(0, 1), -J(1, 0), J(0, 0));
@@ -217,4 +218,4 @@ private:
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PATCH_UNTANGLER_2_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PATCH_RELAXATION_2_H
