@@ -15,115 +15,86 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Normal_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/straighten_chains_3.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// The faces on the left of an edge that can be reached without crossing the edge or leaving the chart.
-inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh,
-                                                             const Polycube_charts_3& charts,
-                                                             const Boundary_mesh_3::Halfedge_index edge)
-{
-  std::vector<bool> is_reached(mesh.number_of_faces(), false);
-  std::vector<Boundary_mesh_3::Face_index> faces(1, mesh.face(edge));
-  is_reached[mesh.face(edge)] = true;
-  for(std::size_t i = 0; i < faces.size(); ++i)
-    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(faces[i]), mesh))
-    {
-      const auto opposite = mesh.opposite(h);
-      if(h == edge || opposite == edge || charts.chart(opposite) != charts.chart(edge)
-         || is_reached[mesh.face(opposite)])
-        continue;
-      is_reached[mesh.face(opposite)] = true;
-      faces.push_back(mesh.face(opposite));
-    }
-  return faces;
-}
-
-// An edge inside a chart that joins two vertices of a chain would become part of the edge of the polycube, and the
-// faces that it cuts off flat: they get the label of the chart on the other side of the chain. Returns whether there were any.
-inline bool straighten_chains(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                              std::vector<std::size_t>& labels)
-{
-  bool has_changed = false;
-  std::vector<bool> is_taken(charts.charts().size(), false); // once a round, the chart is not what it was
-  for(const Polycube_chain_3& chain : charts.chains())
-  {
-    if(is_taken[chain.charts[0]] || is_taken[chain.charts[1]])
-      continue;
-    const std::vector<Polycube_charts_3::Vertex> path = charts.vertices(chain);
-    std::map<Polycube_charts_3::Vertex, std::size_t> position;
-    for(std::size_t i = 0; i < path.size(); ++i)
-      position[path[i]] = i;
-    for(std::size_t i = 0; i < path.size() && !is_taken[chain.charts[0]]; ++i)
-      for(const auto h : CGAL::halfedges_around_source(path[i], mesh))
-      {
-        const auto found = position.find(mesh.target(h));
-        if(found == position.end() || found->second < i + 2)
-          continue;
-        const std::size_t c = charts.chart(h);
-        if(charts.chart(mesh.opposite(h)) != c || (c != chain.charts[0] && c != chain.charts[1]))
-          continue;
-        const std::size_t other = (c == chain.charts[0]) ? chain.charts[1] : chain.charts[0];
-        const auto border = (c == chain.charts[0]) ? chain.halfedges[i] : mesh.opposite(chain.halfedges[i]);
-        auto faces = faces_beside(mesh, charts, h);
-        if(std::find(faces.begin(), faces.end(), mesh.face(border)) == faces.end())
-          faces = faces_beside(mesh, charts, mesh.opposite(h));
-        for(const auto f : faces)
-          labels[f] = charts.charts()[other].label;
-        is_taken[chain.charts[0]] = is_taken[chain.charts[1]] = has_changed = true;
-        break;
-      }
-  }
-  return has_changed;
-}
-
-// Gives the smallest chart that is not valid the label of the neighbour that suits it best.
-inline void merge_invalid_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                const Normal_labels_3& costs, const double smoothing, std::vector<std::size_t>& labels)
+// The invalid chart of smallest area.
+inline std::size_t smallest_invalid_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                          const Normal_labels_3& costs)
 {
   std::vector<double> area(charts.charts().size(), 0.);
-  std::vector<std::array<double, 6> > cost(charts.charts().size(), std::array<double, 6>{});
-  std::vector<std::array<bool, 6> > has_neighbour(charts.charts().size(), std::array<bool, 6>{});
-  for(const auto h : mesh.halfedges())
-  {
-    const std::size_t c = charts.chart(h), d = charts.chart(mesh.opposite(h)), label = charts.charts()[d].label;
-    if(c == d)
-      continue;
-    has_neighbour[c][label] = true;
-    cost[c][label] -= smoothing * costs.weight(mesh.edge(h));
-  }
   for(const auto f : mesh.faces())
-  {
-    const std::size_t c = charts.chart_of_face()[f];
-    area[c] += costs.area(f);
-    for(std::size_t label = 0; label < 6; ++label)
-      cost[c][label] += costs.cost(f, label);
-  }
-
-  std::size_t smallest = area.size(), best = 6;
+    area[charts.chart_of_face()[f]] += costs.area(f);
+  double smallest = (std::numeric_limits<double>::infinity)();
+  std::size_t result = 0;
   for(std::size_t c = 0; c < area.size(); ++c)
-    if(!charts.charts()[c].is_valid && (smallest == area.size() || area[c] < area[smallest]))
-      smallest = c;
-  for(std::size_t label = 0; label < 6; ++label)
-    if(has_neighbour[smallest][label] && (best == 6 || cost[smallest][label] < cost[smallest][best]))
-      best = label;
-  for(const auto f : mesh.faces())
-    if(charts.chart_of_face()[f] == smallest)
-      labels[f] = best;
+    if(!charts.charts()[c].is_valid && area[c] < smallest)
+    {
+      smallest = area[c];
+      result = c;
+    }
+  return result;
 }
 
-// Gives faces to a neighbouring chart. Returns whether any of them has one.
+// Gives a chart the label of the neighbour for which the labels of the surface cost least. Returns whether it has one.
+inline bool merge_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::size_t chart,
+                        const Normal_labels_3& costs, const double smoothing, std::vector<std::size_t>& labels)
+{
+  std::array<double, 6> cost = {};
+  std::array<bool, 6> has_neighbour = {};
+  for(const auto f : mesh.faces())
+    for(std::size_t label = 0; label < 6 && charts.chart_of_face()[f] == chart; ++label)
+      cost[label] += costs.cost(f, label);
+  for(const auto h : mesh.halfedges())
+  {
+    const std::size_t neighbour = charts.chart(mesh.opposite(h));
+    if(charts.chart(h) == chart && neighbour != chart)
+    {
+      has_neighbour[charts.charts()[neighbour].label] = true;
+      cost[charts.charts()[neighbour].label] -= smoothing * costs.weight(mesh.edge(h));
+    }
+  }
+
+  std::size_t best = 6;
+  for(std::size_t label = 0; label < 6; ++label)
+    if(has_neighbour[label] && (best == 6 || cost[label] < cost[best]))
+      best = label;
+  for(const auto f : mesh.faces())
+    if(charts.chart_of_face()[f] == chart)
+      labels[f] = (best < 6) ? best : labels[f];
+  return best < 6;
+}
+
+// Makes all charts valid: straightens their borders, and merges those that are not valid into their neighbours.
+// Returns whether there are enough of them.
+inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
+                            std::vector<std::size_t>& labels)
+{
+  while(true)
+  {
+    const Polycube_charts_3 charts(mesh, labels);
+    if(charts.charts().size() < 6)
+      return false;
+    if(straighten_chains_3(mesh, charts, labels))
+      continue;
+    if(charts.are_valid())
+      return true;
+    if(!merge_chart(mesh, charts, smallest_invalid_chart(mesh, charts, costs), costs, smoothing, labels))
+      return false;
+  }
+}
+
+// Gives each of the faces to the neighbouring chart that suits it best. Returns whether any of them has one.
 inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                             const Normal_labels_3& costs, std::vector<std::size_t>& labels)
 {
@@ -140,23 +111,6 @@ inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Bound
     has_changed = has_changed || labels[f] != label;
   }
   return has_changed;
-}
-
-// Returns whether the charts are valid in the end.
-inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
-                            std::vector<std::size_t>& labels)
-{
-  while(true)
-  {
-    const Polycube_charts_3 charts(mesh, labels);
-    if(charts.charts().size() < 6)
-      return false;
-    if(straighten_chains(mesh, charts, labels))
-      continue;
-    if(charts.are_valid())
-      return true;
-    merge_invalid_chart(mesh, charts, costs, smoothing, labels);
-  }
 }
 
 } // namespace internal
