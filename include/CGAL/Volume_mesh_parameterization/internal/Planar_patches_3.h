@@ -70,19 +70,22 @@ private:
   static bool are_coplanar(const Eigen::Matrix3Xd& points, const Facet& f, const Facet& g)
   {
     constexpr double small_angle = 1e-3; // a rounded coordinate turns a small facet much
-    const Eigen::Vector3d m = area_vector(points, f), n = area_vector(points, g);
-    if(m.dot(n) > 0 && m.cross(n).norm() <= small_angle * m.norm() * n.norm())
+    const Eigen::Vector3d m = area_vector(points, f).stableNormalized(), n = area_vector(points, g).stableNormalized();
+    if(m.dot(n) > 0 && m.cross(n).norm() <= small_angle)
       return true;
-    const auto apex = [](const Facet& of, const Facet& other)
-    {
-      return *std::find_if(of.begin(), of.end(), [&](const int v)
-                           { return std::find(other.begin(), other.end(), v) == other.end(); });
-    };
-    const int r = apex(f, g), s = apex(g, f);
-    const auto first = std::find(f.begin(), f.end(), r) - f.begin();
-    const Exact_point_3 p = exact_point(points, f[(first + 1) % 3]), q = exact_point(points, f[(first + 2) % 3]);
-    return CGAL::coplanar(p, q, exact_point(points, r), exact_point(points, s))
-      && CGAL::coplanar_orientation(p, q, exact_point(points, r), exact_point(points, s)) == CGAL::NEGATIVE;
+    const int i = apex(f, g);
+    const Exact_point_3 p = exact_point(points, f[(i + 1) % 3]), q = exact_point(points, f[(i + 2) % 3]);
+    const Exact_point_3 r = exact_point(points, f[i]), s = exact_point(points, g[apex(g, f)]);
+    return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::NEGATIVE;
+  }
+
+  // The index of the vertex of f that is not in its neighbour g.
+  static int apex(const Facet& f, const Facet& g)
+  {
+    int i = 0;
+    while(std::find(g.begin(), g.end(), f[i]) != g.end())
+      ++i;
+    return i;
   }
 
   void unite_coplanar_facets(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets)
@@ -123,7 +126,7 @@ private:
     for(std::size_t f = 0; f < facets.size(); ++f)
       m_normal[m_patch[f]] += area_vector(points, facets[f]);
     for(Eigen::Vector3d& normal : m_normal)
-      normal.normalize();
+      normal.stableNormalize();
     for(std::size_t f = 0; f < facets.size(); ++f)
     {
       const std::size_t patch = m_patch[f];
