@@ -1,12 +1,16 @@
-// Boundaries mapped to polycubes: those that are one already, bent ones, and labels that no polycube has.
+// Boundaries mapped to polycubes: those that are one already, bent ones, and labels that no polycube has. Boundaries
+// mapped to given surfaces.
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -322,4 +326,57 @@ TEST_CASE("boundaries without a polycube are named")
   const C3t3 empty;
   std::unordered_map<Vertex_handle, Point_3> image;
   CHECK(Polycube().parameterize(empty, boost::make_assoc_property_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
+}
+
+namespace {
+
+using Surface = CGAL::Surface_mesh<Point_3>;
+
+Surface boundary_surface(const Complex& complex)
+{
+  Surface result;
+  std::map<Vertex_handle, Surface::Vertex_index> index;
+  for(const Facet& f : complex.boundary())
+    for(const Vertex_handle v : Complex::vertices_of(f))
+      if(index.count(v) == 0)
+        index[v] = result.add_vertex(v->point());
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Vertex_handle, 3> v = Complex::vertices_of(f);
+    result.add_face(index[v[1]], index[v[2]], index[v[0]]);
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("the boundary is mapped to a surface with the same connectivity")
+{
+  Complex complex(bricks(size, is_ring, bend));
+  Surface boundary = boundary_surface(complex), target = boundary;
+  for(const auto v : target.vertices())
+    target.point(v) = Point_3(boundary.point(v).z(), boundary.point(v).x(), 2 * boundary.point(v).y());
+  const auto parameterize = [&]()
+  {
+    complex.image.clear();
+    return VMP::Surface_boundary_parameterizer_3<Surface>(boundary, target)
+      .parameterize(complex.c3t3, boost::make_assoc_property_map(complex.image));
+  };
+  REQUIRE(parameterize() == VMP::OK);
+  CHECK(complex.image.size() == boundary.number_of_vertices());
+  for(const auto& entry : complex.image)
+  {
+    const Point_3 p = entry.first->point();
+    CHECK(entry.second == Point_3(p.z(), p.x(), 2 * p.y()));
+  }
+
+  CGAL::Euler::flip_edge(*target.halfedges().begin(), target);
+  CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
+  CGAL::Euler::flip_edge(*boundary.halfedges().begin(), boundary);
+  CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
+  CHECK(complex.image.empty());
+  boundary = target = boundary_surface(complex);
+  CHECK(parameterize() == VMP::OK);
+  boundary.point(*boundary.vertices().begin()) = Point_3(-1, -1, -1);
+  CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
 }

@@ -8,6 +8,7 @@ The concept `BoundaryParameterizer_3` describes a way to choose the images of th
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`

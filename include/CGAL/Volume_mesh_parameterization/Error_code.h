@@ -41,6 +41,7 @@ enum Error_code
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
   ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has not enough vertices for the edges of the target
   ERROR_BOUNDARY_MAP_NOT_BIJECTIVE,  ///< rounding made the map of the boundary not one to one
+  ERROR_OTHER_CONNECTIVITY,          ///< the surface for the target has another connectivity than the boundary
   ERROR_NO_POLYCUBE                  ///< no polycube was found whose faces have the directions of the labels
 };
 
@@ -90,6 +91,8 @@ inline const char* get_error_message(const Error_code code)
       return "The boundary has not enough vertices for the edges of the target; refine it or choose others.";
     case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE:
       return "Rounding made the map of the boundary not one to one.";
+    case ERROR_OTHER_CONNECTIVITY:
+      return "The surface for the target has another connectivity than the boundary of the complex.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found whose faces have the directions that the facets of the boundary are labelled with.";
   }

@@ -1,0 +1,146 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_BOUNDARY_PARAMETERIZER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_BOUNDARY_PARAMETERIZER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationBoundary
+
+maps the boundary of a complex onto a triangulated surface with the same connectivity.
+
+Two surfaces are given, for instance read from files: the boundary of the complex, as written by
+`CGAL::facets_in_complex_3_to_triangle_mesh()`, and the target, whose i-th vertex is the image of the i-th vertex of
+the first surface. The vertices of the complex are found by their coordinates, which must be exactly the same.
+
+\tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
+
+\cgalModels{BoundaryParameterizer_3}
+
+\sa `Polycube_boundary_parameterizer_3`
+*/
+template <typename TriangleMesh>
+class Surface_boundary_parameterizer_3
+{
+public:
+  /// stores references to both surfaces.
+  Surface_boundary_parameterizer_3(const TriangleMesh& boundary, const TriangleMesh& target)
+    : m_boundary(boundary), m_target(target)
+  {}
+
+  /// writes the image of each vertex of the boundary of the complex.
+  ///
+  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
+  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
+  ///
+  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, or `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a
+  ///         face of the surfaces
+  template <typename C3t3, typename VertexPointMap>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  {
+    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+
+    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
+    if(boundary.status() != OK)
+      return boundary.status();
+    const std::set<Face> surface = faces_of(m_boundary);
+    if(faces_of(m_target) != surface)
+      return ERROR_OTHER_CONNECTIVITY;
+
+    std::map<Coordinates, std::size_t> index;
+    for(const Coordinates& point : points_of(m_boundary))
+      index.emplace(point, index.size());
+    std::vector<std::size_t> vertex_of_surface;
+    for(const Coordinates& point : points_of(boundary.mesh()))
+    {
+      const auto found = index.find(point);
+      if(found == index.end())
+        return ERROR_OTHER_CONNECTIVITY;
+      vertex_of_surface.push_back(found->second);
+    }
+    for(const Face& face : faces_of(boundary.mesh()))
+      if(surface.count(rotated({ vertex_of_surface[face[0]], vertex_of_surface[face[1]],
+                                vertex_of_surface[face[2]] })) == 0)
+        return ERROR_OTHER_CONNECTIVITY;
+
+    const std::vector<Coordinates> images = points_of(m_target);
+    for(std::size_t v = 0; v < vertex_of_surface.size(); ++v)
+    {
+      const Coordinates& image = images[vertex_of_surface[v]];
+      put(target, boundary.vertex(v), Point_3(image[0], image[1], image[2]));
+    }
+    return OK;
+  }
+
+private:
+  using Coordinates = std::array<double, 3>;
+  using Face = std::array<std::size_t, 3>; // with the smallest index first
+
+  static Face rotated(Face face)
+  {
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    return face;
+  }
+
+  template <typename Mesh>
+  static std::set<Face> faces_of(const Mesh& mesh)
+  {
+    std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> index;
+    for(const auto v : vertices(mesh))
+      index.emplace(v, index.size());
+    std::set<Face> result;
+    for(const auto f : faces(mesh))
+    {
+      const auto h = halfedge(f, mesh);
+      result.insert(rotated({ index[source(h, mesh)], index[target(h, mesh)], index[target(next(h, mesh), mesh)] }));
+    }
+    return result;
+  }
+
+  template <typename Mesh>
+  static std::vector<Coordinates> points_of(const Mesh& mesh)
+  {
+    const auto point_map = get(CGAL::vertex_point, mesh);
+    std::vector<Coordinates> result;
+    for(const auto v : vertices(mesh))
+    {
+      const auto p = get(point_map, v);
+      result.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) });
+    }
+    return result;
+  }
+
+  const TriangleMesh& m_boundary;
+  const TriangleMesh& m_target;
+};
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_BOUNDARY_PARAMETERIZER_3_H
