@@ -284,7 +284,7 @@ TEST_CASE("labels that no polycube has are named")
   };
   const auto one_label = [](const Facet&, std::size_t) -> std::size_t { return 0; };
   CHECK(status(one_label) == VMP::ERROR_NO_POLYCUBE);
-  const auto opposite_neighbours = [](const Facet&, const std::size_t label) -> std::size_t { return label == 2 ? 1 : label; };
+  const auto opposite_neighbours = [](const Facet&, const std::size_t label) { return label == 2 ? 1 : label; };
   CHECK(status(opposite_neighbours) == VMP::ERROR_NO_POLYCUBE);
   const auto inside_out = [](const Facet&, const std::size_t label) { return label ^ 1; };
   CHECK(status(inside_out) == VMP::ERROR_NO_POLYCUBE);

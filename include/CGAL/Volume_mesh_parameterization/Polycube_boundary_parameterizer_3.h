@@ -86,7 +86,8 @@ public:
   ///        this cell: 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z
   /// \param target receives the images
   ///
-  /// \tparam FacetLabelMap a model of `ReadablePropertyMap` with `C3t3::Facet` as key type and `std::size_t` as value type
+  /// \tparam FacetLabelMap a model of `ReadablePropertyMap` with `C3t3::Facet` as key type and
+  ///         `std::size_t` as value type
   ///
   /// \return the same as without labels
   template <typename C3t3, typename FacetLabelMap, typename VertexPointMap>

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Moves the inner vertices of a plane image of a surface patch such that no triangle is flipped and the distortion is low.
-// The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
+// Moves the inner vertices of a plane image of a surface patch such that no triangle is flipped and the distortion is
+// low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
 //   sum over triangles of area (|J|^2 + (D^2 + 1) / 2) / chi(D),   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2,
 // where J is the Jacobian of the map from the surface, D its determinant, and epsilon tends to zero; minimized by
 // Newton's method with Hessians that are made positive.
