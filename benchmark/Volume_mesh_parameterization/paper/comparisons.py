@@ -23,10 +23,10 @@ class Inverted_cells:
         result = {name: job.result() for name, job in self.jobs.items()}
         inverted = {name: run.measures["inverted_cells"] for name, run in result.items()}
         pictures = [(picture(output / "figure_4_source.png",
-                             [surface(cut(read(result["stretch"].vtu), direction))], direction, up), "source, cut open")]
+                             [surface(cut(read(result["stretch"].vtu), (1, 0, 0)))], direction, up), "source, cut open")]
         for name in ("dirichlet", "arap", "stretch"):
             image = image_of(read(result[name].vtu))
-            actors = [surface(cut(image, (direction[0], 0, 0)))]
+            actors = [surface(cut(image, (1, 0, 0)))]
             if inverted[name] > 0:
                 actors.append(surface(inverted_cells(image), RED))
             pictures.append((picture(output / f"figure_4_{name}.png", actors, direction, up),
@@ -136,7 +136,7 @@ class Bounded_distortion:
             # one scale for a row; [7] may have cells far beyond it
             largest = 2 * distortions(shown[0][2])[i]
             rows.append(figures([(picture(output / f"figure_8_{case.name}_{key}_{array}.png",
-                                          [colored_surface(cut(read(run.vtu), direction), array, largest)],
-                                          direction, up), f"{case.name}: {title}, {name}")
+                                          [colored_surface(cut(read(run.vtu), (1, 0, 0)), array, largest)],
+                                          direction, up, legend=True), f"{case.name}: {title}, {name}")
                                  for name, key, run in shown], 220))
         return rows

@@ -89,12 +89,14 @@ def _actor(grid, edges, paint):
     return actor
 
 
-def picture(filename, actors, direction, up):
-    """Looks along -direction at all actors, which fill the view."""
+def picture(filename, actors, direction, up, legend=False):
+    """Looks along -direction at all actors, which fill the view. The legend is that of the first one."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     for actor in actors:
         renderer.AddActor(actor)
+    if legend:
+        renderer.AddActor2D(_color_bar(actors[0].GetMapper().GetLookupTable()))
     focus, half_size = _frame(actors, direction, up)
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
@@ -116,6 +118,20 @@ def picture(filename, actors, direction, up):
     writer.SetInputConnection(grab.GetOutputPort())
     writer.Write()
     return Path(filename).name
+
+
+def _color_bar(table):
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(table)
+    bar.SetNumberOfLabels(4)
+    bar.SetLabelFormat("%.3g")
+    bar.SetPosition(0.86, 0.05)
+    bar.SetWidth(0.12)
+    bar.SetHeight(0.35)
+    bar.GetLabelTextProperty().SetColor(0, 0, 0)
+    bar.GetLabelTextProperty().SetFontSize(16)
+    bar.UnconstrainedFontSizeOn()
+    return bar
 
 
 def _frame(actors, direction, up):

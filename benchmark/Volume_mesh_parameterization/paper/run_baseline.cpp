@@ -67,10 +67,11 @@ Eigen::Matrix3Xd run(const std::string& method, const Map_problem& problem, cons
   {
     log << "step,seconds,energy,distance,weight,shift,step_length\n";
     Locally_injective_map_3<VMP::Barrier_energy_3<VMP::ARAP_energy_3> > map(mesh);
-    const auto distance = [&]() { return (map.positions() - mesh.target).rightCols(
-                                    mesh.number_of_vertices() - mesh.number_of_free_vertices).norm(); };
-    return run(map, 200, log, timer, [&]() { log << map.energy() << "," << distance() << "," << map.weight() << ","
-                                                 << map.shift() << "," << map.step_length(); });
+    return run(map, 200, log, timer, [&]()
+    {
+      log << map.newton().energy() << "," << map.newton().distance() << "," << map.weight() << ","
+          << map.newton().shift() << "," << map.newton().step_length();
+    });
   }
   if(method == "bounded")
   {

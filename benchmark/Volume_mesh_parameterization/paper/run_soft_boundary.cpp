@@ -4,6 +4,7 @@
 // norms of their gradients after each step; lengths are such that the target has volume 1.
 #include "../../../examples/Volume_mesh_parameterization/Named_energy_3.h"
 #include "Map_problem.h"
+#include "Plain_newton_map_3.h"
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -36,6 +37,7 @@ struct Options
 {
   std::string source, target, name, energy;
   std::size_t number_of_steps, shape_interval;
+  bool is_plain;
   VMP::Soft_boundary_parameters parameters;
 };
 
@@ -100,6 +102,8 @@ bool parse(int argc, char* argv[], Options& options)
     ("raises", po::value(&parameters.maximal_number_of_raises)->default_value(0), "how often it may be raised")
     ("relaxations", po::value(&parameters.maximal_number_of_relaxations)->default_value(5), "0: without relaxation")
     ("full-hessian", po::bool_switch(&parameters.use_full_hessian), "do not project the Hessian of a cell")
+    ("shifted-newton", po::bool_switch(&options.is_plain),
+     "the solver of [39] without relaxation: adds to the Hessian of the whole mesh where it is not positive definite")
     ("steps", po::value(&options.number_of_steps)->default_value(500), "the maximal number of steps")
     ("shape-interval", po::value(&options.shape_interval)->default_value(0),
      "write NAME_STEP.mesh each time so many steps have been taken");
@@ -115,41 +119,56 @@ bool parse(int argc, char* argv[], Options& options)
   return given.count("help") == 0;
 }
 
+// Takes the steps of `map`, which has been started, and writes the log, the shapes and the map.
+template <typename Map>
+void run(Map& map, const Options& options, const Map_problem& problem, const Mean_energy& mean_energy,
+         CGAL::Real_timer& timer)
+{
+  std::ofstream log(options.name + ".csv");
+  log.precision(std::numeric_limits<double>::max_digits10);
+  log << "step,seconds,is_relaxing,weight,distance,step_length,"
+         "distortion_energy,position_energy,distortion_gradient,position_gradient\n";
+  while(true)
+  {
+    timer.stop(); // while the log is written
+    const std::size_t step = map.last_step().iteration;
+    const Eigen::Matrix3Xd u = map.positions();
+    const double distance = map.residual(), weight = map.weight();
+    log << step << "," << timer.time() << "," << map.is_relaxing() << "," << weight << "," << distance << ","
+        << map.last_step().step_length << "," << mean_energy.value(u) << "," << weight * distance * distance << ","
+        << mean_energy.squared_gradient_norm(u) << "," << std::pow(2 * weight * distance, 2) << "\n";
+    if(options.shape_interval > 0 && step % options.shape_interval == 0)
+      problem.write(options.name + "_" + std::to_string(step) + ".mesh", u);
+    if(!map.is_running() || step >= options.number_of_steps)
+      break;
+    timer.start();
+    map.step();
+  }
+  problem.write(options.name + ".mesh", map.positions());
+  if(!log.flush())
+    throw std::runtime_error(options.name + ".csv: the file cannot be written");
+}
+
 void run(const Options& options)
 {
   const Map_problem problem(options.source, options.target);
   const Named_energy_3 energy(options.energy);
   const Mean_energy mean_energy(problem.mesh(), energy);
-  std::ofstream log(options.name + ".csv");
-  log.precision(std::numeric_limits<double>::max_digits10);
-  log << "step,seconds,is_relaxing,weight,distance,step_length,"
-         "distortion_energy,position_energy,distortion_gradient,position_gradient\n";
-
-  CGAL::Real_timer timer; // does not run while the log is written
+  CGAL::Real_timer timer;
   timer.start();
-  VMP::CHOLMOD_solver_traits_3 solver;
-  VMP::internal::Soft_boundary_engine_3<Named_energy_3, VMP::CHOLMOD_solver_traits_3, CGAL::Sequential_tag>
-    engine(problem.mesh(), energy, solver, options.parameters);
-  engine.start();
-  while(true)
+  if(options.is_plain)
   {
-    timer.stop();
-    const std::size_t step = engine.last_step().iteration;
-    const Eigen::Matrix3Xd u = engine.positions();
-    const double distance = engine.residual(), weight = engine.weight();
-    log << step << "," << timer.time() << "," << engine.is_relaxing() << "," << weight << "," << distance << ","
-        << engine.last_step().step_length << "," << mean_energy.value(u) << "," << weight * distance * distance << ","
-        << mean_energy.squared_gradient_norm(u) << "," << std::pow(2 * weight * distance, 2) << "\n";
-    if(options.shape_interval > 0 && step % options.shape_interval == 0)
-      problem.write(options.name + "_" + std::to_string(step) + ".mesh", u);
-    if(!engine.is_running() || step >= options.number_of_steps)
-      break;
-    timer.start();
-    engine.step();
+    Plain_newton_map_3<Named_energy_3> map(problem.mesh(), energy, options.parameters.weight);
+    run(map, options, problem, mean_energy, timer);
   }
-  problem.write(options.name + ".mesh", engine.positions());
-  if(!log.flush())
-    throw std::runtime_error(options.name + ".csv: the file cannot be written");
+  else
+  {
+    VMP::CHOLMOD_solver_traits_3 solver;
+    VMP::internal::Soft_boundary_engine_3<Named_energy_3, VMP::CHOLMOD_solver_traits_3, CGAL::Sequential_tag>
+      map(problem.mesh(), energy, solver, options.parameters);
+    map.start();
+    run(map, options, problem, mean_energy, timer);
+  }
 }
 
 int main(int argc, char* argv[])

@@ -39,6 +39,14 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
+// Where the approach of a soft boundary starts: at the aligned source if there are no positions.
+struct Soft_boundary_start_3
+{
+  Eigen::Matrix3Xd positions;
+  std::size_t number_of_raises = 0; // of the weight
+  std::size_t patience = 0;         // see Soft_boundary_engine_3::end_when_blocked()
+};
+
 // From numbered arrays to the images of their vertices, by one stage or several.
 template <typename ConcurrencyTag, typename Energy, typename Solver, typename Visitor>
 class Parameterization_3
@@ -74,13 +82,19 @@ public:
 
   // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put
   // there without inverting a cell, the minimization continues with fixed boundary.
-  void run_with_soft_boundary(const Soft_boundary_parameters& parameters, const Constraints& constraints)
+  void run_with_soft_boundary(const Soft_boundary_parameters& parameters, const Constraints& constraints,
+                              const Soft_boundary_start_3& start)
   {
     const double begin = m_run.seconds();
     Soft_engine engine(m_mesh, m_energy, m_solver, parameters, renumbered(constraints));
-    engine.start();
+    engine.end_when_blocked(start.patience);
+    if(start.positions.cols() == 0)
+      engine.start();
+    else
+      engine.start(reordered(start.positions, m_order), start.number_of_raises);
     m_result.seconds_to_flip_free = m_run.seconds();
     run(engine, begin);
+    m_number_of_raises = engine.number_of_raises();
     if(engine.can_snap() && !m_run.is_interrupted())
     {
       const double begin_of_fixed = m_run.seconds();
@@ -114,10 +128,11 @@ public:
       return;
     const double unavoidable = m_sliding ? 0 : unavoidable_angle_distortion_3(m_mesh);
     const double largest_weight = unavoidable < bound ? 1e4 : 1;
-    const double ratio = (bound + std::sqrt(bound * bound - 4)) / 2;
+    const double ratio = (bound + std::sqrt(bound * bound - 4)) / 2; // of the singular values
+    const double aim = 1 + 0.98 * (ratio - 1);                       // the barrier may be exceeded by little
     for(double weight = 1; !(reached < bound) && weight <= largest_weight && !m_run.is_interrupted(); weight *= 10)
     {
-      minimize_further(Bounded_angle_energy_3<Energy>(ratio, m_energy, weight), m_run.seconds());
+      minimize_further(Bounded_angle_energy_3<Energy>(aim, m_energy, weight), m_run.seconds());
       reached = largest_angle_distortion();
     }
     if(!(reached < bound) && !m_run.is_interrupted())
@@ -126,6 +141,9 @@ public:
       m_result.message = describe_angle_distortion(reached, unavoidable);
     }
   }
+
+  // of the weight of the soft boundary
+  std::size_t number_of_raises() const { return m_number_of_raises; }
 
   bool is_flip_free() const { return inverted_cells(m_mesh, m_positions).number == 0; }
 
@@ -233,6 +251,7 @@ private:
   bool m_do_slide;
   Parameterization_result& m_result;
   Positions m_positions;
+  std::size_t m_number_of_raises = 0;
   std::optional<Sliding_boundary_3> m_sliding; // once vertices may slide
 };
 
