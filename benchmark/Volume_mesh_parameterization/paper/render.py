@@ -95,9 +95,10 @@ def picture(filename, actors, direction, up, legend=False):
     renderer.SetBackground(1, 1, 1)
     for actor in actors:
         renderer.AddActor(actor)
+    focus, half_size, right = _frame(actors, direction, up)
     if legend:
         renderer.AddActor2D(_color_bar(actors[0].GetMapper().GetLookupTable()))
-    focus, half_size = _frame(actors, direction, up)
+        focus = [x + 0.2 * half_size * r for x, r in zip(focus, right)]
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetFocalPoint(*focus)
@@ -108,7 +109,7 @@ def picture(filename, actors, direction, up, legend=False):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(4)
-    window.SetSize(SIZE, SIZE)
+    window.SetSize(round(1.2 * SIZE) if legend else SIZE, SIZE)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtk.vtkWindowToImageFilter()
@@ -125,17 +126,21 @@ def _color_bar(table):
     bar.SetLookupTable(table)
     bar.SetNumberOfLabels(4)
     bar.SetLabelFormat("%.3g")
-    bar.SetPosition(0.86, 0.05)
-    bar.SetWidth(0.12)
+    bar.SetPosition(0.87, 0.05)
+    bar.SetWidth(0.1)
     bar.SetHeight(0.35)
-    bar.GetLabelTextProperty().SetColor(0, 0, 0)
-    bar.GetLabelTextProperty().SetFontSize(16)
     bar.UnconstrainedFontSizeOn()
+    text = bar.GetLabelTextProperty()
+    text.SetColor(0, 0, 0)
+    text.SetFontSize(16)
+    text.ItalicOff()
+    text.BoldOff()
+    text.ShadowOff()
     return bar
 
 
 def _frame(actors, direction, up):
-    """The middle of what is seen, and half of its larger side."""
+    """The middle of what is seen, half of its larger side, and the direction to the right."""
     def cross(a, b):
         return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
@@ -155,4 +160,4 @@ def _frame(actors, direction, up):
                 low[i], high[i] = min(low[i], x), max(high[i], x)
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     focus = [sum(middle[i] * axes[i][k] for i in range(3)) for k in range(3)]
-    return focus, max(high[0] - low[0], high[1] - low[1]) / 2
+    return focus, max(high[0] - low[0], high[1] - low[1]) / 2, right
