@@ -205,7 +205,8 @@ TEST_CASE("An affine boundary gives an affine map, in the order of the file")
   folder.write("source.mesh", source);
   folder.write("target.txt", boundary_lines(source, 3, affine));
 
-  for(const std::string options : {"", " --solver cg", " --solver cholmod", " --energy dirichlet", " --threads 2"})
+  for(const std::string options : {"", " --solver cg", " --solver cholmod", " --energy dirichlet", " --threads 2",
+                                   " --volume-weights --max-angle-distortion 100"})
   {
     CHECK(folder.run("source.mesh target.txt --quiet --output map.mesh --report report.json" + options) == 0);
     CHECK(folder.text("stdout") + folder.text("stderr") == "");
@@ -349,6 +350,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
         "source.mesh target.txt --energy none", "source.mesh target.txt --solver none",
         "source.mesh target.txt --threads 0", "source.mesh target.txt --threads x",
         "source.mesh target.txt --max-iterations -1", "source.mesh target.txt --output map.obj",
+        "source.mesh target.txt --max-angle-distortion 2",
         "source.mesh target.txt --output map",
         "source.mesh target.txt --output no/folder/map.mesh", "source.mesh target.txt --report /dev/null",
         "source.mesh target.txt --output ./source.mesh", "source.mesh target.txt --report target.txt",

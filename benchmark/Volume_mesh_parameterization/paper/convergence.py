@@ -100,9 +100,10 @@ class Energies:
     def __init__(self, runs):
         self.case = runs.case("duck", "cube")
         self.soft = {energy: runs.soft(self.case, "soft_" + energy, "--energy", energy) for energy in ENERGIES}
-        self.fixed = {(model, energy): runs.ours(runs.case(model, domain), "fixed_" + energy, "--energy", energy)
-                      for model, domain in (("duck", "cube"), ("max", "polycube"), ("sphinx", "cube"))
-                      for energy in ENERGIES}
+        cases = {"duck": self.case, "max": runs.case("max", "polycube"), "sphinx": runs.case("sphinx", "cube"),
+                 "hand": runs.refined(runs.case("hand", "polycube"))}
+        self.fixed = {(model, energy): runs.ours(case, "fixed_" + energy, "--energy", energy, "--max-iterations", 300)
+                      for model, case in cases.items() for energy in ENERGIES}
 
     def parts(self, output):
         soft = {energy: job.result() for energy, job in self.soft.items()}
@@ -122,7 +123,7 @@ class Energies:
             rows.append((f"paper, duck, {row.method}", *row.D, row.seconds, ""))
             rows.append((f"ours, duck, {row.method}, soft boundary", *self._row(soft[energy])))
             rows += [(f"ours, {model}, {row.method}, fixed boundary", *self._row(fixed[model, energy]))
-                     for model in ("duck", "max", "sphinx")]
+                     for model in ("duck", "max", "sphinx", "hand")]
         parts.append(table(output / "table_1.csv", ["", *D_COLUMNS, "seconds", "inverted cells"], rows, indices))
         return parts
 

@@ -37,12 +37,15 @@ class Runs:
     def refined(self, case):
         """The case with the vertices that make it possible, for methods that cannot add them by themselves."""
         source, target = self.folder / f"{case.name}_refined.mesh", self.folder / f"{case.name}_refined.txt"
+        refined = Case(case.name + "_refined", source, target)
+        if target.exists():
+            return refined
         self._execute([self.driver, case.source, case.target, "--quiet", "--refine", "--boundary", "fixed",
                        "--max-iterations", 100, "--refined-source", source])
         boundary = {v for facet in boundary_facets(read_mesh(case.source).cells) for v in facet}
         points = read_mesh(case.target).points
         target.write_text("".join("%d %r %r %r\n" % (v, *points[v]) for v in sorted(boundary)))
-        return Case(case.name + "_refined", source, target)
+        return refined
 
     def ours(self, case, label, *options):
         """The driver."""
