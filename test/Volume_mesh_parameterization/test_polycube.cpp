@@ -183,7 +183,7 @@ void copy_labels(const Complex& straight, Complex& complex)
 }
 
 template <typename IsSolid>
-void check_identity(const IsSolid& is_solid)
+void check_identity(const IsSolid& is_solid, const Brick& size = ::size)
 {
   Complex complex(bricks(size, is_solid, stay));
   REQUIRE(complex.parameterize() == VMP::OK);
@@ -222,6 +222,7 @@ void check_bent(const IsSolid& is_solid, const std::size_t number_of_coordinates
 
 TEST_CASE("polycubes are mapped to themselves")
 {
+  check_identity(is_box, {1, 1, 1});
   check_identity(is_box);
   check_identity(is_bracket);
   check_identity(is_ring);

@@ -60,9 +60,9 @@ public:
   using Vertex = Boundary_mesh_3::Vertex_index;
 
   Polycube_charts_3(const Boundary_mesh_3& mesh, const std::vector<std::size_t>& labels)
-    : m_mesh(mesh), m_labels(labels), m_chart_of_face(mesh.number_of_faces())
+    : m_mesh(mesh), m_chart_of_face(mesh.number_of_faces())
   {
-    find_charts();
+    find_charts(labels);
     find_chains();
     find_invalid_charts();
   }
@@ -94,20 +94,24 @@ private:
     bool is_reversed;
   };
 
-  void find_charts()
+  void find_charts(const std::vector<std::size_t>& labels)
   {
     const auto is_border = boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
-      [this](const Boundary_mesh_3::Edge_index e) { return separates(m_mesh.halfedge(e)); });
+      [&](const Boundary_mesh_3::Edge_index e)
+      {
+        const Halfedge h = m_mesh.halfedge(e);
+        return labels[m_mesh.face(h)] != labels[m_mesh.face(m_mesh.opposite(h))];
+      });
     m_charts.resize(Polygon_mesh_processing::connected_components(
       m_mesh, boost::make_iterator_property_map(m_chart_of_face.begin(), get(boost::face_index, m_mesh)),
       parameters::edge_is_constrained_map(is_border)));
     for(const auto f : m_mesh.faces())
-      m_charts[m_chart_of_face[f]].label = m_labels[f];
+      m_charts[m_chart_of_face[f]].label = labels[f];
   }
 
   bool separates(const Halfedge h) const
   {
-    return m_labels[m_mesh.face(h)] != m_labels[m_mesh.face(m_mesh.opposite(h))];
+    return chart(h) != chart(m_mesh.opposite(h));
   }
 
   // The next halfedge on the border of the same chart.
@@ -237,7 +241,6 @@ private:
   }
 
   const Boundary_mesh_3& m_mesh;
-  const std::vector<std::size_t>& m_labels;
   std::vector<std::size_t> m_chart_of_face;
   std::vector<Polycube_chart_3> m_charts;
   std::vector<Polycube_chain_3> m_chains;

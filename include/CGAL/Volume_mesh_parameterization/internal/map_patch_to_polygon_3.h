@@ -27,6 +27,7 @@
 #include <Eigen/SparseLU>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <unordered_map>
@@ -141,6 +142,12 @@ inline bool map_patch_to_polygon_3(const Surface_patch_3& patch, const int u, co
 
   SMP::Mean_value_coordinates_parameterizer_3<Boundary_mesh_3, Prescribed_border_parameterizer_3, Solver> parameterizer;
   if(SMP::parameterize(mesh, parameterizer, border, uv_map) != SMP::OK)
+    return false;
+  const auto vertices = patch.mesh.vertices();
+  if(!std::all_of(vertices.begin(), vertices.end(), [&](const auto w)
+     {
+       return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y());
+     }))
     return false;
   for(const auto w : patch.mesh.vertices())
     if(!patch.mesh.is_border(w))
