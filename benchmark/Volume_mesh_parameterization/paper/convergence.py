@@ -1,4 +1,6 @@
 """The experiments on convergence: Fig. 2 and 3, Fig. 6 and 7, Table 1, and relaxation on several models."""
+from pathlib import Path
+
 from page import claims, figures, heading, paragraph, table
 
 import printed_values as printed
@@ -46,7 +48,14 @@ class Relaxation_figures:
                 pictures.append((picture(filename, [surface(image_of(read(run.vtu)))], *view(self.case)),
                                  f"{name} relaxation, step {run.steps}"))
             parts.append(figures(pictures, 210))
+            self._remove_shapes(result[name])
         return parts
+
+    @staticmethod
+    def _remove_shapes(run):
+        prefix = Path(run.prefix)
+        for shape in prefix.parent.glob(prefix.name + "_*"):
+            shape.unlink()
 
     def _submit_shapes(self, run):
         """As in the paper, the first step, the last one and three between them."""

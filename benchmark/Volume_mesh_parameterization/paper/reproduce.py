@@ -28,6 +28,8 @@ def main():
     parts = [page.paragraph(INTRODUCTION)]
     for section in sections:
         parts += section.parts(output)
+    for pictured in runs.folder.glob("*.vtu"):
+        pictured.unlink()
     parts.append(page.paragraph(f"All runs and pictures took {(time.time() - begin) / 60:.1f} minutes."))
     (output / "index.html").write_text(page.page("Stretch-minimizing volumetric parameterization: the paper, rerun", parts))
     print(f"Open {output / 'index.html'}")
