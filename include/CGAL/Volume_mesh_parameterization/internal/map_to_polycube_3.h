@@ -48,7 +48,7 @@ inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, std::vector<Eigen::Vec
   set_points(mesh, unit_points(mesh));
   const Normal_labels_3 costs(mesh);
   Error_code status = ERROR_NO_POLYCUBE;
-  for(double smoothing = 0.0025; smoothing < 0.2; smoothing *= 2)
+  for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
   {
     std::vector<std::size_t> labels = costs.minimize(smoothing);
     for(int attempt = 0; attempt < 10 && repair_labels_3(mesh, costs, smoothing, labels); ++attempt)
