@@ -28,7 +28,7 @@ def number(x):
         return x or ""
     if isinstance(x, int):
         return str(x)
-    return f"{x:.3g}" if abs(x) >= 1000 or 0 < abs(x) < 0.01 else f"{x:.3f}".rstrip("0").rstrip(".")
+    return f"{x:.4g}" if abs(x) >= 1000 or 0 < abs(x) < 0.01 else f"{x:.3f}".rstrip("0").rstrip(".")
 
 
 def table(filename, columns, rows, printed=()):
