@@ -44,9 +44,9 @@ finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered then, which
 On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
-The boundary may have handles and several connected components, and charts may have holes. Few other boundaries
-than those of mechanical parts resemble a polycube so much that labels proposed from normals serve; the
-complex should then be turned such that the most important normals are along the axes.
+The boundary may have handles, and charts may have holes. Labels are proposed from the normals as they are: a
+mechanical part should be turned such that the most important ones are along the axes. The more the boundary differs
+from a polycube, the more distorted is the map, and the less certain that labels with a polycube are found.
 
 \cgalModels{BoundaryParameterizer_3}
 
