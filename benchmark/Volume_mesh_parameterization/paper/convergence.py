@@ -68,7 +68,8 @@ class Relaxation_figures:
         rows += [(f"ours, {self.case.name}, {name} relaxation", run.steps, run.seconds,
                   run.log[-1]["distortion_energy"] + run.log[-1]["position_energy"], run.log[-1]["distance"])
                  for name, run in result.items()]
-        return table(output / "figure_2.csv", ["", "iterations", "seconds", "energy at the end", "|P(u)| at the end"], rows, (0, 1))
+        columns = ["", "iterations", "seconds", "energy at the end", "|P(u)| at the end"]
+        return table(output / "figure_2.csv", columns, rows, (0, 1))
 
 
 class Relaxation_table:
@@ -100,7 +101,8 @@ class Relaxation_table:
                           "the norm of the gradient, too. A Hessian that is not definite leads to relaxation, or it is "
                           "shifted by a multiple of the identity, or the Hessian of each cell loses its negative "
                           "eigenvalues."),
-                table(output / "relaxation.csv", ["", "iterations", "of them relaxing", "seconds", "energy", "|P(u)|"], rows)]
+                table(output / "relaxation.csv",
+                      ["", "iterations", "of them relaxing", "seconds", "energy", "|P(u)|"], rows)]
 
 
 class Energies:

@@ -10,10 +10,11 @@ from runs import Runs
 
 INTRODUCTION = (
     "The experiments of Jin et al., Stretch-Minimizing Volumetric Parameterization (JCST 30(3), 2015), rerun. Rows in "
-    "italics are printed in the paper. Its models are not public in that form: ours are others of the same kind, so numbers are "
-    "compared in kind. D = (Daa, Dma, Dav, Dmv) is measured by one program for all methods, on maps scaled to the "
-    "volume of the source. Energies are means over the cells, lengths such that the target has volume 1 (the paper takes sums, "
-    "and units as they are). Times are those of this machine, with one thread, while a second run occupied another one.")
+    "italics are printed in the paper. Its models are not public in that form: ours are others of the same kind, so "
+    "numbers are compared in kind. D = (Daa, Dma, Dav, Dmv) is measured by one program for all methods, on maps scaled "
+    "to the volume of the source. Energies are means over the cells, lengths such that the target has volume 1 (the "
+    "paper takes sums, and units as they are). Times are those of this machine, with one thread, while a second run "
+    "occupied another one.")
 
 
 def main():
