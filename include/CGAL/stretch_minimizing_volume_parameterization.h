@@ -108,8 +108,8 @@ predicates on the coordinates that are written.
   \cgalParamNBegin{do_refine}
     \cgalParamDescription{whether the complex may be refined where the boundary cannot be reached otherwise:
                           before the computation, as `Volume_mesh_parameterization::make_parameterizable()` does
-                          for this boundary map, and in it, by splitting interior edges of cells that
-                          stay inverted. The new vertices receive their images too.}
+                          for this boundary map, and while a soft boundary approaches its targets, by splitting interior
+                          edges of the cells that block it. The new vertices receive their images too.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamPrecondition{`c3t3` is not constant if the value is `true`}
@@ -132,7 +132,8 @@ predicates on the coordinates that are written.
   \cgalParamNBegin{soft_boundary_parameters}
     \cgalParamDescription{the parameters of the map with soft boundary}
     \cgalParamType{`Volume_mesh_parameterization::Soft_boundary_parameters`}
-    \cgalParamDefault{those of the paper}
+    \cgalParamDefault{those of the paper for `Boundary_mode::SOFT`, and otherwise
+                      `Volume_mesh_parameterization::approaching_soft_boundary_parameters()`}
   \cgalParamNEnd
   \cgalParamNBegin{positional_constraints}
     \cgalParamDescription{further linear equations between the images of vertices, for `Boundary_mode::SOFT`}
@@ -221,9 +222,12 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   constexpr bool has_angle_bound
     = !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value;
   using Options = VMP::internal::Parameterization_options<C3t3, has_angle_bound>;
+  const VMP::Boundary_mode mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO);
+  const VMP::Soft_boundary_parameters default_soft_parameters
+    = mode == VMP::Boundary_mode::SOFT ? VMP::Soft_boundary_parameters() : VMP::approaching_soft_boundary_parameters();
   const Options options = {
-    choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO),
-    choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), VMP::Soft_boundary_parameters()),
+    mode,
+    choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), default_soft_parameters),
     choose_parameter(get_parameter(np, internal_np::positional_constraints),
                      std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
     choose_parameter(get_parameter(np, internal_np::do_refine), false),

@@ -45,6 +45,8 @@ struct Soft_boundary_parameters
   /// ends if the energy changes by less than this times the diameter of the bounding box of the source,
   /// \f$\varepsilon_f\f$
   double energy_tolerance = 1e-8;
+  /// ends if the energy changes by less than this times the energy without the penalty; not in the paper
+  double relative_energy_tolerance = 0;
   /// ends if no vertex moves by more than this times that diameter
   double step_tolerance = 1e-8;
   /// ends if the norm of the gradient is less than this times the energy
@@ -72,6 +74,22 @@ inline Soft_boundary_parameters single_weight_soft_boundary_parameters(const dou
   Soft_boundary_parameters parameters;
   parameters.weight = weight;
   parameters.maximal_number_of_raises = 0;
+  return parameters;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+returns parameters for a boundary that is to end exactly at its targets: a coarse minimization for each of many weights,
+until a minimization with fixed boundary can take over.
+*/
+inline Soft_boundary_parameters approaching_soft_boundary_parameters()
+{
+  Soft_boundary_parameters parameters;
+  parameters.maximal_number_of_raises = 12;
+  parameters.residual_tolerance = 0;
+  parameters.relative_energy_tolerance = 1e-4;
+  parameters.maximal_number_of_relaxations = 0;
   return parameters;
 }
 

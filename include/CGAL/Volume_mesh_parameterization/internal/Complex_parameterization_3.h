@@ -21,6 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/blocking_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/describe_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
@@ -35,6 +36,7 @@
 #include <iterator>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -117,19 +119,22 @@ private:
     mesh.has_volume_weights = m_options.use_volume_weights;
     Stages stages(mesh, m_energy, m_solver, m_run, m_options.do_slide, m_result);
     bool needs_soft = m_options.mode != Boundary_mode::FIXED;
-    if(can_be_fixed && m_options.mode != Boundary_mode::SOFT)
+    if(can_be_fixed && m_options.mode != Boundary_mode::SOFT && m_images.empty())
     {
       stages.run_with_fixed_boundary();
       if(m_result.status == ERROR_NOT_FLIP_FREE)
-      {
-        if(refine(complex, stages.positions()))
-          return true;
         diagnose(complex.mesh(), stages.positions());
-      }
       needs_soft = needs_soft && !stages.is_flip_free() && !m_run.is_interrupted();
     }
     if(needs_soft)
-      stages.run_with_soft_boundary(m_options.soft, numbered_constraints(complex));
+    {
+      stages.run_with_soft_boundary(m_options.soft, numbered_constraints(complex), soft_start(complex));
+      if(m_result.status == ERROR_BOUNDARY_NOT_REACHED && refine(complex, stages.positions()))
+      {
+        m_number_of_raises = stages.number_of_raises() - 1; // the last one was useless
+        return true;
+      }
+    }
 
     if(m_options.do_slide && !m_run.is_interrupted())
       stages.slide([&](const std::size_t v) { return get(m_is_constrained, complex.vertices()[v]); });
@@ -157,27 +162,58 @@ private:
     return check;
   }
 
-  // Splits the interior edges of the cells that are not positive; false if that is not allowed, or
-  // there is nothing to split.
+  // The approach of the boundary goes on where the last refinement interrupted it. If the complex may be refined, that is
+  // done soon; otherwise larger weights get a chance.
+  Soft_boundary_start_3 soft_start(const Complex& complex) const
+  {
+    Soft_boundary_start_3 result;
+    result.patience = may_refine() ? 1 : 2;
+    if(m_images.empty())
+      return result;
+    Eigen::Matrix3Xd positions(3, complex.vertices().size());
+    for(std::size_t v = 0; v < complex.vertices().size(); ++v)
+      positions.col(v) = m_images.at(complex.vertices()[v]);
+    if(inverted_cells(complex.mesh(), positions).number > 0) // by rounding at a new vertex
+      return result;
+    result.positions = positions;
+    result.number_of_raises = m_number_of_raises;
+    return result;
+  }
+
+  // More than one new vertex for ten old ones would mean that refinement does not help.
+  bool may_refine() const
+  {
+    return m_options.do_refine && m_result.number_of_added_vertices <= m_result.number_of_vertices / 10;
+  }
+
+  // Splits the interior edges of the cells that keep the boundary from its targets, and the map with them. Returns false
+  // if that is not allowed, or there is nothing to split.
   bool refine(const Complex& complex, const Eigen::Matrix3Xd& image)
   {
-    constexpr int maximal_number_of_refinements = 20;
     if constexpr(std::is_const<C3t3>::value)
       return false;
     else
     {
-      if(!m_options.do_refine || m_run.is_exhausted()
-         || m_number_of_refinements++ == maximal_number_of_refinements)
+      if(!may_refine())
         return false;
       std::vector<std::pair<Vertex_handle, Vertex_handle> > edges;
-      for(const std::array<int, 4>& cell : complex.mesh().cells)
-        if(!is_positive(image, cell))
-          for(int i = 0; i < 4; ++i)
-            for(int j = i + 1; j < 4; ++j)
-              edges.emplace_back(complex.vertices()[cell[i]], complex.vertices()[cell[j]]);
+      for(const std::size_t c : blocking_cells_3(complex.mesh(), image))
+      {
+        const std::array<int, 4>& cell = complex.mesh().cells[c];
+        for(int i = 0; i < 4; ++i)
+          for(int j = i + 1; j < 4; ++j)
+            edges.emplace_back(complex.vertices()[cell[i]], complex.vertices()[cell[j]]);
+      }
       std::vector<Inserted_vertex_3<Vertex_handle> > inserted;
       split_edges_3(m_c3t3, edges, std::back_inserter(inserted));
       m_result.number_of_added_vertices += inserted.size();
+      m_result.number_of_infeasibility_proofs = 0; // they were for the complex as it was
+      m_result.message.clear();
+
+      for(std::size_t v = 0; v < complex.vertices().size(); ++v)
+        m_images[complex.vertices()[v]] = image.col(v);
+      for(const Inserted_vertex_3<Vertex_handle>& i : inserted)
+        m_images[i.vertex] = (m_images.at(i.simplex[0]) + m_images.at(i.simplex[1])) / 2;
       return !inserted.empty();
     }
   }
@@ -223,7 +259,8 @@ private:
   const Options& m_options;
   Parameterization_result m_result;
   bool m_is_parameterizable = false;
-  int m_number_of_refinements = 0;
+  std::unordered_map<Vertex_handle, Eigen::Vector3d> m_images; // after a refinement, what was reached before
+  std::size_t m_number_of_raises = 0;                          // and how often the weight had been raised
 };
 
 } // namespace internal

@@ -116,12 +116,11 @@ private:
     return true;
   }
 
-  // What remains of the residual is small against the energy, even where the penalty is much larger.
-  double solver_tolerance() const
-  {
-    const double distortion = m_evaluation.energy - m_penalty.value(m_u);
-    return 1e-2 * std::sqrt(distortion / m_evaluation.energy);
-  }
+  // the energy without the penalty
+  double distortion() const { return m_evaluation.energy - m_penalty.value(m_u); }
+
+  // What remains of the residual is small against the distortion, even where the penalty is much larger.
+  double solver_tolerance() const { return 1e-2 * std::sqrt(distortion() / m_evaluation.energy); }
 
   bool has_solver_failed() const
   {
@@ -156,6 +155,7 @@ private:
     m_last_energy = m_evaluation.energy;
     const double largest_move = m_step_length * m_newton.direction().colwise().norm().maxCoeff();
     return change < m_parameters.energy_tolerance * m_diameter
+        || change < m_parameters.relative_energy_tolerance * distortion()
         || largest_move < m_parameters.step_tolerance * m_diameter
         || is_gradient_small();
   }

@@ -28,6 +28,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -61,16 +62,22 @@ public:
       m_newton(with_free_vertices(mesh), inverse_sources(), cell_weights(mesh), solver, &m_penalty)
   {}
 
-  // Computes the start.
-  void start()
+  // Starts from the aligned source.
+  void start() { start(m_start, 0); }
+
+  // Starts from the given images of all vertices, which invert no cell, as after that many raises of the weight.
+  void start(const Eigen::Matrix3Xd& positions, const std::size_t number_of_raises)
   {
-    m_u = m_scale * m_start;
-    m_weight = m_parameters.weight;
+    m_u = m_scale * positions;
+    m_number_of_raises = number_of_raises;
     minimize();
     report();
     if(!m_minimizer->evaluation().is_flip_free())
       end(ERROR_INVERTED_SOURCE_CELL);
   }
+
+  // Makes the end come where so many raises of the weight in a row have not helped.
+  void end_when_blocked(const std::size_t patience) { m_patience = patience; }
 
   // One Newton step; to be called while is_running().
   void step()
@@ -87,10 +94,10 @@ public:
     {
       if(residual() <= m_parameters.residual_tolerance)
         end(status == Step_status::DONE ? OK : ERROR_NOT_CONVERGED);
-      else if(m_number_of_raises < m_parameters.maximal_number_of_raises)
-        raise_weight();
-      else
+      else if(is_blocked() || m_number_of_raises >= m_parameters.maximal_number_of_raises)
         end(ERROR_BOUNDARY_NOT_REACHED);
+      else
+        raise_weight();
     }
   }
 
@@ -115,7 +122,11 @@ public:
 
   // |P(u)|_2, where the target has volume 1
   double residual() const { return m_penalty.residual(m_u) / (m_scale * m_length); }
-  double weight() const { return m_weight; }
+  double weight() const
+  {
+    return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises));
+  }
+  std::size_t number_of_raises() const { return m_number_of_raises; }
   bool is_relaxing() const { return m_minimizer->is_relaxing(); }
 
 private:
@@ -163,15 +174,31 @@ private:
 
   void minimize()
   {
+    m_penalty.set_weight(penalty_factor(weight()));
     m_minimizer.emplace(m_newton, m_penalty, m_u, m_energy, m_parameters, diameter());
   }
 
   void raise_weight()
   {
     ++m_number_of_raises;
-    m_weight *= m_parameters.weight_factor;
-    m_penalty.set_weight(penalty_factor(m_weight));
     minimize();
+  }
+
+  // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
+  // for two raises as many cells as before keep vertices from their targets. The first raises only bring the
+  // boundary near.
+  bool is_blocked()
+  {
+    constexpr std::size_t number_of_first_raises = 3;
+    const Eigen::Matrix3Xd snapped = snapped_positions();
+    m_distances.push_back((snapped - positions()).colwise().norm().maxCoeff());
+    m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, snapped).number);
+    const std::size_t n = m_distances.size();
+    const bool is_useless = m_number_of_raises >= number_of_first_raises
+      && ((n > 1 && m_distances[n - 1] > 0.9 * m_distances[n - 2])
+          || (n > 2 && m_numbers_of_blocking_cells[n - 1] >= m_numbers_of_blocking_cells[n - 3]));
+    m_number_of_useless_raises = is_useless ? m_number_of_useless_raises + 1 : 0;
+    return m_number_of_useless_raises >= m_patience;
   }
 
   void report()
@@ -199,8 +226,11 @@ private:
   Newton m_newton;
   Eigen::Matrix3Xd m_u;
   std::optional<Minimizer> m_minimizer;
-  double m_weight = 0;
   std::size_t m_number_of_raises = 0;
+  std::size_t m_patience = (std::numeric_limits<std::size_t>::max)();
+  std::size_t m_number_of_useless_raises = 0;
+  std::vector<double> m_distances;                         // the largest one, for each weight
+  std::vector<std::size_t> m_numbers_of_blocking_cells;    // for each weight
   Parameterization_step m_step;
   Error_code m_status = ERROR_NOT_CONVERGED;
   bool m_is_running = true;
