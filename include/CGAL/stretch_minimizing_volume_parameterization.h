@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
@@ -29,9 +30,12 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <unordered_map>
 #include <vector>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
@@ -70,6 +74,8 @@ predicates on the coordinates that are written.
     \cgalParamDescription{the image of each vertex of the boundary of the complex}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
+    \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`; if there
+                      is none, the result has the status that it returns}
     \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target.
                     Prescribed vertices receive exactly the points given, unless they slide or the boundary is missed.}
   \cgalParamNEnd
@@ -191,9 +197,20 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
 
   using Vertex_handle = typename C3t3::Vertex_handle;
 
-  static_assert(!parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
-                "The named parameter boundary_map is missing.");
-  const auto boundary_map = get_parameter(np, internal_np::boundary_map);
+  std::unordered_map<Vertex_handle, typename C3t3::Triangulation::Geom_traits::Point_3> points_of_ball;
+  const auto boundary_map = choose_parameter(get_parameter(np, internal_np::boundary_map),
+                                             boost::make_assoc_property_map(points_of_ball));
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
+  {
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
+                  "The images of constrained vertices are missing: pass a boundary_map.");
+    VMP::Parameterization_result result;
+    result.status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, boundary_map);
+    result.message = VMP::get_error_message(result.status);
+    if(result.status != VMP::OK)
+      return result;
+  }
+
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                Static_boolean_property_map<Vertex_handle, false>());
 
@@ -222,9 +239,11 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   constexpr bool has_angle_bound
     = !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value;
   using Options = VMP::internal::Parameterization_options<C3t3, has_angle_bound>;
-  const VMP::Boundary_mode mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO);
+  const VMP::Boundary_mode mode
+    = choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO);
   const VMP::Soft_boundary_parameters default_soft_parameters
-    = mode == VMP::Boundary_mode::SOFT ? VMP::Soft_boundary_parameters() : VMP::approaching_soft_boundary_parameters();
+    = mode == VMP::Boundary_mode::SOFT ? VMP::Soft_boundary_parameters()
+                                       : VMP::approaching_soft_boundary_parameters();
   const Options options = {
     mode,
     choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), default_soft_parameters),

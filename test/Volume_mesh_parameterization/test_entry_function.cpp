@@ -375,6 +375,39 @@ TEST_CASE("Named parameters combine in any order")
                     .solver_traits(std::ref(solver)).visitor(std::ref(visitor))) == expected);
 }
 
+TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere")
+{
+  Complex complex(cube_mesh(4));
+  const Parameterization_result result
+    = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), params::do_refine(true));
+  CHECK(result.status == VMP::OK);
+  for(const auto& [vertex, target] : complex.target)
+  {
+    const Point_3& p = complex.uvw.at(vertex);
+    CHECK(p.x() * p.x() + p.y() * p.y() + p.z() * p.z() == Approx(1).epsilon(1e-12));
+  }
+
+  complex.uvw.clear();
+  const Parameterization_result again
+    = CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map());
+  CHECK(again.status == VMP::OK); // refined above
+  CHECK(again.number_of_added_vertices == 0);
+}
+
+TEST_CASE("A complex that is no ball is refused unless there is a boundary map")
+{
+  Complex complex(cube_mesh(4));
+  const Vertex_handle middle = complex.vertices[13]; // of 27 vertices inside
+  for(const auto c : complex.cells)
+    if(c->has_vertex(middle))
+      complex.c3t3.remove_from_complex(c);
+  const Parameterization_result result
+    = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map());
+  CHECK(result.status == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS);
+  CHECK(!result.has_valid_map);
+  CHECK(complex.uvw.empty());
+}
+
 TEST_CASE("A tag chooses the threads and not the result")
 {
   Complex complex(twisted_cube(6, 0.1));

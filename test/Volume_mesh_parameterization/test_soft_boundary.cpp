@@ -5,11 +5,14 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/blocking_cells_3.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -290,16 +293,60 @@ TEST_CASE("The distance of two vertices that share no cell is kept")
   CHECK(engine.positions()(0, a) - engine.positions()(0, b) == Approx(0.25).epsilon(1e-5));
 }
 
-TEST_CASE("A boundary that cannot be reached is approached, and said so")
+// Two vertices of the boundary change their places.
+internal::Numbered_mesh_3 impossible_cube()
 {
-  // two vertices of the boundary change their places
   internal::Numbered_mesh_3 mesh = cube_mesh(2);
   const int last = mesh.number_of_vertices() - 1;
   mesh.target.col(last).swap(mesh.target.col(last - 1));
+  return mesh;
+}
+
+TEST_CASE("A boundary that cannot be reached is approached, and said so")
+{
+  const internal::Numbered_mesh_3 mesh = impossible_cube();
   Solver solver;
   Engine engine(mesh, stretch, solver);
   run(engine, mesh);
   CHECK(engine.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
   CHECK(engine.residual() > 1e-6);
   CHECK(!engine.can_snap());
+}
+
+TEST_CASE("An approach that is blocked ends early, names the cells to blame, and goes on from there")
+{
+  const internal::Numbered_mesh_3 mesh = impossible_cube();
+  const VMP::Soft_boundary_parameters parameters = VMP::approaching_soft_boundary_parameters();
+  Solver solver;
+  Engine engine(mesh, stretch, solver, parameters);
+  engine.end_when_blocked(1);
+  run(engine, mesh);
+  CHECK(engine.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(engine.number_of_raises() < parameters.maximal_number_of_raises);
+
+  const int last = mesh.number_of_vertices() - 1;
+  const std::vector<std::size_t> cells = internal::blocking_cells_3(mesh, engine.positions());
+  REQUIRE(!cells.empty());
+  for(const std::size_t c : cells)
+  {
+    CHECK(!internal::is_positive(engine.snapped_positions(), mesh.cells[c]));
+    CHECK(std::any_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](const int v) { return v >= last - 1; }));
+  }
+
+  Engine second(mesh, stretch, solver, parameters);
+  second.start(engine.positions(), engine.number_of_raises());
+  CHECK(second.weight() == engine.weight());
+  CHECK(second.last_step().energy == Approx(engine.last_step().energy));
+  CHECK((second.positions() - engine.positions()).norm() < 1e-12);
+}
+
+TEST_CASE("An approach that can end at the targets does, whatever its patience")
+{
+  const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
+  Solver solver;
+  Engine engine(mesh, stretch, solver, VMP::approaching_soft_boundary_parameters());
+  engine.end_when_blocked(1);
+  run(engine, mesh);
+  CHECK(engine.status() == VMP::OK);
+  CHECK(engine.can_snap());
 }

@@ -210,12 +210,32 @@ private:
       m_result.number_of_infeasibility_proofs = 0; // they were for the complex as it was
       m_result.message.clear();
 
-      for(std::size_t v = 0; v < complex.vertices().size(); ++v)
-        m_images[complex.vertices()[v]] = image.col(v);
-      for(const Inserted_vertex_3<Vertex_handle>& i : inserted)
-        m_images[i.vertex] = (m_images.at(i.simplex[0]) + m_images.at(i.simplex[1])) / 2;
+      if(has_come_nearer(complex.mesh(), image))
+        keep(complex, image, inserted);
+      else
+        m_images.clear();
       return !inserted.empty();
     }
+  }
+
+  // Has the last refinement helped? If not, it is better to start all again, with the complex as it is now.
+  bool has_come_nearer(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+  {
+    const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+    const double distance = (image - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+    const bool result = m_images.empty() || distance < 0.9 * m_distance;
+    m_distance = distance;
+    return result;
+  }
+
+  // The images from which the approach goes on, with those of new vertices.
+  void keep(const Complex& complex, const Eigen::Matrix3Xd& image,
+            const std::vector<Inserted_vertex_3<Vertex_handle> >& inserted)
+  {
+    for(std::size_t v = 0; v < complex.vertices().size(); ++v)
+      m_images[complex.vertices()[v]] = image.col(v);
+    for(const Inserted_vertex_3<Vertex_handle>& i : inserted)
+      m_images[i.vertex] = (m_images.at(i.simplex[0]) + m_images.at(i.simplex[1])) / 2;
   }
 
   // Says why no map was found with fixed boundary, with a proof if there is one.
@@ -260,7 +280,8 @@ private:
   Parameterization_result m_result;
   bool m_is_parameterizable = false;
   std::unordered_map<Vertex_handle, Eigen::Vector3d> m_images; // after a refinement, what was reached before
-  std::size_t m_number_of_raises = 0;                          // and how often the weight had been raised
+  std::size_t m_number_of_raises = 0;                          // how often the weight had been raised
+  double m_distance = 0;                                       // and the largest distance to a target
 };
 
 } // namespace internal
