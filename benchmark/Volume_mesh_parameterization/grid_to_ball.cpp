@@ -32,7 +32,10 @@ int main(int argc, char* argv[])
   try
   {
     const Jittered_grid grid(static_cast<std::size_t>(n));
-    write_case(argv[2], "ball", grid.soup(), [&](std::size_t v) { return grid.is_on_boundary(v); }, cube_to_sphere);
+    write_mesh(argv[2], grid.soup());
+    write_targets(argv[2], "ball", grid.soup().points.size(),
+                  [&](std::size_t v) { return grid.is_on_boundary(v); },
+                  [&](std::size_t v) { return cube_to_sphere(grid.soup().points[v]); });
   }
   catch(const std::exception& error)
   {

@@ -28,7 +28,7 @@ def generated_case(command, folder, name, domain):
     """The case that a program writes, unless it is there already."""
     case = Case(name, folder / f"{name}.mesh", folder / f"{name}_{domain}.txt")
     if not case.target.exists():
-        subprocess.run([*command, folder / name], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return case
 
 
@@ -38,9 +38,12 @@ def all_cases(arguments, folder):
         yield "VOLMAP", case
     for surface, size in itertools.product(arguments.surfaces, arguments.sizes):
         stem = Path(surface).stem
-        yield stem, generated_case([arguments.mesher, surface, str(size)], folder, f"{stem}_{size:g}", "twist")
+        name = f"{stem}_{size:g}"
+        command = [arguments.mesher, surface, str(size), "smooth", folder / name, "twist"]
+        yield stem, generated_case(command, folder, name, "twist")
     for n in arguments.grids:
-        yield "grid to ball", generated_case([arguments.generator, str(n)], folder, f"grid_{n}", "ball")
+        name = f"grid_{n}"
+        yield "grid to ball", generated_case([arguments.generator, str(n), folder / name], folder, name, "ball")
 
 
 def run(driver, family, case, threads, solver, options):

@@ -11,25 +11,32 @@
 #include <stdexcept>
 #include <string>
 
-// Writes the mesh NAME.mesh and the prescribed boundary NAME_DOMAIN.txt, as in VOLMAP.
-template <typename IsOnBoundary, typename Target>
-void write_case(const std::string& name, const std::string& domain,
-                const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
-                const IsOnBoundary& is_on_boundary, const Target& target)
+// Writes NAME.mesh.
+inline void write_mesh(const std::string& name, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
-  std::ofstream mesh(name + ".mesh"), boundary(name + "_" + domain + ".txt");
-  CGAL::Volume_mesh_parameterization::IO::write_MEDIT(mesh, soup);
+  std::ofstream out(name + ".mesh");
+  CGAL::Volume_mesh_parameterization::IO::write_MEDIT(out, soup);
+  if(!out.flush())
+    throw std::runtime_error(name + ".mesh: this file cannot be written");
+}
+
+// Writes the prescribed boundary NAME_DOMAIN.txt, as in VOLMAP, for vertices with indices below n.
+template <typename IsOnBoundary, typename Target>
+void write_targets(const std::string& name, const std::string& domain, const std::size_t n,
+                   const IsOnBoundary& is_on_boundary, const Target& target)
+{
+  std::ofstream out(name + "_" + domain + ".txt");
   {
-    CGAL::Volume_mesh_parameterization::internal::Text_writer writer(boundary);
-    for(std::size_t v = 0; v < soup.points.size(); ++v)
+    CGAL::Volume_mesh_parameterization::internal::Text_writer writer(out);
+    for(std::size_t v = 0; v < n; ++v)
       if(is_on_boundary(v))
       {
-        const std::array<double, 3> p = target(soup.points[v]);
+        const std::array<double, 3> p = target(v);
         writer << v << " " << p[0] << " " << p[1] << " " << p[2] << "\n";
       }
   }
-  if(!mesh.flush() || !boundary.flush())
-    throw std::runtime_error(name + ": the files cannot be written");
+  if(!out.flush())
+    throw std::runtime_error(name + "_" + domain + ".txt: this file cannot be written");
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_WRITE_CASE_H
