@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -66,6 +67,9 @@ Distortion_of_map_3 distortion_of_map_3(const Numbered_mesh_3& mesh, const Eigen
     add_cell(result.at_source_volume, cell_volume, scale * s);
     result.energy += weights[c] * energy.value(Eigen::Vector3d(scale * s));
   }
+  // where cells are so flat that rounding leaves no singular value above 0
+  if(std::isnan(result.energy))
+    result.energy = std::numeric_limits<double>::infinity();
   return result;
 }
 
