@@ -1,4 +1,5 @@
-// Fills a closed surface with tetrahedra of a given size, and maps its boundary to a ball, a cube, a polycube or a twisted copy.
+// Fills a closed surface with tetrahedra of a given size, and maps the boundary to a ball, a cube, a polycube or a
+// twisted copy.
 #include "write_case.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
@@ -49,8 +50,8 @@ double diagonal(const CGAL::Bbox_3& box)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
-// Edges have about the given length. The sharp edges of the surface are kept if the kind is "sharp", and the boundary is a
-// manifold unless the kind is "any". There is no perturbation, which could undo that.
+// Edges have about the given length. The sharp edges of the surface are kept if the kind is "sharp", and the boundary
+// is a manifold unless the kind is "any". There is no perturbation, which could undo that.
 C3t3 make_mesh(const Surface_mesh& surface, const double size, const std::string& kind)
 {
   if(kind != "smooth" && kind != "sharp" && kind != "any")
@@ -129,9 +130,10 @@ int main(int argc, char* argv[])
   if(!(relative_size > 0))
   {
     std::cerr << "Usage: mesh_model SURFACE.off SIZE KIND NAME DOMAIN...\n"
-                 "Writes NAME.mesh, with cells of SIZE times the diagonal of the model, and for each DOMAIN (twist, ball, cube\n"
-                 "or polycube) its target NAME_DOMAIN.txt, or tells why there is none. KIND is smooth, sharp (the sharp edges of\n"
-                 "the surface are kept), or any (the boundary need not be a manifold)." << std::endl;
+                 "Writes NAME.mesh, with cells of SIZE times the diagonal of the model, and for each DOMAIN (twist,\n"
+                 "ball, cube or polycube) its target NAME_DOMAIN.txt, or tells why there is none. KIND is smooth,\n"
+                 "sharp (the sharp edges of the surface are kept), or any (the boundary need not be a manifold)."
+              << std::endl;
     return EXIT_FAILURE;
   }
   try
