@@ -5,7 +5,8 @@ check_boundary.py SOURCE.mesh TARGET.txt ball|cube|polycube
 
 prints the number of triangles that are flipped or flat. In a ball and a cube, the origin must see each triangle
 from inside, and the triangles must cover the sphere of directions once. In a cube and a polycube, each triangle
-must be in a plane normal to an axis, and those that share an edge in one plane must have the same normal.
+must be in a plane normal to an axis, those that share an edge in one plane must have the same normal, and the
+outermost ones must look outwards.
 """
 import sys
 from collections import defaultdict
@@ -56,7 +57,7 @@ def axis_and_side(points, facet, sign):
 
 
 def facets_off_axes(points, facets, sign):
-    """Those that are flat or oblique, or folded onto a neighbour in the same plane."""
+    """Those that are flat or oblique, or folded onto a neighbour in the same plane, or all if inside is outside."""
     normals = [axis_and_side(points, facet, sign) for facet in facets]
     neighbors = defaultdict(list)
     for facet, normal in zip(facets, normals):
@@ -64,7 +65,10 @@ def facets_off_axes(points, facets, sign):
             neighbors[frozenset((facet[i], facet[i - 1]))].append(normal)
     folded = sum(None not in pair and pair[0][0] == pair[1][0] and pair[0][1] != pair[1][1]
                  for pair in neighbors.values())
-    return normals.count(None) + folded
+    x_and_sides = [(points[facet[0]][0], normal[1]) for facet, normal in zip(facets, normals)
+                   if normal and normal[0] == 0]
+    is_inside_out = max(x_and_sides, default=(0, 1))[1] < 0
+    return len(facets) if is_inside_out else normals.count(None) + folded
 
 
 def check_boundary(source_file, target_file, domain):
