@@ -144,6 +144,8 @@ private:
         stages.bound_angle_distortion(m_options.maximal_angle_distortion);
 
     stages.evaluate();
+    if(m_result.status == ERROR_NOT_CONVERGED)
+      m_result.message.clear(); // the boundary that was not met at first is met now
     const std::string reason = m_result.status == OK || m_result.message.empty() ? "" : " " + m_result.message;
     m_result.message = get_error_message(m_result.status) + reason;
     if(m_result.has_valid_map)
@@ -243,10 +245,20 @@ private:
   {
     const std::vector<Infeasibility_proof_3> proofs = prove_infeasibility_3(mesh, image);
     m_result.number_of_infeasibility_proofs = proofs.size();
-    const Inverted_cells inverted = inverted_cells(mesh, image);
-    m_result.message = !proofs.empty() ? describe_infeasibility(proofs, mesh)
-      : failed_check(ERROR_NOT_FLIP_FREE, "With the boundary at its targets, ", inverted.number,
-                     " cells stay inverted; the first one is cell ", inverted.first, ".").message;
+    m_result.message = proofs.empty() ? describe_inverted_cells(mesh, image) : describe_infeasibility(proofs, mesh);
+  }
+
+  // Names the cells, the first ones of many.
+  static std::string describe_inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+  {
+    constexpr std::size_t maximal_number = 100;
+    std::string list;
+    std::size_t number = 0;
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      if(!is_positive(image, mesh.cells[c]) && number++ < maximal_number)
+        list += (list.empty() ? "" : ", ") + std::to_string(c);
+    return "With the boundary at its targets, these cells stay inverted: " + list
+      + (number > maximal_number ? ", and " + std::to_string(number - maximal_number) + " others." : ".");
   }
 
   std::vector<Linear_constraint_3<int> > numbered_constraints(const Complex& complex) const
