@@ -39,7 +39,7 @@ def fits(rows):
 
 def panel(rows, exponents, quantity):
     """The part of the gnuplot script for one quantity."""
-    script, curves = [], []
+    script, lines, marks = [], [], []
     programs = sorted({row["program"] for row in rows})
     for program, pairs in points(rows, quantity).items():
         i = 1 + programs.index(program)   # a program looks the same in both panels
@@ -50,9 +50,12 @@ def panel(rows, exponents, quantity):
         if fit:
             title += f" (exponent {fit['exponent']:.2f})"
             first, last = pairs[0][0], pairs[-1][0]
-            curves.append(f"[{first}:{last}] {fit['factor']}*x**{fit['exponent']} with lines lt {i} notitle")
-        curves.append(f'{block} with points lt {i} pt {i} title "{title}"')
-    return script + [f'set ylabel "{QUANTITIES[quantity][0]}"', "plot sample " + ", ".join(curves)] if curves else []
+            lines.append(f"[{first}:{last}] {fit['factor']}*x**{fit['exponent']} with lines lt {i} notitle")
+        marks.append(f'{block} with points lt {i} pt {i} title "{title}"')
+    if not marks:
+        return []
+    sample = "sample " if lines else ""   # the keyword must precede a range
+    return script + [f'set ylabel "{QUANTITIES[quantity][0]}"', f"plot {sample}" + ", ".join(lines + marks)]
 
 
 def plot(rows, exponents, filename):
