@@ -49,6 +49,16 @@ inline void add_cell(Distortion_3& distortion, const double cell_volume, const E
   distortion.volume_max = (std::max)(distortion.volume_max, change);
 }
 
+// The distortions that are no numbers: cells may be so flat that rounding leaves no singular value above 0.
+inline void replace_by_infinity(Distortion_3& distortion)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(std::isnan(distortion.angle_mean))
+    distortion.angle_mean = distortion.angle_max = infinity;
+  if(std::isnan(distortion.volume_mean))
+    distortion.volume_mean = distortion.volume_max = infinity;
+}
+
 template <typename Energy>
 Distortion_of_map_3 distortion_of_map_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image, const Energy& energy)
 {
@@ -67,7 +77,8 @@ Distortion_of_map_3 distortion_of_map_3(const Numbered_mesh_3& mesh, const Eigen
     add_cell(result.at_source_volume, cell_volume, scale * s);
     result.energy += weights[c] * energy.value(Eigen::Vector3d(scale * s));
   }
-  // where cells are so flat that rounding leaves no singular value above 0
+  replace_by_infinity(result.as_it_is);
+  replace_by_infinity(result.at_source_volume);
   if(std::isnan(result.energy))
     result.energy = std::numeric_limits<double>::infinity();
   return result;
