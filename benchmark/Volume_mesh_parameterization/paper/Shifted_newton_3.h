@@ -71,12 +71,6 @@ public:
 private:
   using Matrix = CGAL::Volume_mesh_parameterization::Block_sparse_matrix_3<double>;
 
-  static Mesh with_free_vertices(Mesh mesh)
-  {
-    mesh.number_of_free_vertices = mesh.number_of_vertices();
-    return mesh;
-  }
-
   static Matrix pattern(const Mesh& mesh)
   {
     Matrix matrix;

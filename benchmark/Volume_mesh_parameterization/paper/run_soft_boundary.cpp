@@ -68,12 +68,6 @@ public:
 private:
   using Pattern = VMP::Block_sparse_matrix_3<double>;
 
-  static Mesh with_free_vertices(Mesh mesh)
-  {
-    mesh.number_of_free_vertices = mesh.number_of_vertices();
-    return mesh;
-  }
-
   static Pattern pattern(const Mesh& mesh)
   {
     Pattern matrix;

@@ -60,17 +60,13 @@ public:
   double seconds() const { return m_timer.time(); }
   bool is_interrupted() const { return m_is_interrupted; }
 
-  // Did the last engine reach the limit of steps?
-  bool is_exhausted() const { return m_is_exhausted; }
-
   // The solver loop. Returns how it ended.
   template <typename Engine>
   Error_code run(Engine& engine, Parameterization_result& result)
   {
     while(engine.is_running())
     {
-      m_is_exhausted = engine.last_step().iteration >= m_limits.number_of_iterations;
-      if(m_is_exhausted)
+      if(engine.last_step().iteration >= m_limits.number_of_iterations)
         return engine.is_flip_free() ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE;
       const double begin = seconds();
       m_is_interrupted = begin > m_limits.seconds;
@@ -104,7 +100,6 @@ private:
   Run_limits m_limits;
   Real_timer m_timer;
   bool m_is_interrupted = false;
-  bool m_is_exhausted = false;
 };
 
 } // namespace internal

@@ -35,6 +35,21 @@ struct Numbered_mesh_3
   bool is_free(const int v) const { return v < number_of_free_vertices; }
 };
 
+// The mesh with all its vertices free.
+inline Numbered_mesh_3 with_free_vertices(Numbered_mesh_3 mesh)
+{
+  mesh.number_of_free_vertices = mesh.number_of_vertices();
+  return mesh;
+}
+
+// The positions with the prescribed vertices on their targets.
+inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+{
+  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  positions.rightCols(n) = mesh.target.rightCols(n);
+  return positions;
+}
+
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
 template <typename Positions>
 Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>& cell)

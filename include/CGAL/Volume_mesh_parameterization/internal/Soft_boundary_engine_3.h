@@ -56,7 +56,7 @@ public:
       m_parameters(parameters),
       m_has_constraints(!constraints.empty()),
       m_start(similarity_alignment_3(mesh)),
-      m_length(std::cbrt(volume(snapped(m_start), mesh.cells))),
+      m_length(std::cbrt(volume(snapped(mesh, m_start), mesh.cells))),
       m_scale(std::exp2(-std::round(std::log2(m_length)))),
       m_penalty(scaled(constraints), penalty_factor(parameters.weight)),
       m_newton(with_free_vertices(mesh), inverse_sources(), cell_weights(mesh), solver, &m_penalty)
@@ -112,7 +112,7 @@ public:
   Eigen::Matrix3Xd positions() const { return m_u / m_scale; }
 
   // The same with the prescribed vertices on their targets.
-  Eigen::Matrix3Xd snapped_positions() const { return snapped(positions()); }
+  Eigen::Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
 
   // May the minimization with fixed boundary take over from there?
   bool can_snap() const
@@ -130,20 +130,6 @@ public:
   bool is_relaxing() const { return m_minimizer->is_relaxing(); }
 
 private:
-  static Numbered_mesh_3 with_free_vertices(const Numbered_mesh_3& mesh)
-  {
-    Numbered_mesh_3 result = mesh;
-    result.number_of_free_vertices = mesh.number_of_vertices();
-    return result;
-  }
-
-  Eigen::Matrix3Xd snapped(Eigen::Matrix3Xd positions) const
-  {
-    const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
-    positions.rightCols(n) = m_mesh.target.rightCols(n);
-    return positions;
-  }
-
   // The constraints, with three more for each prescribed vertex, for the scaled positions.
   Constraints scaled(Constraints constraints) const
   {
@@ -190,9 +176,9 @@ private:
   bool is_blocked()
   {
     constexpr std::size_t number_of_first_raises = 3;
-    const Eigen::Matrix3Xd snapped = snapped_positions();
-    m_distances.push_back((snapped - positions()).colwise().norm().maxCoeff());
-    m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, snapped).number);
+    const Eigen::Matrix3Xd at_targets = snapped_positions();
+    m_distances.push_back((at_targets - positions()).colwise().norm().maxCoeff());
+    m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, at_targets).number);
     const std::size_t n = m_distances.size();
     const bool is_useless = m_number_of_raises >= number_of_first_raises
       && ((n > 1 && m_distances[n - 1] > 0.9 * m_distances[n - 2])

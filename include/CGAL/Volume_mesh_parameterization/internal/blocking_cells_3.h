@@ -31,21 +31,19 @@ namespace internal {
 // What keeps the others away often resolves itself once these cells give way.
 inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
-  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-  Eigen::Matrix3Xd snapped = positions;
-  snapped.rightCols(n) = mesh.target.rightCols(n);
+  const Eigen::Matrix3Xd at_targets = snapped(mesh, positions);
   const auto distance = [&](const std::size_t c)
   {
     double result = 0;
     for(const int v : mesh.cells[c])
-      result = (std::max)(result, (positions.col(v) - snapped.col(v)).norm());
+      result = (std::max)(result, (positions.col(v) - at_targets.col(v)).norm());
     return result;
   };
 
   std::vector<std::size_t> result;
   double farthest = 0;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(!is_positive(snapped, mesh.cells[c]))
+    if(!is_positive(at_targets, mesh.cells[c]))
     {
       result.push_back(c);
       farthest = (std::max)(farthest, distance(c));
