@@ -1,7 +1,7 @@
 # What the headers need; read by the build of this package and by projects that use the installed one.
 include(CMakeFindDependencyMacro)
 find_dependency(CGAL)
-find_dependency(Eigen3 3.3)
+find_dependency(Eigen3) # 3.3 or newer; asking for that version would refuse version 5
 include(CGAL_Eigen3_support)
 
 # Both optional: threads, and the faster direct solver.

@@ -205,7 +205,13 @@ TEST_CASE("An affine boundary gives an affine map, in the order of the file")
   folder.write("source.mesh", source);
   folder.write("target.txt", boundary_lines(source, 3, affine));
 
-  for(const std::string options : {"", " --solver cg", " --solver cholmod", " --energy dirichlet", " --threads 2",
+  for(const std::string options : {"", " --solver cg", " --energy dirichlet",
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+                                   " --solver cholmod",
+#endif
+#ifdef CGAL_LINKED_WITH_TBB
+                                   " --threads 2",
+#endif
                                    " --volume-weights --max-angle-distortion 100"})
   {
     CHECK(folder.run("source.mesh target.txt --quiet --output map.mesh --report report.json" + options) == 0);

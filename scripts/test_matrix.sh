@@ -1,0 +1,83 @@
+#!/usr/bin/env bash
+# Runs all tests with other compilers, standards and libraries than scripts/test.sh does. Prints a line for each
+# configuration; its messages are in FOLDER/CONFIGURATION.log.
+set -euo pipefail
+
+usage="Usage: scripts/test_matrix.sh [--folder FOLDER] [--cgal PREFIX] [--eigen PREFIX] [CONFIGURATION...]
+
+Without a configuration, all of these:
+  default      the compiler, the standard and the libraries that CMake finds
+  assertions   with the assertions of this package, of CGAL and of Eigen
+  clang        clang++
+  minimal      C++20, without TBB and CHOLMOD
+  cgal         the CGAL installed in the folder given by --cgal
+  eigen        the Eigen installed in the folder given by --eigen, and that CGAL
+  headers      each header compiled alone by g++ and clang++; no test is run
+FOLDER is build/matrix if not given. The last but one are left out if their folders are not given."
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+folder="$root/build/matrix"
+cgal=
+eigen=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --folder) folder=$2; shift 2 ;;
+    --cgal) cgal=$2; shift 2 ;;
+    --eigen) eigen=$2; shift 2 ;;
+    -*) echo "$usage"; exit 2 ;;
+    *) break ;;
+  esac
+done
+configurations=("$@")
+if [ $# -eq 0 ]; then
+  configurations=(default assertions clang minimal ${cgal:+cgal} ${eigen:+eigen} headers)
+fi
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$CMAKE_BUILD_PARALLEL_LEVEL}
+
+# Optimization is low because the programs take far longer to compile than to run.
+build_and_test()
+{
+  local build="$folder/$1"
+  shift
+  cmake -S "$root" -B "$build" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_FLAGS_DEBUG=-O1 "$@" &&
+    cmake --build "$build" &&
+    ctest --test-dir "$build" --output-on-failure
+}
+
+build_headers()
+{
+  for compiler in g++ clang++; do
+    cmake -S "$root" -B "$folder/headers_$compiler" -DCMAKE_CXX_COMPILER="$compiler" &&
+      cmake --build "$folder/headers_$compiler" --target headers || return 1
+  done
+}
+
+run()
+{
+  case $1 in
+    default) build_and_test "$1" ;;
+    assertions) build_and_test "$1" -DCMAKE_BUILD_TYPE=Debug ;;
+    clang) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ ;;
+    minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF ;;
+    cgal) CMAKE_PREFIX_PATH="$cgal" build_and_test "$1" ;;
+    eigen) CMAKE_PREFIX_PATH="$eigen:$cgal" build_and_test "$1" ;;
+    headers) build_headers ;;
+    *) echo "there is no configuration '$1'"; return 1 ;;
+  esac
+}
+
+"$root/scripts/install_dependencies.sh" clang
+mkdir -p "$folder"
+failures=0
+for configuration in "${configurations[@]}"; do
+  log="$folder/$configuration.log"
+  result=passed
+  if ! run "$configuration" > "$log" 2>&1; then
+    result=FAILED
+    failures=$((failures + 1))
+  fi
+  tests=$(sed -n 's/.*tests passed, .* tests failed out of \([0-9]*\)/\1 tests/p' "$log")
+  echo "$configuration: $result, ${tests:-no tests}, $(grep -c 'warning: ' "$log" || true) warnings"
+done
+exit "$failures"
