@@ -47,7 +47,7 @@ template <typename Energy>
 class Barrier_energy_3
 {
 public:
-  static constexpr bool has_barrier = true;
+  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
   /// \pre `beta > 0` and `lambda > 0`
   explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01,
@@ -57,18 +57,21 @@ public:
     CGAL_precondition(beta > 0 && lambda > 0);
   }
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return m_energy.value(s) + T(m_beta) * barrier(s).value;
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return m_energy.gradient(s) + T(m_beta / m_lambda) * barrier(s).first * cofactors(s);
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

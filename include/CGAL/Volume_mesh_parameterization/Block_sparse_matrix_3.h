@@ -27,20 +27,32 @@ namespace Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationSolvers
 
 A symmetric sparse matrix of 3x3 blocks: the Hessian of an energy, one block row a free vertex and
-one block for each pair of vertices that share a cell. Both triangles are stored, in compressed rows;
-blocks are stored by columns, and the columns of each row are sorted.
+one block for each pair of vertices that share a cell or a linear constraint. Both triangles are stored, in
+compressed rows; blocks are stored by columns, and the columns of each row are sorted.
+
+Rows and columns count blocks, from 0. A position is the index of a block in the order of storage, also from 0: the
+blocks of a row have the positions from `row_begin(row)` to `row_end(row) - 1`. Memory: nine numbers and an index a
+block.
 
 \tparam NT_ the number type, `float` or `double`
+
+\sa `NewtonSolverTraits_3`
 */
 template <typename NT_>
 class Block_sparse_matrix_3
 {
 public:
-  using NT = NT_;
+  using NT = NT_; ///< the number type
+  /// a block that can be changed
   using Block = Eigen::Map<Eigen::Matrix<NT, 3, 3> >;
+  /// a block that cannot be changed
   using Const_block = Eigen::Map<const Eigen::Matrix<NT, 3, 3> >;
 
-  /// sets the sparsity pattern: `row_begin` has one entry more than there are rows. All values become 0.
+  /// sets the sparsity pattern; all values become 0.
+  ///
+  /// \param row_begin the position of the first block of each row, and the number of blocks: one entry more than
+  ///        there are rows
+  /// \param columns the column of each block, in increasing order in each row, and each row with its diagonal block
   void set_pattern(std::vector<int> row_begin, std::vector<int> columns)
   {
     m_row_begin = std::move(row_begin);
@@ -49,28 +61,37 @@ public:
     m_values.assign(9 * m_columns.size() + 1, NT(0));
   }
 
-  /// number of block rows
+  /// returns the number of rows of blocks, a third of the number of unknowns.
   int size() const { return static_cast<int>(m_row_begin.size()) - 1; }
 
+  /// returns the position of the first block of a row.
   int row_begin(const int row) const { return m_row_begin[row]; }
+  /// returns the position after the last block of a row.
   int row_end(const int row) const { return m_row_begin[row + 1]; }
+  /// returns the column of a block.
   int column(const int position) const { return m_columns[position]; }
 
+  /// returns a block.
   Block block(const int position) { return Block(values(position)); }
+  /// returns a block.
   Const_block block(const int position) const { return Const_block(values(position)); }
+  /// returns the nine numbers of a block, by columns.
   NT* values(const int position) { return m_values.data() + 9 * std::size_t(position); }
+  /// returns the nine numbers of a block, by columns.
   const NT* values(const int position) const { return m_values.data() + 9 * std::size_t(position); }
 
-  /// position of the block in `row` and `column`, which must be part of the pattern
+  /// returns the position of the block in `row` and `column`, by binary search.
+  /// \pre The block is part of the pattern.
   int position(const int row, const int column) const
   {
     const auto begin = m_columns.begin();
     return static_cast<int>(std::lower_bound(begin + row_begin(row), begin + row_end(row), column) - begin);
   }
 
+  /// sets all values to 0.
   void set_zero() { std::fill(m_values.begin(), m_values.end(), NT(0)); }
 
-  /// makes the matrix symmetric by copying the upper triangle to the lower one
+  /// makes the matrix symmetric by copying the upper triangle to the lower one.
   void copy_upper_to_lower_triangle()
   {
     // rows are met in the order of the columns of the lower triangle
@@ -80,14 +101,15 @@ public:
         block(next[column(k)]++) = block(k).transpose();
   }
 
-  /// adds `factor` times itself to each diagonal block
+  /// adds `factor` times itself to each diagonal block.
   void scale_diagonal(const NT factor)
   {
     for(int row = 0; row < size(); ++row)
       block(position(row, row)) *= NT(1) + factor;
   }
 
-  /// computes three entries of the product with the vector `x`, those of `row`
+  /// returns the three entries of the product with the vector `x` that belong to `row`. The vector has three entries
+  /// a row of blocks.
   Eigen::Matrix<NT, 3, 1> multiply_row(const int row, const NT* x) const
   {
     using Four = Eigen::Array<NT, 4, 1>; // the fourth entry belongs to the next column and is dropped

@@ -61,7 +61,7 @@ template <typename Energy>
 class Bounded_angle_energy_3
 {
 public:
-  static constexpr bool has_barrier = true;
+  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
   /// \param bound the number \f$K\f$
   /// \param energy the energy \f$\psi_0\f$
@@ -74,18 +74,21 @@ public:
     CGAL_precondition(bound > 1 && weight > 0);
   }
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return m_energy.value(s) + T(m_weight) * barrier(s).value;
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return m_energy.gradient(s) + T(m_weight * slope()) * barrier(s).first * MIPS_energy_3().gradient(s);
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

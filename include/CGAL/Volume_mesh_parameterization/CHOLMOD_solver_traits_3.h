@@ -28,9 +28,13 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
-Supernodal Cholesky factorization by CHOLMOD (SuiteSparse). The graph of the vertices is ordered and
-the pattern analyzed once; each Newton step refactorizes. Exact to rounding, but time and memory grow
-faster than the mesh: about quadratically and with the power 4/3.
+Supernodal Cholesky factorization by CHOLMOD \cgalCite{cgal:cdhr-cholmod-08} (SuiteSparse), in double precision. The graph
+of the vertices is ordered and the pattern analyzed once; each Newton step refactorizes. Exact to rounding, but for
+\f$n\f$ vertices of a mesh of a volume, a factorization takes time in \f$O(n^2)\f$ and memory in \f$O(n^{4/3})\f$, with the
+ordering by nested dissection that is used if CHOLMOD has METIS.
+
+It is not included by other headers of this package: include it where CHOLMOD is at hand, which the macro
+`CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD` tells, defined by the target `CGAL::Volume_mesh_parameterization`.
 
 Small supernodes want a single BLAS thread: with OpenBLAS, set `OPENBLAS_NUM_THREADS=1`.
 
@@ -39,9 +43,10 @@ Small supernodes want a single BLAS thread: with OpenBLAS, set `OPENBLAS_NUM_THR
 class CHOLMOD_solver_traits_3
 {
 public:
-  using NT = double;
-  using Matrix = Block_sparse_matrix_3<NT>;
+  using NT = double;                        ///< the number type
+  using Matrix = Block_sparse_matrix_3<NT>; ///< the type of the matrix
 
+  /// starts CHOLMOD, with its messages switched off.
   CHOLMOD_solver_traits_3()
   {
     cholmod_start(&m_common);
@@ -50,7 +55,7 @@ public:
     m_common.quick_return_if_not_posdef = 1;
   }
 
-  /// A copy shares nothing: it has to analyze and factorize by itself.
+  /// makes a solver that shares nothing with the other one: it has to analyze and factorize by itself.
   CHOLMOD_solver_traits_3(const CHOLMOD_solver_traits_3&) : CHOLMOD_solver_traits_3() {}
   CHOLMOD_solver_traits_3& operator=(const CHOLMOD_solver_traits_3&) = delete;
 
@@ -60,6 +65,7 @@ public:
     cholmod_finish(&m_common);
   }
 
+  /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, `factorize()` will tell.
   void analyze_pattern(const Matrix& A)
   {
     set_pattern(A);
@@ -72,6 +78,9 @@ public:
     m_factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &m_common);
   }
 
+  /// factorizes `A`.
+  ///
+  /// \return `SUCCESS`, `NOT_POSITIVE_DEFINITE`, `OUT_OF_MEMORY` or `FAILED`
   Linear_solver_status factorize(const Matrix& A)
   {
     if(A.size() == 0) // nothing to do, and CHOLMOD fails
@@ -91,7 +100,9 @@ public:
     }
   }
 
-  /// solves A x = b; the tolerance is not needed
+  /// solves \f$A x = b\f$ with the last factorization; the tolerance is not needed.
+  ///
+  /// \return `SUCCESS`, `OUT_OF_MEMORY`, or `FAILED` if the solution is not finite
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double /* tolerance */)
   {
     if(b.size() == 0)

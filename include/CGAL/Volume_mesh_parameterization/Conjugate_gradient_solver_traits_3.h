@@ -30,12 +30,13 @@ namespace Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationSolvers
 
 Conjugate gradients, preconditioned by the inverses of the 3x3 diagonal blocks and truncated where
-the matrix shows negative curvature (Steihaug 1983). Memory: six vectors and the diagonal blocks.
-One iteration costs one product with the matrix.
+the matrix shows negative curvature \cgalCite{cgal:s-cgmtr-83}. Memory: five vectors and the diagonal blocks.
+One iteration costs one product with the matrix, in time linear in the number of cells; the number of iterations
+grows with the distortion of the map and the number of cells along a diameter of the mesh.
 
-\tparam ConcurrencyTag enables parallel products with `Parallel_tag`; results do not depend on the
-        number of threads
-\tparam NT_ the number type of matrix and vectors; `float` halves the memory traffic, and suffices
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; results do not depend on it, nor
+        on the number of threads
+\tparam NT_ the number type of matrix and vectors, `float` or `double`; `float` halves the memory traffic, and suffices
         because a Newton direction is needed to a few digits only
 
 \cgalModels{NewtonSolverTraits_3}
@@ -44,14 +45,16 @@ template <typename ConcurrencyTag = Sequential_tag, typename NT_ = float>
 class Conjugate_gradient_solver_traits_3
 {
 public:
-  using NT = NT_;
-  using Matrix = Block_sparse_matrix_3<NT>;
+  using NT = NT_;                           ///< the number type
+  using Matrix = Block_sparse_matrix_3<NT>; ///< the type of the matrix
 
-  /// at most so many iterations a call
+  /// limits the number of iterations of each call of `solve()`. Where the limit is reached, what was found so far is
+  /// the solution.
   explicit Conjugate_gradient_solver_traits_3(const int maximal_number_of_iterations = 2000)
     : m_maximal_number_of_iterations(maximal_number_of_iterations)
   {}
 
+  /// reserves memory for vectors.
   void analyze_pattern(const Matrix& A)
   {
     const std::size_t n = 3 * std::size_t(A.size());
@@ -61,7 +64,9 @@ public:
     m_partial_sums.resize(number_of_row_ranges());
   }
 
-  /// computes the preconditioner
+  /// computes the preconditioner, the inverses of the diagonal blocks. It does not notice whether `A` is positive definite.
+  ///
+  /// \return `SUCCESS`
   Linear_solver_status factorize(const Matrix& A)
   {
     for_each_row([&](const int row)
@@ -79,7 +84,11 @@ public:
     return Linear_solver_status::SUCCESS;
   }
 
-  /// solves A x = b until the residual, measured by the preconditioner, has fallen by `tolerance`
+  /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
+  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`.
+  ///
+  /// \return `SUCCESS`, also where the limit of iterations was reached; `TRUNCATED` or `NOT_POSITIVE_DEFINITE` where
+  ///         a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once; `FAILED` if a number is not finite
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
   {
     m_number_of_iterations = 0;
@@ -108,7 +117,7 @@ public:
     return std::isfinite(rz) ? status : Linear_solver_status::FAILED;
   }
 
-  /// number of iterations of the last call of `solve()`
+  /// returns the number of iterations of the last call of `solve()`.
   int number_of_iterations() const { return m_number_of_iterations; }
 
 private:

@@ -29,8 +29,8 @@ is the value of the linear interpolation at the new one.
 template <typename VertexHandle>
 struct Inserted_vertex_3
 {
-  VertexHandle vertex;
-  std::vector<VertexHandle> simplex; ///< the two, three or four vertices
+  VertexHandle vertex;               ///< the new vertex
+  std::vector<VertexHandle> simplex; ///< the two, three or four vertices of the edge, facet or cell
 };
 
 } // namespace Volume_mesh_parameterization

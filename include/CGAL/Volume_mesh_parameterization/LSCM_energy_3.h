@@ -35,8 +35,9 @@ To be used for comparisons; for maps that preserve angles, `MIPS_energy_3` does 
 */
 struct LSCM_energy_3
 {
-  static constexpr bool has_barrier = false;
+  static constexpr bool has_barrier = false; ///< false: the energy of a flat cell is finite
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
@@ -46,12 +47,14 @@ struct LSCM_energy_3
     return difference.squaredNorm();
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return s.cwiseProduct(derivative_by_squares(s));
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

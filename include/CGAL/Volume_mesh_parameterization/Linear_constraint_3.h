@@ -29,19 +29,24 @@ For example, a vertex `v` stays on the plane through `q` with normal `n` by the 
 value `n.dot(q)`, and the vertices `v` and `w` keep their distance in that direction by the terms
 `{v, n}` and `{w, -n}`. The meaning of the residual is a distance if the coefficients have length 1.
 
-\tparam Vertex_ a type that names a vertex
+Constraints have an effect with `Boundary_mode::SOFT` only. They act like the targets of the boundary, by the square of
+their residual.
+
+\tparam Vertex_ a type that names a vertex: `C3t3::Vertex_handle` in what is passed to
+        `CGAL::stretch_minimizing_volume_parameterization()`
 */
 template <typename Vertex_>
 struct Linear_constraint_3
 {
+  /// a summand \f$c_k \cdot u_{v_k}\f$
   struct Term
   {
-    Vertex_ vertex;
-    Eigen::Vector3d coefficient;
+    Vertex_ vertex;              ///< the vertex \f$v_k\f$, one of a cell of the complex
+    Eigen::Vector3d coefficient; ///< the vector \f$c_k\f$
   };
 
-  std::vector<Term> terms;
-  double value = 0;
+  std::vector<Term> terms; ///< the left-hand side
+  double value = 0;        ///< the right-hand side \f$p\f$, in the unit of the target if the coefficients have none
 };
 
 } // namespace Volume_mesh_parameterization

@@ -46,11 +46,12 @@ steps are needed.
 class Lp_stretch_energy_3
 {
 public:
-  static constexpr bool has_barrier = true;
+  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
   /// \pre `p >= 2`
   explicit Lp_stretch_energy_3(const double p = 8) : m_p(p) { CGAL_precondition(p >= 2); }
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
@@ -60,12 +61,14 @@ public:
     return powers.largest * exp(T(2 / m_p) * log(powers.sum));
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return T(-2) * value(s) * Powers<T>(s, m_p).shares().cwiseProduct(s.cwiseInverse());
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

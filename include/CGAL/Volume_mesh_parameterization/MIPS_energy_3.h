@@ -40,14 +40,16 @@ To be used for maps that preserve angles; volumes may change by any factor.
 */
 struct MIPS_energy_3
 {
-  static constexpr bool has_barrier = true;
+  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return T(0.125) * (s.squaredNorm() * s.cwiseInverse().squaredNorm() - T(1));
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
@@ -56,6 +58,7 @@ struct MIPS_energy_3
     return T(0.25) * (inverse.squaredNorm() * s - s.squaredNorm() * cube);
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

@@ -25,42 +25,45 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-What `CGAL::stretch_minimizing_volume_parameterization()` returns.
+What `CGAL::stretch_minimizing_volume_parameterization()` returns. Times are wall-clock times in seconds.
 */
 struct Parameterization_result
 {
-  Error_code status = OK;
+  Error_code status = OK;     ///< how it ended
   bool has_valid_map = false; ///< has the map been written? Only maps without inverted cells are.
-  std::string message; ///< a sentence about the status, with its data: an index, a volume, a number of cells
+  std::string message;        ///< sentences about the status, with its data: an index, a volume, a number of cells
 
-  std::size_t number_of_vertices = 0;          ///< vertices of cells
-  std::size_t number_of_cells = 0;
-  std::size_t number_of_boundary_vertices = 0;
+  std::size_t number_of_vertices = 0;          ///< vertices of cells, those that refinement has added included
+  std::size_t number_of_cells = 0;             ///< cells of the complex, after refinement
+  std::size_t number_of_boundary_vertices = 0; ///< vertices of facets between the complex and the outside
   std::size_t number_of_added_vertices = 0;    ///< by refinement
   std::size_t number_of_sliding_vertices = 0;  ///< on the boundary, if `do_slide_boundary(true)` was passed
 
-  std::size_t number_of_infeasibility_proofs = 0; ///< exact proofs that no map with this connectivity meets this boundary
+  /// exact proofs that no map with this connectivity meets this boundary, of which one would do
+  std::size_t number_of_infeasibility_proofs = 0;
 
-  std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map
-  std::size_t number_of_inverted_cells = 0;          ///< of the result, by exact predicates on its coordinates
+  std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map, by floating-point determinants
+  std::size_t number_of_inverted_cells = 0;          ///< or flat ones, of the result, by exact predicates
   /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
   /// that slide, to the plane or line through their point, where rounding counts as 0
   double boundary_residual = 0;
 
-  std::size_t number_of_iterations = 0;            ///< Newton steps
+  std::size_t number_of_iterations = 0;            ///< Newton steps, in all stages
   std::size_t number_of_untangling_iterations = 0; ///< those of them that untangled
 
-  double energy = std::numeric_limits<double>::quiet_NaN(); ///< mean of psi over the cells, both meshes scaled to one volume
+  /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume;
+  /// not a number without a valid map
+  double energy = std::numeric_limits<double>::quiet_NaN();
   Distortion_3 distortion;                  ///< of the map as it is
-  Distortion_3 distortion_at_source_volume; ///< of the map scaled to the source's volume
+  Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
 
-  double seconds_total = 0;
-  double seconds_to_flip_free = 0; ///< until no cell was inverted, or in all
+  double seconds_total = 0;        ///< of the call, without the default boundary map
+  double seconds_to_flip_free = 0; ///< until no cell was inverted, or until untangling ended
   double seconds_numbering = 0;    ///< from the complex to arrays, with the checks of the input
   double seconds_start = 0;        ///< set-up and harmonic map
-  double seconds_untangling = 0;
-  double seconds_minimization = 0;
-  double seconds_check = 0;        ///< exact check, distortions and output
+  double seconds_untangling = 0;   ///< Newton steps that untangled
+  double seconds_minimization = 0; ///< Newton steps that minimized
+  double seconds_check = 0;        ///< exact check and distortions
 };
 
 } // namespace Volume_mesh_parameterization

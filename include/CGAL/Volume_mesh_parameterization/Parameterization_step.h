@@ -18,8 +18,13 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationRef
-/// The phases of a parameterization.
-enum class Phase { START, UNTANGLING, MINIMIZATION };
+/// The phases of a parameterization. With soft boundary, all steps are minimization.
+enum class Phase
+{
+  START,       ///< before the first step
+  UNTANGLING,  ///< cells are inverted, and an energy that is finite for them is minimized
+  MINIMIZATION ///< no cell is inverted, and the energy is minimized
+};
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -29,23 +34,27 @@ What a visitor is told after each Newton step: see the named parameter `visitor`
 */
 struct Parameterization_step
 {
-  std::size_t iteration = 0;               ///< number of Newton steps so far
-  Phase phase = Phase::START;
-  double energy = 0;                       ///< mean of the energy of the phase over the cells
-  std::size_t number_of_inverted_cells = 0;
-  double gradient_norm = 0;                ///< of the energy at the beginning of the step
-  double step_length = 0;                  ///< 1 is a full Newton step
-  double seconds = 0;                      ///< since the beginning
+  std::size_t iteration = 0;                ///< number of Newton steps so far, in all stages
+  Phase phase = Phase::START;               ///< what the step was for
+  /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; values of
+  /// different phases and stages are not comparable
+  double energy = 0;
+  std::size_t number_of_inverted_cells = 0; ///< or flat, after the step, by floating-point determinants
+  double gradient_norm = 0;                 ///< Euclidean norm of the gradient at the beginning of the step
+  double step_length = 0;                   ///< 1 is a full Newton step, 0 means that no step was acceptable
+  double seconds = 0;                       ///< wall-clock time since the beginning
 };
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
 The default visitor, which does nothing.
+
+\cgalModels{ParameterizationVisitor_3}
 */
 struct Default_visitor
 {
-  /// is called after each Newton step; the computation ends if it returns `false`
+  /// returns `true`: the computation goes on.
   bool after_step(const Parameterization_step&) { return true; }
 };
 

@@ -43,7 +43,7 @@ template <typename Energy>
 class Power_energy_3
 {
 public:
-  static constexpr bool has_barrier = Energy::has_barrier;
+  static constexpr bool has_barrier = Energy::has_barrier; ///< as that of `Energy`
 
   /// \pre `exponent >= 2`
   explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy())
@@ -52,18 +52,21 @@ public:
     CGAL_precondition(exponent >= 2);
   }
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return power(m_energy.value(s), m_exponent);
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return T(m_exponent) * power(m_energy.value(s), m_exponent - 1) * m_energy.gradient(s);
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

@@ -29,14 +29,16 @@ depend on the scale of source and target. Minimum for prescribed volume: 3 at an
 */
 struct Stretch_energy_3
 {
-  static constexpr bool has_barrier = true;
+  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return s.cwiseInverse().squaredNorm();
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
@@ -44,6 +46,7 @@ struct Stretch_energy_3
     return T(-2) * inverse.cwiseProduct(inverse).cwiseProduct(inverse);
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {

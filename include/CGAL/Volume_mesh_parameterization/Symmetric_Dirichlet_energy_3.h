@@ -34,14 +34,16 @@ To be used for maps that are as isometric as possible in both directions.
 */
 struct Symmetric_Dirichlet_energy_3
 {
-  static constexpr bool has_barrier = true;
+  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
+  /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     return s.squaredNorm() + s.cwiseInverse().squaredNorm();
   }
 
+  /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
@@ -49,6 +51,7 @@ struct Symmetric_Dirichlet_energy_3
     return T(2) * (s - inverse.cwiseProduct(inverse).cwiseProduct(inverse));
   }
 
+  /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {
