@@ -48,10 +48,10 @@ namespace CGAL {
 \ingroup PkgVolumeMeshParameterizationRef
 
 computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted
-cell and a low distortion of angles and volumes.
+cell and a low distortion of angles and volumes. The map is linear on each cell and given by the images of the
+vertices.
 
-The map is linear on each cell and given by the images of the vertices. The method is the
-stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
+The method is the stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
 harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps
 that never invert a cell. With soft boundary, the method of the paper, no cell is inverted from the
 beginning, and the boundary may be missed. That no cell is inverted is checked at the end with exact
@@ -59,15 +59,17 @@ predicates on the coordinates that are written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
-\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`; if it is not `const`, of
+        `MeshComplexWithFeatures_3InTriangulation_3` too
 \tparam VertexUVWMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param c3t3 the complex; it is modified only if `do_refine(true)` is passed, and may be constant otherwise
+\param c3t3 the complex; it is modified only if `do_refine(true)` is passed, and may be constant otherwise. Its cells may
+       have several subdomains and connected components; vertices without a cell are ignored.
 \param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
        (see `Parameterization_result::has_valid_map`); otherwise it is left alone
-\param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{boundary_map}
@@ -83,6 +85,7 @@ predicates on the coordinates that are written.
     \cgalParamDescription{the energy whose mean over the cells is minimized}
     \cgalParamType{a model of `DistortionEnergy_3`}
     \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
+    \cgalParamExtra{Source and target are scaled to the same volume for this.}
   \cgalParamNEnd
   \cgalParamNBegin{use_volume_weights}
     \cgalParamDescription{whether a cell counts by its volume in the source, as in the mean distortions of
@@ -97,7 +100,8 @@ predicates on the coordinates that are written.
     \cgalParamDefault{no bound}
     \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further if
                     a cell exceeds the bound, with a weight that grows until none does. Whether this succeeded is
-                    told by the status, what was reached by `Parameterization_result::distortion`. Prescribed
+                    told by the status, what was reached by
+                    `Volume_mesh_parameterization::Parameterization_result`. Prescribed
                     facets may force more than the bound; then the message says so. Ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
@@ -118,7 +122,9 @@ predicates on the coordinates that are written.
                           edges of the cells that block it. The new vertices receive their images too.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamPrecondition{`c3t3` is not constant if the value is `true`}
+    \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of
+                    the vertices has been added. The complex stays refined whatever the status is.}
+    \cgalParamPrecondition{`c3t3` is not constant if the value is `true`.}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
@@ -145,41 +151,51 @@ predicates on the coordinates that are written.
     \cgalParamDescription{further linear equations between the images of vertices, for `Boundary_mode::SOFT`}
     \cgalParamType{`std::vector<Volume_mesh_parameterization::Linear_constraint_3<C3t3::Vertex_handle> >`}
     \cgalParamDefault{none}
+    \cgalParamPrecondition{The vertices belong to cells of the complex; otherwise `std::out_of_range` is thrown.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{tells the vertices inside the complex that `boundary_map` prescribes as well,
                           and those of the boundary that must not slide}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
+    \cgalParamPrecondition{`boundary_map` is given as well.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the maximal number of Newton steps of each stage: with fixed boundary, with soft boundary,
-                          and again after each refinement}
+                          with boundary vertices that slide, for each weight of the bound of angles, and again after
+                          each refinement}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`1000`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{a limit for the running time in seconds, tested after each step}
+    \cgalParamDescription{a limit for the running time in seconds, tested before each Newton step}
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
+    \cgalParamExtra{Results that depend on it are not reproducible.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each Newton step, and may end the computation}
-    \cgalParamType{a class with a function `bool after_step(const Volume_mesh_parameterization::Parameterization_step&)`}
+    \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether a line a step is printed to `std::cout`}
+    \cgalParamDescription{whether the sizes, the linear solver, and a line a step are printed to `std::cout`}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return how it went, with the distortions and the running times
+\return how it went, with the distortions and the running times. What depends on the complex or on the boundary is
+        told by `Parameterization_result::status`, in words by `Parameterization_result::message`; nothing is thrown.
 
-A Newton step takes time linear in the number of cells, plus the solution of a linear system.
+Exceptions of property maps, energy, solver and visitor pass through, with `uvw_map` left alone, and so does
+`std::bad_alloc`.
+
+A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
+the number of cells, plus what the solver needs.
 
 \sa `CGAL::Volume_mesh_parameterization::get_error_message()`
+\sa `CGAL::Volume_mesh_parameterization::make_parameterizable()`
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename C3t3,

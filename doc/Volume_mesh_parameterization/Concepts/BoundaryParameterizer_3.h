@@ -2,7 +2,8 @@
 \ingroup PkgVolumeMeshParameterizationConcepts
 \cgalConcept
 
-The concept `BoundaryParameterizer_3` describes a way to choose the images of the boundary vertices of a complex.
+The concept `BoundaryParameterizer_3` describes a way to choose the images of the boundary vertices of a complex, the
+`boundary_map` of `CGAL::stretch_minimizing_volume_parameterization()`. It is called by the user, before that function.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}
@@ -22,7 +23,11 @@ public:
 /*!
 writes the image of each vertex of a facet that has a cell of the complex on one side only.
 
-The images of the facets form a closed surface without self-intersections that is oriented like the boundary.
+The images of the facets form a closed surface without self-intersections that is oriented like the boundary, unless the
+model leaves this to the caller, as `CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3` does.
+
+\param c3t3 the complex
+\param target receives the images
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
 \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and

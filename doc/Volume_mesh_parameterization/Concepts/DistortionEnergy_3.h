@@ -10,7 +10,8 @@ function \f$\psi(\sigma_1, \sigma_2, \sigma_3)\f$ of the signed singular values 
 The signed singular values are those of \f$J = R\,\mathrm{diag}(\sigma_1, \sigma_2, \sigma_3)\,Q^T\f$ with
 two rotations \f$R\f$ and \f$Q\f$, and \f$\sigma_1 \ge \sigma_2 \ge |\sigma_3|\f$. Their product is
 \f$\det J\f$, the change of the volume; an inverted cell is one with \f$\sigma_3 < 0\f$. Before \f$J\f$ is
-computed, the source is scaled to the volume of the target, so that 1 stands for the mean change of lengths.
+computed, the source is scaled to the volume of the target, so that 1 stands for the mean change of lengths. The
+values have no unit.
 
 The function must be symmetric: no permutation of its arguments changes its value. It must be twice
 continuously differentiable where all arguments are positive, also where some of them are equal; then
@@ -24,7 +25,8 @@ argument-dependent lookup. So write `T(2)` instead of `2`, say `using std::sqrt;
 and do not branch on values of type `T`. Functions must not have side effects: they are called from
 several threads.
 
-An evaluation should take constant time. Objects are copied, and should be small.
+An evaluation should take constant time: all three functions are called for each cell in each Newton step. Models must
+be copy constructible; objects are copied, and should be small.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Stretch_energy_3}
@@ -51,6 +53,7 @@ public:
   /// tells whether \f$\psi\f$ tends to infinity when a cell becomes flat, that is, when
   /// \f$\sigma_3\f$ tends to 0 from above and \f$\sigma_1\f$ does not. Without such a barrier, cells
   /// become flat during the minimization and keep it from going on, although no cell is ever inverted.
+  /// It is a statement for users and for adapters such as `Power_energy_3`; the minimization itself does not read it.
   static constexpr bool has_barrier;
 
   /// @}

@@ -4,7 +4,8 @@
 
 The concept `ParameterizationVisitor_3` describes an object that is told of the progress of
 `CGAL::stretch_minimizing_volume_parameterization()`, and may end it: for a progress bar, a plot of the
-convergence, or a button that stops the computation. A visitor that collects data is passed by `std::ref()`.
+convergence, or a button that stops the computation. A visitor that collects data is passed by `std::ref()`; of what is
+passed by value a copy is used, so models must then be copy constructible.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Default_visitor}
@@ -19,9 +20,12 @@ public:
   /// @{
 
   /// is called after each Newton step, by the thread that called the parameterization.
-  /// Exceptions pass through; the result is then left alone.
+  /// Exceptions pass through; no image is then written.
   ///
-  /// \return `false` to end the computation. The map reached so far is returned if no cell is inverted.
+  /// \return `false` to end the computation, which then has the status `ERROR_INTERRUPTED`. The map reached so far
+  ///         is written if no cell is inverted.
+  ///
+  /// It should take little time compared with a step, which is linear in the number of cells.
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step);
 
   /// @}

@@ -32,8 +32,8 @@ maps the boundary of a complex that is a topological sphere onto the unit sphere
 The image is a polyhedron inscribed in the sphere. Its central projection covers the sphere once: the origin
 sees each triangle from inside, which is checked with exact predicates on the coordinates written.
 
-The method is the one of Praun and Hoppe \cgalCite{cgal:ph-spr-03}: the surface is coarsened to a tetrahedron by
-edge collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
+With the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03} the surface is coarsened to a tetrahedron by edge
+collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
 energy, which compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
 
 \cgalModels{BoundaryParameterizer_3}
@@ -43,7 +43,10 @@ energy, which compares lengths and areas, of the map from the boundary, scaled t
 class Ball_boundary_parameterizer_3
 {
 public:
-  /// writes the image of each vertex of the boundary of the complex.
+  /// writes the image of each vertex of the boundary of the complex, a point of the unit sphere up to rounding.
+  ///
+  /// \param c3t3 the complex
+  /// \param target receives the images
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and

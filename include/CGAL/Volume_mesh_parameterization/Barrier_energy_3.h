@@ -30,7 +30,7 @@ spline \f$\varphi(x) = 1 / (1 - (1 - x)^3) - 1\f$ for \f$0 < x < 1\f$, \f$\varph
 It is twice continuously differentiable. For \f$D \to 0\f$ it grows like \f$\beta\lambda / (3 D)\f$; it is
 meaningless for \f$D \le 0\f$.
 
-The defaults are the parameters of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}: \f$\beta = 0.01\f$, and the
+The defaults are the parameters of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, section 5: \f$\beta = 0.01\f$, and the
 barrier concerns a cell whose volume has fallen below \f$V_D / V_M\f$ times that in the source, where
 \f$V_D\f$ and \f$V_M\f$ are the volumes of target and source. As both meshes are scaled to one volume
 before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
@@ -49,6 +49,11 @@ class Barrier_energy_3
 public:
   static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
+  /// constructs the sum.
+  ///
+  /// \param energy the energy \f$\psi_0\f$
+  /// \param beta the weight \f$\beta\f$ of the barrier
+  /// \param lambda the change of volume \f$\lambda\f$ below which the barrier begins
   /// \pre `beta > 0` and `lambda > 0`
   explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01,
                             const double lambda = 1)

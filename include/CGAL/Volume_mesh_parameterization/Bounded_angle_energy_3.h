@@ -63,6 +63,8 @@ class Bounded_angle_energy_3
 public:
   static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
+  /// constructs the sum.
+  ///
   /// \param bound the number \f$K\f$
   /// \param energy the energy \f$\psi_0\f$
   /// \param weight the number \f$w\f$; a larger one keeps cells farther away from the bound

@@ -28,10 +28,10 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
-Supernodal Cholesky factorization by CHOLMOD \cgalCite{cgal:cdhr-cholmod-08} (SuiteSparse), in double precision. The graph
-of the vertices is ordered and the pattern analyzed once; each Newton step refactorizes. Exact to rounding, but for
-\f$n\f$ vertices of a mesh of a volume, a factorization takes time in \f$O(n^2)\f$ and memory in \f$O(n^{4/3})\f$, with the
-ordering by nested dissection that is used if CHOLMOD has METIS.
+Supernodal Cholesky factorization by CHOLMOD \cgalCite{cgal:cdhr-cholmod-08} (SuiteSparse), in double precision. The
+graph of the vertices is ordered and the pattern analyzed once; each Newton step refactorizes. Exact to rounding, but
+for \f$n\f$ vertices of the mesh of a volume, a factorization takes time in \f$O(n^2)\f$ and memory in
+\f$O(n^{4/3})\f$, with the ordering by nested dissection that is used if CHOLMOD has METIS.
 
 It is not included by other headers of this package: include it where CHOLMOD is at hand, which the macro
 `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD` tells, defined by the target `CGAL::Volume_mesh_parameterization`.

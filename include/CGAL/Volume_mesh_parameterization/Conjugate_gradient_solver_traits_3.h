@@ -64,7 +64,8 @@ public:
     m_partial_sums.resize(number_of_row_ranges());
   }
 
-  /// computes the preconditioner, the inverses of the diagonal blocks. It does not notice whether `A` is positive definite.
+  /// computes the preconditioner, the inverses of the diagonal blocks. It does not notice whether `A` is positive
+  /// definite.
   ///
   /// \return `SUCCESS`
   Linear_solver_status factorize(const Matrix& A)

@@ -43,7 +43,8 @@ The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`
 sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the patches
 are mapped from the sphere by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
 \ref PkgSurfaceMeshParameterization. Finally the symmetric Dirichlet energy of the map from the boundary, scaled
-to the area of the box, is lowered: vertices move in their face or along their edge of the box.
+to the area of the box, is lowered: vertices move in their face or along their edge of the box, in at most 100 sweeps
+over all vertices.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -57,7 +58,7 @@ public:
     : Cube_boundary_parameterizer_3(1, 1, 1)
   {}
 
-  /// chooses the box with these lengths of its sides.
+  /// chooses the box with these lengths of its sides, in the unit of the images. Its center is the origin.
   /// \pre The lengths are positive and finite.
   Cube_boundary_parameterizer_3(const double x_length, const double y_length, const double z_length)
     : m_half_lengths(x_length / 2, y_length / 2, z_length / 2)
@@ -70,6 +71,9 @@ public:
   /// The corners are chosen such that the patches have areas in the ratio of those of the faces of the box, turned
   /// such that the map is similar to the scaling of the bounding box of the boundary to the box, and close to the
   /// corners of the bounding box.
+  ///
+  /// \param c3t3 the complex
+  /// \param target receives the images
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and

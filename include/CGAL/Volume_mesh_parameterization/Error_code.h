@@ -19,11 +19,16 @@ namespace Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationRef
 
 How a parameterization ended.
+
+With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map without
+inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
+`Parameterization_result::has_valid_map`. With the other values there is none. Those from
+`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`.
 */
 enum Error_code
 {
   OK = 0,                        ///< the map has no inverted cell, meets the boundary exactly, and is a minimizer
-  ERROR_NOT_CONVERGED,           ///< the map is valid, but the number of iterations did not suffice to minimize the energy
+  ERROR_NOT_CONVERGED,           ///< the map is valid, but the minimization of the energy did not come to its end
   ERROR_INTERRUPTED,             ///< the visitor or the time limit ended the computation
   ERROR_ANGLE_BOUND_NOT_REACHED, ///< the map is valid, but the distortion of angles exceeds the bound in some cell
   ERROR_BOUNDARY_NOT_REACHED,    ///< the map has no inverted cell, but does not meet the boundary
@@ -48,7 +53,7 @@ enum Error_code
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-returns a sentence that explains the code.
+returns a sentence that explains the code. The text is static: it need not be freed.
 */
 inline const char* get_error_message(const Error_code code)
 {

@@ -26,7 +26,8 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-The squared \f$L^p\f$ stretch
+The squared \f$L^p\f$ stretch, of which Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, section 3.2, have the case
+\f$p = 2\f$,
 \f$\psi = \left(|\sigma_1|^{-p} + |\sigma_2|^{-p} + |\sigma_3|^{-p}\right)^{2/p}\f$, \f$p \ge 2\f$.
 For \f$p = 2\f$ it is `Stretch_energy_3`; for large \f$p\f$ it approaches the square of the
 \f$L^\infty\f$ stretch \f$1/\min_i |\sigma_i|\f$, from above and within a factor \f$3^{2/p}\f$.
@@ -48,6 +49,7 @@ class Lp_stretch_energy_3
 public:
   static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
 
+  /// constructs the energy for this \f$p\f$.
   /// \pre `p >= 2`
   explicit Lp_stretch_energy_3(const double p = 8) : m_p(p) { CGAL_precondition(p >= 2); }
 

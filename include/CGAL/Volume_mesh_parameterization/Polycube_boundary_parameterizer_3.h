@@ -57,9 +57,12 @@ class Polycube_boundary_parameterizer_3
 public:
   /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
   ///
-  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}: they are
+  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}. They are
   /// found by `CGAL::alpha_expansion_graphcut()`. Charts that no polycube can have are merged into their neighbours.
   /// This is tried with more and more weight on short lines.
+  ///
+  /// \param c3t3 the complex
+  /// \param target receives the images
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and

@@ -45,6 +45,10 @@ class Power_energy_3
 public:
   static constexpr bool has_barrier = Energy::has_barrier; ///< as that of `Energy`
 
+  /// constructs the power.
+  ///
+  /// \param exponent the number \f$p\f$
+  /// \param energy the energy \f$\psi_0\f$
   /// \pre `exponent >= 2`
   explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy())
     : m_energy(energy), m_exponent(exponent)

@@ -20,8 +20,8 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-The parameters of the map with soft boundary, after section 4 of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}:
-the mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$, where
+The parameters of the map with soft boundary, after section 4 of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}.
+The mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$, where
 \f$P(u)\f$ collects the distances of the prescribed vertices to their targets and the residuals of further
 linear constraints. Lengths are measured on a copy of the problem in which the target has volume 1. (The
 authors take the sum over the cells, and units as they are; with mean and unit volume the parameters
@@ -33,13 +33,13 @@ are not satisfied then.
 */
 struct Soft_boundary_parameters
 {
-  /// the first weight, \f$w_0\f$
+  /// the first weight, \f$w_0\f$; positive
   double weight = 100;
-  /// the factor between one weight and the next, \f$\gamma\f$
+  /// the factor between one weight and the next, \f$\gamma\f$; larger than 1
   double weight_factor = 25;
   /// how often the weight is raised at most
   std::size_t maximal_number_of_raises = 5;
-  /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this, \f$\eta\f$
+  /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this, \f$\eta\f$, where the target has volume 1
   double residual_tolerance = 1e-6;
 
   /// ends if the energy changes by less than this times the diameter of the bounding box of the source,
@@ -47,7 +47,7 @@ struct Soft_boundary_parameters
   double energy_tolerance = 1e-8;
   /// ends if the energy changes by less than this times the energy without the penalty; not in the paper
   double relative_energy_tolerance = 0;
-  /// ends if no vertex moves by more than this times that diameter
+  /// ends if no vertex moves by this times that diameter
   double step_tolerance = 1e-8;
   /// ends if the norm of the gradient is less than this times the energy
   double gradient_tolerance = 1e-6;

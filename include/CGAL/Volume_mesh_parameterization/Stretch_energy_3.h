@@ -20,10 +20,13 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-The \f$L^2\f$ stretch energy \f$\psi = 1/\sigma_1^2 + 1/\sigma_2^2 + 1/\sigma_3^2\f$
-of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (4). It tends to infinity when a cell
-collapses, so it needs no further barrier. It is homogeneous of degree -2: its minimizer does not
-depend on the scale of source and target. Minimum for prescribed volume: 3 at an isometry.
+The \f$L^2\f$ stretch energy \f$\psi = \sigma_1^{-2} + \sigma_2^{-2} + \sigma_3^{-2} = |J^{-1}|^2\f$
+of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (4).
+
+Minimum for prescribed volume: 3 at an isometry. It is homogeneous of degree -2: its minimizer does not depend on
+the scale of source and target. It tends to infinity when a cell becomes flat, so it needs no further barrier.
+
+To be used where no direction may be compressed too much: the default, a compromise between angles and volumes.
 
 \cgalModels{DistortionEnergy_3}
 */

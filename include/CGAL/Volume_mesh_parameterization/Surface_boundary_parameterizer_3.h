@@ -37,6 +37,9 @@ Two surfaces are given, for instance read from files: the boundary of the comple
 `CGAL::facets_in_complex_3_to_triangle_mesh()`, and the target, whose i-th vertex is the image of the i-th vertex of
 the first surface. The vertices of the complex are found by their coordinates, which must be exactly the same.
 
+Whether the target intersects itself or is turned inside out is not checked here: see
+`CGAL::Polygon_mesh_processing::does_self_intersect()`.
+
 \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 
 \cgalModels{BoundaryParameterizer_3}
@@ -47,12 +50,15 @@ template <typename TriangleMesh>
 class Surface_boundary_parameterizer_3
 {
 public:
-  /// stores references to both surfaces.
+  /// stores references to both surfaces, which must outlive this object.
   Surface_boundary_parameterizer_3(const TriangleMesh& boundary, const TriangleMesh& target)
     : m_boundary(boundary), m_target(target)
   {}
 
   /// writes the image of each vertex of the boundary of the complex.
+  ///
+  /// \param c3t3 the complex
+  /// \param target receives the images
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -61,6 +67,8 @@ public:
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, or `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a
   ///         face of the surfaces
+  ///
+  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the surfaces.
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
