@@ -1,4 +1,5 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes.
+#include "Command_line.h"
 #include "JSON_object.h"
 #include "Named_energy_3.h"
 #include "Output_file.h"
@@ -15,8 +16,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
-
-#include <boost/program_options.hpp>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -35,7 +34,6 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -79,14 +77,6 @@ VMP::Boundary_mode boundary_mode(const std::string& name)
   if(name == "soft") return VMP::Boundary_mode::SOFT;
   throw std::runtime_error("there is no boundary mode '" + name + "'");
 }
-
-struct Options
-{
-  std::string source, target, output, refined_source, report, energy, solver, boundary;
-  int number_of_threads, number_of_iterations;
-  double maximal_angle_distortion;
-  bool do_refine, do_slide, use_volume_weights, is_quiet;
-};
 
 // The mesh in the order of the file, and the same mesh as a complex.
 struct Problem
@@ -314,58 +304,6 @@ void write_report(const std::string& filename, const Result& result, Exit_code c
   Output_file file(filename);
   file.stream() << report.text() << "\n";
   file.commit();
-}
-
-// Parses the command line; false if only help was asked for.
-bool parse(int argc, char* argv[], Options& options)
-{
-  namespace po = boost::program_options;
-  po::options_description visible("Options");
-  visible.add_options()
-    ("help", "print this text")
-    ("output", po::value(&options.output)->value_name("FILE"),
-     "the map: the mesh with the new coordinates (*.mesh), or the source with the map as data (*.vtu)")
-    ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
-     "the source with the vertices that --refine has added (*.mesh)")
-    ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
-     "auto, fixed or soft: may the boundary be missed?")
-    ("refine", po::bool_switch(&options.do_refine), "split edges where the boundary cannot be reached otherwise")
-    ("slide", po::bool_switch(&options.do_slide), "let boundary vertices move in planes and along edges of the target")
-    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
-     "stretch, dirichlet, arap, lscm, lpm, mips or symmetric_dirichlet")
-    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
-    ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
-       ->default_value(std::numeric_limits<double>::infinity(), "none"),
-     "bring the distortion of angles of every cell below K, if that is possible")
-    ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"), "cg or cholmod")
-    ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1), "number of threads")
-    ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
-     "largest number of Newton steps")
-    ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions")
-    ("quiet", po::bool_switch(&options.is_quiet), "print errors only");
-
-  po::options_description all;
-  all.add(visible).add_options()
-    ("source", po::value(&options.source))
-    ("target", po::value(&options.target));
-  po::positional_options_description positional;
-  positional.add("source", 1).add("target", 1);
-
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if(given.count("help") != 0)
-  {
-    std::cout << "Usage: parameterize_mesh_file SOURCE.mesh TARGET [options]\n\n"
-                 "Maps a tetrahedral mesh onto a prescribed boundary without inverting a cell.\n"
-                 "TARGET has lines 'vertex_index x y z' (indices start at 0), or is a *.mesh of the same connectivity.\n"
-                 "Exit status: 0 success, 1 the boundary is missed, 2 bad input, 3 no map without inverted cells.\n\n"
-              << visible;
-    return false;
-  }
-  if(options.source.empty() || options.target.empty())
-    throw std::runtime_error("SOURCE.mesh and TARGET are needed; --help tells more");
-  return true;
 }
 
 // Finds faults in the options before anything expensive is done.

@@ -1,0 +1,120 @@
+// The command line of parameterize_mesh_file.
+#ifndef COMMAND_LINE_H
+#define COMMAND_LINE_H
+
+#include <boost/program_options.hpp>
+
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+struct Options
+{
+  std::string source, target, output, refined_source, report, energy, solver, boundary;
+  int number_of_threads, number_of_iterations;
+  double maximal_angle_distortion;
+  bool do_refine, do_slide, use_volume_weights, is_quiet;
+};
+
+constexpr const char* help_before_options =
+R"(Usage: parameterize_mesh_file SOURCE.mesh TARGET [options]
+
+Maps a tetrahedral mesh onto another domain. The boundary goes where TARGET tells; the vertices inside
+are placed such that no cell is inverted or flat, and that the distortion is low.
+
+  SOURCE.mesh  the mesh, an ASCII MEDIT file
+  TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
+               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates
+)";
+
+constexpr const char* help_after_options = R"(
+Exit status:
+  0  success: no inverted cell, and the boundary is met exactly
+  1  no inverted cell, but the boundary is missed by the distance that is printed; try --refine
+  2  bad input: the message names the file, line or vertex; no output is written
+  3  no map without inverted cells was found; no output is written; try --refine
+
+Examples:
+  parameterize_mesh_file cube.mesh cube_to_ball.txt --output ball.vtu
+      For ParaView: there, the filter Calculator with Coordinate Results and the expression uvw shows
+      the image. The cells can be colored by angle_distortion and volume_distortion.
+  parameterize_mesh_file cube.mesh cube_to_ball.txt --refine --output ball.mesh --refined-source source.mesh
+      A pair of meshes with the same cells, for programs that show or use the map.
+)";
+
+// Refers to the members of `options`, which receive the values.
+inline boost::program_options::options_description describe(Options& options)
+{
+  namespace po = boost::program_options;
+  const unsigned width = 100;
+
+  po::options_description files("Files", width);
+  files.add_options()
+    ("output", po::value(&options.output)->value_name("FILE"),
+     "the map; *.mesh: the mesh with the new coordinates; *.vtu: the source with the map and its distortion as data")
+    ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
+     "the source (*.mesh) with the vertices that --refine has added; it has the cells of the output")
+    ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
+
+  po::options_description boundary("Boundary", width);
+  boundary.add_options()
+    ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
+     "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
+     "auto: fixed, and soft if that finds no map")
+    ("refine", po::bool_switch(&options.do_refine),
+     "add vertices where the targets cannot be met otherwise")
+    ("slide", po::bool_switch(&options.do_slide),
+     "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
+
+  po::options_description distortion("Distortion", width);
+  distortion.add_options()
+    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
+     "what is minimized: stretch, symmetric_dirichlet, mips (angles only), arap, dirichlet, lscm or lpm")
+    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
+    ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
+       ->default_value(std::numeric_limits<double>::infinity(), "none"),
+     "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2");
+
+  po::options_description computation("Computation", width);
+  computation.add_options()
+    ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"),
+     "cg: conjugate gradients; cholmod: a direct solver, if the program was built with CHOLMOD")
+    ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1),
+     "number of threads; they do not change the result")
+    ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
+     "largest number of Newton steps of each stage")
+    ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
+    ("help", "print this text");
+
+  po::options_description visible(width);
+  visible.add(files).add(boundary).add(distortion).add(computation);
+  return visible;
+}
+
+// False if only help was asked for.
+inline bool parse(int argc, char* argv[], Options& options)
+{
+  namespace po = boost::program_options;
+  const po::options_description visible = describe(options);
+  po::options_description all;
+  all.add(visible).add_options()
+    ("source", po::value(&options.source))
+    ("target", po::value(&options.target));
+  po::positional_options_description positional;
+  positional.add("source", 1).add("target", 1);
+
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
+  po::notify(given);
+  if(given.count("help") != 0)
+  {
+    std::cout << help_before_options << visible << help_after_options;
+    return false;
+  }
+  if(options.source.empty() || options.target.empty())
+    throw std::runtime_error("SOURCE.mesh and TARGET are needed; --help tells more");
+  return true;
+}
+
+#endif // COMMAND_LINE_H

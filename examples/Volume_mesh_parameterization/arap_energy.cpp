@@ -1,0 +1,16 @@
+// Maps a cube onto a dented one with the as-rigid-as-possible energy. Cells would collapse below the dent, so a barrier
+// is added.
+#include "Dented_cube.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
+
+int main()
+{
+  Dented_cube cube;
+  const VMP::Barrier_energy_3<VMP::ARAP_energy_3> energy;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    cube.c3t3, cube.uvw_map(), params::boundary_map(cube.boundary_map()).energy(energy));
+  return print(result);
+}

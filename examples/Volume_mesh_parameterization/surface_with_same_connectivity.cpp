@@ -1,0 +1,63 @@
+// Meshes a ball, bends its surface, and maps the ball onto what the bent surface encloses.
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
+#include <CGAL/make_mesh_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <unordered_map>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = K::Point_3;
+using Surface_mesh = CGAL::Surface_mesh<Point_3>;
+using Domain = CGAL::Labeled_mesh_domain_3<K>;
+using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
+using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+int main()
+{
+  const auto ball = [](const Point_3& p) { return CGAL::squared_distance(p, Point_3(0, 0, 0)) - 1; };
+  const Domain domain = Domain::create_implicit_mesh_domain(ball, K::Sphere_3(CGAL::ORIGIN, 2.));
+  const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.2,
+                                           params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2,
+                                           params::cell_size = 0.2);
+  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+
+  // any program that moves vertices and keeps faces will do, for instance one that fairs or deforms surfaces
+  Surface_mesh boundary;
+  CGAL::facets_in_complex_3_to_triangle_mesh(c3t3, boundary);
+  Surface_mesh bent = boundary;
+  for(Point_3& p : bent.points())
+    p = Point_3(2 * p.x(), p.y() + p.x() * p.x(), p.z());
+
+  Point_map target, uvw;
+  const VMP::Surface_boundary_parameterizer_3<Surface_mesh> parameterizer(boundary, bent);
+  const VMP::Error_code status = parameterizer.parameterize(c3t3, boost::make_assoc_property_map(target));
+  if(status != VMP::OK)
+  {
+    std::cerr << VMP::get_error_message(status) << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    c3t3, boost::make_assoc_property_map(uvw), params::boundary_map(boost::make_assoc_property_map(target)));
+  std::cout << result.message << "\n"
+            << target.size() << " boundary vertices, residual " << result.boundary_residual << "\n"
+            << "distortion of angles: mean " << result.distortion.angle_mean
+            << ", max " << result.distortion.angle_max << std::endl;
+  return result.status == VMP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,14 @@
+// Maps a cube onto a dented one with the symmetric Dirichlet energy, which counts stretching and compressing alike.
+#include "Dented_cube.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+
+int main()
+{
+  Dented_cube cube;
+  const VMP::Symmetric_Dirichlet_energy_3 energy;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    cube.c3t3, cube.uvw_map(), params::boundary_map(cube.boundary_map()).energy(energy));
+  return print(result);
+}
