@@ -1,5 +1,6 @@
 // stretch_minimizing_volume_parameterization() on complexes of all kinds, and with other kernels.
 #include "catch.h"
+#include "code_of_readme.h"
 #include "cube_complex.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -79,6 +80,17 @@ TEMPLATE_TEST_CASE("Kernels", "", CGAL::Simple_cartesian<double>, CGAL::Exact_pr
     const auto& q = expected.uvw.at(expected.vertices[v]);
     CHECK((CGAL::to_double(p.x()) == q.x() && CGAL::to_double(p.y()) == q.y() && CGAL::to_double(p.z()) == q.z()));
   }
+}
+
+TEST_CASE("The function of README.md")
+{
+  Cube_complex<> expected(twisted_cube(3, 0.1)), complex(twisted_cube(3, 0.1));
+  parameterize(expected);
+  const auto target = [&complex](const Cube_complex<>::Vertex_handle v) { return complex.target.at(v); };
+  CHECK(parameterize(complex.c3t3, complex.uvw_map(), target));
+  REQUIRE(complex.uvw.size() == complex.vertices.size());
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    CHECK(complex.uvw.at(complex.vertices[v]) == expected.uvw.at(expected.vertices[v]));
 }
 
 TEST_CASE("Interfaces between subdomains are not prescribed")
