@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs all tests with other compilers, standards and libraries than scripts/test.sh does. Prints a line for each
-# configuration; its messages are in FOLDER/CONFIGURATION.log.
+# configuration; its messages are in FOLDER/CONFIGURATION.log. With meshio, files of the driver are tested, too.
 set -euo pipefail
 
 usage="Usage: scripts/test_matrix.sh [--folder FOLDER] [--cgal PREFIX] [--eigen PREFIX] [CONFIGURATION...]
@@ -13,7 +13,7 @@ Without a configuration, all of these:
   cgal         the CGAL installed in the folder given by --cgal
   eigen        the Eigen installed in the folder given by --eigen, and that CGAL
   headers      each header compiled alone by g++ and clang++; no test is run
-FOLDER is build/matrix if not given. The last but one are left out if their folders are not given."
+FOLDER is build/matrix if not given; cgal and eigen are left out if their PREFIX is not given."
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 folder="$root/build/matrix"
@@ -40,7 +40,8 @@ build_and_test()
 {
   local build="$folder/$1"
   shift
-  cmake -S "$root" -B "$build" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_FLAGS_DEBUG=-O1 "$@" &&
+  cmake -S "$root" -B "$build" -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -DCMAKE_CXX_FLAGS_DEBUG=-O1 \
+    -DPython3_EXECUTABLE=/usr/bin/python3 "$@" &&
     cmake --build "$build" &&
     ctest --test-dir "$build" --output-on-failure
 }
@@ -67,7 +68,7 @@ run()
   esac
 }
 
-"$root/scripts/install_dependencies.sh" clang
+"$root/scripts/install_dependencies.sh" clang python3-meshio
 mkdir -p "$folder"
 failures=0
 for configuration in "${configurations[@]}"; do
