@@ -315,7 +315,8 @@ TEST_CASE("Each named parameter by itself")
       parameterize(complex, params::verbose(verbose));
       const std::string text = output.text();
       const std::size_t lines = std::count(text.begin(), text.end(), '\n');
-      CHECK(lines == (verbose ? plain.number_of_iterations : 0));
+      CHECK(lines == (verbose ? 1 + plain.number_of_iterations : 0));
+      CHECK((text.find("Conjugate_gradient_solver_traits_3") != std::string::npos) == verbose);
     }
     CHECK(complex.uvw == expected);
   }

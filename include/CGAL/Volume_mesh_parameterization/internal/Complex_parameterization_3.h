@@ -31,6 +31,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -117,6 +118,7 @@ private:
 
     Numbered_mesh_3 mesh = complex.mesh();
     mesh.has_volume_weights = m_options.use_volume_weights;
+    m_run.template announce<Solver>(mesh);
     Stages stages(mesh, m_energy, m_solver, m_run, m_options.do_slide, m_result);
     bool needs_soft = m_options.mode != Boundary_mode::FIXED;
     if(can_be_fixed && m_options.mode != Boundary_mode::SOFT && m_images.empty())
@@ -188,8 +190,9 @@ private:
     return m_options.do_refine && m_result.number_of_added_vertices <= m_result.number_of_vertices / 10;
   }
 
-  // Splits the interior edges of the cells that keep the boundary from its targets, and the map with them. Returns false
-  // if that is not allowed, or there is nothing to split.
+  // Splits the interior edges of the cells that keep the boundary from its targets, and the map with them; or, where these
+  // are fewer, of those that the fixed boundary had left inverted, to try it again. Returns false if that is not allowed,
+  // or there is nothing to split.
   bool refine(const Complex& complex, const Eigen::Matrix3Xd& image)
   {
     if constexpr(std::is_const<C3t3>::value)
@@ -198,8 +201,10 @@ private:
     {
       if(!may_refine())
         return false;
+      const std::vector<std::size_t> blocking_cells = blocking_cells_3(complex.mesh(), image);
+      const bool is_easier_fixed = !m_inverted_cells.empty() && m_inverted_cells.size() < blocking_cells.size();
       std::vector<std::pair<Vertex_handle, Vertex_handle> > edges;
-      for(const std::size_t c : blocking_cells_3(complex.mesh(), image))
+      for(const std::size_t c : is_easier_fixed ? m_inverted_cells : blocking_cells)
       {
         const std::array<int, 4>& cell = complex.mesh().cells[c];
         for(int i = 0; i < 4; ++i)
@@ -211,8 +216,9 @@ private:
       m_result.number_of_added_vertices += inserted.size();
       m_result.number_of_infeasibility_proofs = 0; // they were for the complex as it was
       m_result.message.clear();
+      m_inverted_cells.clear();
 
-      if(has_come_nearer(complex.mesh(), image))
+      if(has_come_nearer(complex.mesh(), image) && !is_easier_fixed)
         keep(complex, image, inserted);
       else
         m_images.clear();
@@ -240,25 +246,28 @@ private:
       m_images[i.vertex] = (m_images.at(i.simplex[0]) + m_images.at(i.simplex[1])) / 2;
   }
 
-  // Says why no map was found with fixed boundary, with a proof if there is one.
+  // Keeps and says why no map was found with fixed boundary, with a proof if there is one.
   void diagnose(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
   {
     const std::vector<Infeasibility_proof_3> proofs = prove_infeasibility_3(mesh, image);
     m_result.number_of_infeasibility_proofs = proofs.size();
-    m_result.message = proofs.empty() ? describe_inverted_cells(mesh, image) : describe_infeasibility(proofs, mesh);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      if(!is_positive(image, mesh.cells[c]))
+        m_inverted_cells.push_back(c);
+    m_result.message = proofs.empty() ? describe_inverted_cells() : describe_infeasibility(proofs, mesh);
   }
 
   // Names the cells, the first ones of many.
-  static std::string describe_inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+  std::string describe_inverted_cells() const
   {
     constexpr std::size_t maximal_number = 100;
+    const std::size_t number = (std::min)(maximal_number, m_inverted_cells.size());
     std::string list;
-    std::size_t number = 0;
-    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-      if(!is_positive(image, mesh.cells[c]) && number++ < maximal_number)
-        list += (list.empty() ? "" : ", ") + std::to_string(c);
+    for(std::size_t i = 0; i < number; ++i)
+      list += (i == 0 ? "" : ", ") + std::to_string(m_inverted_cells[i]);
+    const std::size_t others = m_inverted_cells.size() - number;
     return "With the boundary at its targets, these cells stay inverted: " + list
-      + (number > maximal_number ? ", and " + std::to_string(number - maximal_number) + " others." : ".");
+      + (others > 0 ? ", and " + std::to_string(others) + " others." : ".");
   }
 
   std::vector<Linear_constraint_3<int> > numbered_constraints(const Complex& complex) const
@@ -291,6 +300,7 @@ private:
   const Options& m_options;
   Parameterization_result m_result;
   bool m_is_parameterizable = false;
+  std::vector<std::size_t> m_inverted_cells; // that the fixed boundary has left in this complex
   std::unordered_map<Vertex_handle, Eigen::Vector3d> m_images; // after a refinement, what was reached before
   std::size_t m_number_of_raises = 0;                          // how often the weight had been raised
   double m_distance = 0;                                       // and the largest distance to a target

@@ -15,8 +15,11 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
 
 #include <CGAL/Real_timer.h>
+
+#include <boost/type_index.hpp>
 
 #include <cstddef>
 #include <iomanip>
@@ -59,6 +62,16 @@ public:
 
   double seconds() const { return m_timer.time(); }
   bool is_interrupted() const { return m_is_interrupted; }
+
+  // Says what is going to be solved, and by which linear solver.
+  template <typename Solver>
+  void announce(const Numbered_mesh_3& mesh) const
+  {
+    if(m_limits.verbose)
+      std::cout << mesh.cells.size() << " cells, " << mesh.number_of_vertices() << " vertices, "
+                << mesh.number_of_free_vertices << " of them free; linear solver "
+                << boost::typeindex::type_id<Solver>().pretty_name() << std::endl;
+  }
 
   // The solver loop. Returns how it ended.
   template <typename Engine>
