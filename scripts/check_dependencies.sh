@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Fails unless package_info/dependencies is sorted and lists the CGAL package of each header of CGAL that is included.
+# The list holds more, the packages that those need in turn.
+set -euo pipefail
+export LC_ALL=C
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+list="$root/package_info/Volume_mesh_parameterization/dependencies"
+
+# The package in which CGAL keeps a header.
+package_of()
+{
+  case $1 in
+    Volume_mesh_parameterization/* | stretch_minimizing_volume_parameterization.h) echo Volume_mesh_parameterization ;;
+    STL_Extension/internal/parameters_interface.h) echo STL_Extension ;;
+    license/*) basename "$1" .h ;;
+    license.h | config.h) echo Installation ;;
+    Named_function_parameters.h | algorithm.h | assertions.h | iterator.h | tags.h) echo STL_Extension ;;
+    number_utils.h) echo Algebraic_foundations ;;
+    Exact_rational.h) echo Number_types ;;
+    Exact_predicates_inexact_constructions_kernel.h) echo Kernel_23 ;;
+    property_map.h) echo Property_map ;;
+    boost/graph/*) echo BGL ;;
+    Eigen_solver_traits.h) echo Solver_interface ;;
+    QP_functions.h | QP_models.h) echo QP_solver ;;
+    Random.h) echo Random_numbers ;;
+    Real_timer.h) echo Profiling_tools ;;
+    Spatial_sort_traits_adapter_3.h | hilbert_sort.h) echo Spatial_sorting ;;
+    Surface_mesh.h) echo Surface_mesh ;;
+    Union_find.h) echo Union_find ;;
+    centroid.h) echo Principal_component_analysis_LGPL ;;
+    Polygon_mesh_processing/* | Surface_mesh_parameterization/*) dirname "$1" ;;
+    *) echo "the unknown package of <CGAL/$1>" ;;
+  esac
+}
+
+included=$(grep -rhoE '^ *#\s*include(_next)? <CGAL/[^>]+' "$root/include" | sed 's|.*<CGAL/||' | sort -u)
+packages=$(for header in $included; do package_of "$header"; done | sort -u)
+missing=$(comm -23 <(echo "$packages") <(sort "$list"))
+
+sort --check --unique "$list"
+if [ -n "$missing" ]; then
+  echo "Not in $list:"
+  echo "$missing"
+  exit 1
+fi
