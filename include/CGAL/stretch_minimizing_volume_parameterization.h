@@ -99,8 +99,8 @@ predicates on the coordinates that are written.
     \cgalParamType{`double`}
     \cgalParamDefault{no bound}
     \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further if
-                    a cell exceeds the bound, with a weight that grows until none does. Whether this succeeded is
-                    told by the status, what was reached by
+                    a cell exceeds the bound: relaxed as long as one does, then as a barrier that no cell passes. Whether
+                    this succeeded is told by the status, what was reached by
                     `Volume_mesh_parameterization::Parameterization_result`. Prescribed
                     facets may force more than the bound; then the message says so. Ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
@@ -213,10 +213,12 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
 
   using Vertex_handle = typename C3t3::Vertex_handle;
 
+  constexpr bool has_boundary_map
+    = !parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value;
   std::unordered_map<Vertex_handle, typename C3t3::Triangulation::Geom_traits::Point_3> points_of_ball;
   const auto boundary_map = choose_parameter(get_parameter(np, internal_np::boundary_map),
                                              boost::make_assoc_property_map(points_of_ball));
-  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
+  if constexpr(!has_boundary_map)
   {
     static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
                   "The images of constrained vertices are missing: pass a boundary_map.");
@@ -265,7 +267,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), default_soft_parameters),
     choose_parameter(get_parameter(np, internal_np::positional_constraints),
                      std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
-    choose_parameter(get_parameter(np, internal_np::do_refine), false),
+    choose_parameter(get_parameter(np, internal_np::do_refine), !has_boundary_map && !std::is_const<C3t3>::value),
     choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false),
     choose_parameter(get_parameter(np, internal_np::use_volume_weights), false),
     static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
