@@ -21,13 +21,16 @@ HEIGHT = 340  # of a picture
 # name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts the image
 VIEWS = {
     "twisted": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
+    "elephant_to_ball": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
+    "elephant_to_cube": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
     "polycube": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
     "sliding_boundary": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
-    "fixed_boundary": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
+    "elephant_to_ball": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
+    "elephant_to_cube": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
 }
 
 
-def join(panels, output):
+def join(panels, output, height=HEIGHT):
     """Puts pictures side by side and stores them with 256 colors, which keeps the file small."""
     images = [Image.open(panel).convert("RGB") for panel in panels]
     row = Image.new("RGB", (sum(image.width for image in images), images[0].height))
@@ -35,7 +38,7 @@ def join(panels, output):
     for image in images:
         row.paste(image, (x, 0))
         x += image.width
-    row.resize((row.width * HEIGHT // row.height, HEIGHT), Image.LANCZOS).quantize(256).save(output, optimize=True)
+    row.resize((row.width * height // row.height, height), Image.LANCZOS).quantize(256).save(output, optimize=True)
 
 
 def grid_lines(grid, number=16):
@@ -87,8 +90,8 @@ def draw_map(vtu, output):
         join(panels, output)
 
 
-def draw_grid(vtu, output):
-    """A regular grid in the parameter domain, and what it becomes in the source."""
+def draw_grid(vtu, output, icon):
+    """A regular grid in the parameter domain, and what it becomes in the source; the latter also as a small picture."""
     direction, up, _ = VIEWS[vtu.stem]
     source = render.read(str(vtu))
     with tempfile.TemporaryDirectory() as name:
@@ -96,12 +99,13 @@ def draw_grid(vtu, output):
         for panel, grid in zip(panels, (render.image_of(source), source)):
             render.picture(panel, [render.surface(grid, edges=False), grid_lines(grid)], direction, up)
         join(panels, output)
+        join(panels[1:], icon, 160)
 
 
 def main(folder, output_folder):
     for name in VIEWS:
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
-    draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
+    draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png", output_folder / "icon.png")
 
 
 if __name__ == "__main__":
