@@ -376,23 +376,29 @@ TEST_CASE("Named parameters combine in any order")
                     .solver_traits(std::ref(solver)).visitor(std::ref(visitor))) == expected);
 }
 
-TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere")
+TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere, and the complex is refined if it may be")
 {
-  Complex complex(cube_mesh(4));
+  constexpr int n_cubes = 7;
+  Complex complex(cube_mesh(n_cubes));
+  for(int cube = 0; cube < n_cubes * n_cubes * n_cubes; ++cube)
+    if(cube / (n_cubes * n_cubes) > 0 && cube / n_cubes % n_cubes % 2 == 1) // leaves a comb
+      for(int i = 0; i < 6; ++i)
+        complex.c3t3.remove_from_complex(complex.cells[6 * cube + i]);
+  const std::size_t n = complex.c3t3.triangulation().number_of_vertices();
+  const Parameterization_result constant
+    = CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map());
+  CHECK(constant.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(complex.c3t3.triangulation().number_of_vertices() == n);
+
   const Parameterization_result result
-    = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), params::do_refine(true));
+    = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map());
   CHECK(result.status == VMP::OK);
-  for(const auto& [vertex, target] : complex.target)
+  CHECK(complex.c3t3.triangulation().number_of_vertices() == n + result.number_of_added_vertices);
+  for(const Vertex_handle vertex : complex.vertices)
   {
     const Point_3& p = complex.uvw.at(vertex);
     CHECK(p.x() * p.x() + p.y() * p.y() + p.z() * p.z() == Approx(1).epsilon(1e-12));
   }
-
-  complex.uvw.clear();
-  const Parameterization_result again
-    = CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map());
-  CHECK(again.status == VMP::OK); // refined above
-  CHECK(again.number_of_added_vertices == 0);
 }
 
 TEST_CASE("A complex that is no ball is refused unless there is a boundary map")
