@@ -65,8 +65,8 @@ predicates on the coordinates that are written.
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param c3t3 the complex; it is modified only if `do_refine(true)` is passed, and may be constant otherwise. Its cells may
-       have several subdomains and connected components; vertices without a cell are ignored.
+\param c3t3 the complex; it is modified only if it may be refined (see `do_refine`), and may be constant otherwise. Its
+       cells may have several subdomains and connected components; vertices without a cell are ignored.
 \param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
        (see `Parameterization_result::has_valid_map`); otherwise it is left alone
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
@@ -98,11 +98,11 @@ predicates on the coordinates that are written.
                           every cell is brought}
     \cgalParamType{`double`}
     \cgalParamDefault{no bound}
-    \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further if
-                    a cell exceeds the bound: relaxed as long as one does, then as a barrier that no cell passes. Whether
-                    this succeeded is told by the status, what was reached by
-                    `Volume_mesh_parameterization::Parameterization_result`. Prescribed
-                    facets may force more than the bound; then the message says so. Ignored if the boundary is missed.}
+    \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further
+                    if a cell exceeds the bound: relaxed as long as one does, then as a barrier that no cell passes.
+                    Whether this succeeded is told by the status, what was reached by
+                    `Volume_mesh_parameterization::Parameterization_result`. Prescribed facets may force more than
+                    the bound; then the message says so. Ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
   \cgalParamNBegin{solver_traits}
@@ -121,7 +121,7 @@ predicates on the coordinates that are written.
                           for this boundary map, and while a soft boundary approaches its targets, by splitting interior
                           edges of the cells that block it. The new vertices receive their images too.}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
+    \cgalParamDefault{`true` if there is no `boundary_map` and `c3t3` is not constant, otherwise `false`}
     \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of
                     the vertices has been added. The complex stays refined whatever the status is.}
     \cgalParamPrecondition{`c3t3` is not constant if the value is `true`.}
@@ -162,7 +162,7 @@ predicates on the coordinates that are written.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the maximal number of Newton steps of each stage: with fixed boundary, with soft boundary,
-                          with boundary vertices that slide, for each weight of the bound of angles, and again after
+                          with boundary vertices that slide, for each barrier of the bound of angles, and again after
                           each refinement}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`1000`}

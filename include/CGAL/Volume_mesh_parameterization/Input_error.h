@@ -19,7 +19,7 @@ namespace Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// is thrown by the functions that read files and by `tetrahedron_soup_to_mesh_complex_3()`;
+/// The exception of the functions that read files and of `tetrahedron_soup_to_mesh_complex_3()`;
 /// `what()` is one sentence that says where the input is wrong and how.
 class Input_error
   : public std::runtime_error

@@ -36,7 +36,8 @@ std::array<double, 3> coordinates(const Point_3& p)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// collects the cells of a mesh complex and their vertices in a tetrahedron soup without marked facets.
+/// collects the cells of a mesh complex and their vertices in a tetrahedron soup without marked facets, in linear time.
+/// What the soup contained before is removed.
 ///
 /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 ///

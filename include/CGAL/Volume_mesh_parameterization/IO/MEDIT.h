@@ -53,7 +53,10 @@ namespace IO {
 ///
 /// The sections `Vertices`, `Tetrahedra` and `Triangles` are read, in any order; the references of vertices and
 /// the other sections are skipped, except that volume elements other than tetrahedra are an error.
-/// The final keyword `End` may be missing.
+/// The final keyword `End` may be missing. The time is linear in the size of the file.
+///
+/// \param is the stream
+/// \param soup gets the mesh
 ///
 /// \exception Input_error names the line that is wrong; `soup` is then unchanged.
 inline void read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup)
@@ -64,7 +67,10 @@ inline void read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from the file `filename`.
+/// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format".
+///
+/// \param filename the name of the file
+/// \param soup gets the mesh
 ///
 /// \exception Input_error names the file and the line that are wrong; `soup` is then unchanged.
 inline void read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup)
@@ -81,6 +87,9 @@ inline void read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup)
 ///
 /// Vertices and cells keep their order, and `read_MEDIT()` restores the coordinates bit by bit.
 /// A failure to write is left in the state of the stream.
+///
+/// \param os the stream
+/// \param soup the mesh
 inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 {
   internal::Text_writer writer(os);

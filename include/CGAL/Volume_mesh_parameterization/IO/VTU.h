@@ -108,7 +108,8 @@ namespace IO {
 ///
 /// \param os the stream
 /// \param soup the mesh
-/// \param uvw the image of each point
+/// \param uvw the image of each point, in the order of the points
+/// \pre `uvw` has as many points as `soup`.
 inline void write_VTU(std::ostream& os,
                       const Tetrahedron_soup_3& soup,
                       const std::vector<std::array<double, 3> >& uvw)
@@ -146,7 +147,12 @@ inline void write_VTU(std::ostream& os,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// writes a mesh complex with its parameterization as a VTK XML file (`.vtu`).
+/// writes a mesh complex with its parameterization as a VTK XML file (`.vtu`). Subdomain indices become the values
+/// `reference` of the cells.
+///
+/// \param os the stream
+/// \param c3t3 the complex
+/// \param uvw_map the image of each vertex of a cell of the complex
 ///
 /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 /// \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Triangulation::Vertex_handle` as key type

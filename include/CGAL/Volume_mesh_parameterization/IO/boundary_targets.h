@@ -104,6 +104,10 @@ inline void read_boundary_targets(std::istream& is,
 /// reads target points from a file: from a file `*.mesh` the points of a mesh with the vertices and cells of `source`
 /// (cells in any order), from any other file lines `vertex_index x y z`.
 ///
+/// \param filename the name of the file
+/// \param source the mesh whose boundary is to be mapped
+/// \param targets gets a point for each vertex of `source`; a vertex without a line gets not-a-number coordinates
+///
 /// \exception Input_error names the file and what is wrong; `targets` is then unchanged.
 inline void read_boundary_targets(const std::string& filename,
                                   const Tetrahedron_soup_3& source,
