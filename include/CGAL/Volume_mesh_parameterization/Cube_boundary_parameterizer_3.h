@@ -83,6 +83,9 @@ public:
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
   ///         `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, or
   ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map
+  ///
+  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus the
+  /// solution of two sparse linear systems for each face of the box.
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {

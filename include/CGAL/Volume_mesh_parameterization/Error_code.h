@@ -36,7 +36,7 @@ enum Error_code
   ERROR_LINEAR_SOLVER_FAILED,    ///< the linear solver failed
   ERROR_EMPTY_COMPLEX,           ///< the complex has no cell
   ERROR_NON_FINITE_COORDINATE,   ///< a coordinate is infinite or not a number
-  ERROR_SIZE_OUT_OF_RANGE,       ///< source or target are too large or too small for floating-point numbers
+  ERROR_SIZE_OUT_OF_RANGE,       ///< the diagonal of source or target is not between 1e-70 and 1e70
   ERROR_INVERTED_SOURCE_CELL,    ///< a cell of the source has no positive volume
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
   ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary encloses no positive volume
