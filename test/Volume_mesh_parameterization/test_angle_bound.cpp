@@ -2,12 +2,15 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
+#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Fixed_boundary_engine_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/distortion_of_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/unavoidable_angle_distortion_3.h>
 
 #include <CGAL/tags.h>
@@ -95,9 +98,39 @@ TEST_CASE("A bound below the largest distortion of angles is met, with the bound
   const Map bounded = parameterize(mesh, bound);
   CHECK(bounded.result.status == VMP::OK);
   CHECK(largest_angle_distortion(mesh, bounded.positions) < bound);
+  CHECK(largest_angle_distortion(mesh, bounded.positions) > 0.9 * bound); // no stricter than asked for
   CHECK(bounded.result.number_of_inverted_cells == 0);
   CHECK(bounded.result.boundary_residual == 0);
   CHECK(bounded.result.energy > free.result.energy);
+}
+
+// From a map with a stricter bound, steps under the barrier lead to the minimum that is reached from outside.
+TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized below it")
+{
+  const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
+  const double unavoidable = VMP::internal::unavoidable_angle_distortion_3(mesh);
+  const double reached = largest_angle_distortion(mesh, parameterize(mesh).positions);
+  const double bound = 0.2 * unavoidable + 0.8 * reached;
+  const Map from_outside = parameterize(mesh, bound);
+  const Map stricter = parameterize(mesh, 0.5 * unavoidable + 0.5 * reached);
+  REQUIRE(stricter.result.status == VMP::OK);
+
+  using Energy = VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>;
+  const Energy energy(bound, VMP::Stretch_energy_3(), 0);
+  VMP::Conjugate_gradient_solver_traits_3<> solver;
+  VMP::internal::Fixed_boundary_engine_3<Energy, VMP::Conjugate_gradient_solver_traits_3<>, CGAL::Sequential_tag>
+    engine(mesh, energy, solver);
+  engine.start_minimization(stricter.positions);
+  while(engine.is_running())
+  {
+    engine.step();
+    CHECK(largest_angle_distortion(mesh, engine.positions()) < bound);
+  }
+  CHECK(engine.status() == VMP::OK);
+  const double energy_below
+    = VMP::internal::distortion_of_map_3(mesh, engine.positions(), VMP::Stretch_energy_3()).energy;
+  CHECK(energy_below < stricter.result.energy);
+  CHECK(energy_below == Approx(from_outside.result.energy).epsilon(1e-6));
 }
 
 TEST_CASE("A bound that is met anyway changes nothing")

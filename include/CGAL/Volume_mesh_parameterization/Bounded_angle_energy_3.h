@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Inverse_spline_barrier.h>
 
 #include <CGAL/assertions.h>
@@ -25,33 +24,28 @@ namespace Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-Any energy, plus a barrier that keeps the distortion of angles bounded: \f$r = \sigma_1/\sigma_3\f$, the
-ratio of the largest to the smallest singular value, stays below \f$K\f$ in every cell.
+Any energy, plus a barrier that keeps the distortion of angles of every cell,
+\f$k = \sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ as in `Distortion_3`, below a bound \f$K\f$:
+\f[ \psi = \psi_0 + \sum_{i<j} \varphi\left(2 - 2\,\frac{k_{ij}}{K}\right), \qquad
+    k_{ij} = \frac{\sigma_i}{\sigma_j} + \frac{\sigma_j}{\sigma_i}, \f]
+with the inverse spline \f$\varphi\f$ of `Barrier_energy_3`. The largest of the \f$k_{ij}\f$ is \f$k\f$, which has kinks
+where singular values are equal; the sum over all pairs has none: it is twice continuously differentiable. It is equal
+to \f$\psi_0\f$ where \f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. So the minimization, which
+accepts only steps that lower the energy, never exceeds the bound if it starts below it.
 
-The ratio itself has kinks where singular values are equal. The barrier acts on a smooth and symmetric
-measure instead, the energy \f$m = (|J|^2\,|J^{-1}|^2 - 1)/8\f$ of `MIPS_energy_3`. With
-\f$k(r) = r + 1/r\f$, the distortion of angles of `Distortion_3`, it satisfies
-\f$k (k + 2)/8 \le m \le k^2/4\f$. So
-\f[ m < M = \tfrac{1}{8}\, k(K)\,(k(K) + 2) \quad\Rightarrow\quad r < K, \f]
-and every cell with \f$k(r) < k(K)/\sqrt{2}\f$ satisfies \f$m < M\f$: what is asked for is stricter than
-the bound by at most the factor \f$\sqrt{2}\f$, and not at all where \f$\sigma_2^2 = \sigma_1 \sigma_3\f$.
+To get there, \f$\varphi\f$ can be relaxed: where its argument is below \f$\varepsilon > 0\f$, it is continued by
+the parabola that touches it there. Then the energy is finite, the minimization may start from a map that exceeds the
+bound, and leads below it, or beyond it by little, the less the smaller \f$\varepsilon\f$ is. Whether the bound is met is
+told by the result. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
 
-The energy is \f$\psi = \psi_0 + w\,\varphi\left(\frac{M - m}{M - M/4}\right)\f$ with the inverse spline
-\f$\varphi\f$ of `Barrier_energy_3`. It is twice continuously differentiable, and equal to \f$\psi_0\f$ where
-\f$m \le M/4\f$, for instance where \f$k(r) \le k(K)/\sqrt{8}\f$. Where less than 1/20 of the way from
-there to \f$M\f$ is left, \f$\varphi\f$ is continued by the parabola that touches it there. So the energy is finite, the
-minimization may start from a map that exceeds the bound, and leads below it if it can. If it
-cannot, \f$m\f$ exceeds \f$M\f$ by little. Whether the bound is met is told by the result: then its maximal
-distortion of angles is below \f$k(K)\f$.
-
-A facet with three prescribed vertices limits what can be asked for: the ratio in its cell is not
-below the one of the singular values of the map of the facet. Cells whose four vertices are prescribed
-are not influenced at all.
+A facet with three prescribed vertices limits what can be asked for: the distortion in its cell is not
+below the one of the map of the facet. Cells whose four vertices are prescribed are not influenced at all.
 
 It tends to infinity when a cell becomes flat, and when it collapses if \f$\psi_0\f$ does.
 
 To be used where angles matter more than the mean of \f$\psi_0\f$. The closer \f$K\f$ is to what is
-possible, the more Newton steps are needed.
+possible, the more Newton steps are needed. The named parameter `maximal_angle_distortion` relaxes the
+barrier as long as it has to, and not at all in the end.
 
 \tparam Energy a model of `DistortionEnergy_3`
 
@@ -67,63 +61,79 @@ public:
   ///
   /// \param bound the number \f$K\f$
   /// \param energy the energy \f$\psi_0\f$
-  /// \param weight the number \f$w\f$; a larger one keeps cells farther away from the bound
-  /// \pre `bound > 1` and `weight > 0`
+  /// \param relaxation the number \f$\varepsilon\f$; 0 for the barrier as it is
+  /// \pre `bound > 2` and `0 <= relaxation && relaxation < 1`
   explicit Bounded_angle_energy_3(const double bound, const Energy& energy = Energy(),
-                                  const double weight = 1)
-    : m_energy(energy), m_limit(limit(bound)), m_weight(weight)
+                                  const double relaxation = 0.05)
+    : m_energy(energy), m_slope(-2 / bound), m_relaxation(relaxation)
   {
-    CGAL_precondition(bound > 1 && weight > 0);
+    CGAL_precondition(bound > 2 && 0 <= relaxation && relaxation < 1);
   }
 
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
-    return m_energy.value(s) + T(m_weight) * barrier(s).value;
+    T result = m_energy.value(s);
+    for(int i = 0; i < 3; ++i)
+      result += barrier(s[i], s[(i + 1) % 3]).value;
+    return result;
   }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
   {
-    return m_energy.gradient(s) + T(m_weight * slope()) * barrier(s).first * MIPS_energy_3().gradient(s);
+    Eigen::Matrix<T, 3, 1> result = m_energy.gradient(s);
+    for(int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const T first = T(m_slope) * barrier(s[i], s[j]).first;
+      result[i] += first * derivative(s[i], s[j]);
+      result[j] += first * derivative(s[j], s[i]);
+    }
+    return result;
   }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
   {
-    const internal::Inverse_spline_barrier<T> phi = barrier(s);
-    const T first = T(m_weight * slope()) * phi.first;
-    const T second = T(m_weight * slope() * slope()) * phi.second;
-    const Eigen::Matrix<T, 3, 1> g = MIPS_energy_3().gradient(s);
-    return m_energy.hessian(s) + first * MIPS_energy_3().hessian(s) + second * g * g.transpose();
+    Eigen::Matrix<T, 3, 3> H = m_energy.hessian(s);
+    for(int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const internal::Inverse_spline_barrier<T> phi = barrier(s[i], s[j]);
+      const T first = T(m_slope) * phi.first;
+      const T second = T(m_slope * m_slope) * phi.second;
+      const T by_i = derivative(s[i], s[j]), by_j = derivative(s[j], s[i]);
+      const T mixed = second * by_i * by_j - first * (T(1) / (s[i] * s[i]) + T(1) / (s[j] * s[j]));
+      H(i, i) += second * by_i * by_i + first * T(2) * s[j] / (s[i] * s[i] * s[i]);
+      H(j, j) += second * by_j * by_j + first * T(2) * s[i] / (s[j] * s[j] * s[j]);
+      H(i, j) += mixed;
+      H(j, i) += mixed;
+    }
+    return H;
   }
 
 private:
-  static constexpr double onset = 0.25;      // part of the limit from which on the barrier acts
-  static constexpr double relaxation = 0.05; // argument of phi below which its parabola is taken
-
-  // M, the value of the MIPS energy that the ratio K implies
-  static double limit(const double bound)
+  template <typename T>
+  internal::Inverse_spline_barrier<T> barrier(const T& a, const T& b) const
   {
-    const double k = bound + 1 / bound;
-    return k * (k + 2) / 8;
+    const T argument = T(2) + T(m_slope) * (a / b + b / a);
+    return internal::Inverse_spline_barrier<T>::relaxed(argument, T(m_relaxation));
   }
 
-  // the derivative of the argument of phi by m
-  double slope() const { return -1 / ((1 - onset) * m_limit); }
-
+  // of a / b + b / a by a
   template <typename T>
-  internal::Inverse_spline_barrier<T> barrier(const Eigen::Matrix<T, 3, 1>& s) const
+  static T derivative(const T& a, const T& b)
   {
-    const T argument = T(slope()) * (MIPS_energy_3().value(s) - T(m_limit));
-    return internal::Inverse_spline_barrier<T>::relaxed(argument, T(relaxation));
+    return (a - b) * (a + b) / (a * a * b);
   }
 
   Energy m_energy;
-  double m_limit, m_weight;
+  double m_slope; // of the argument of phi, by k
+  double m_relaxation;
 };
 
 } // namespace Volume_mesh_parameterization

@@ -37,7 +37,8 @@ struct Inverse_spline_barrier
     second = T(2) * slope * slope * inverse * inverse * inverse + T(6) * y * inverse * inverse;
   }
 
-  // The same, but the parabola that touches phi at `smallest` below that point: finite everywhere.
+  // The same, but the parabola that touches phi at `smallest` below that point: finite everywhere. For
+  // `smallest` = 0 it is phi itself, which is not finite from 0 downwards.
   static Inverse_spline_barrier relaxed(const T& x, const T& smallest)
   {
     Inverse_spline_barrier result(maximum(x, smallest));

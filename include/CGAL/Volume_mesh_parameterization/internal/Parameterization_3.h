@@ -30,8 +30,8 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -119,26 +119,36 @@ public:
     minimize_further(m_energy, begin);
   }
 
-  // Brings the distortion of angles of every cell below a bound, by a barrier whose weight grows until it holds
-  // against the energy. Does so if the map found so far is flip-free and meets the boundary.
+  // Brings the distortion of angles of every cell below a bound, by a barrier. It is relaxed, less and less, until no
+  // cell exceeds the bound, or the excess hardly falls. Once none does, no step does so any more, and the energy is
+  // minimized below the bound. Does so if the map found so far is flip-free and meets the boundary.
   void bound_angle_distortion(const double bound)
   {
-    double reached = is_flip_free() ? largest_angle_distortion() : 0;
-    if(reached < bound || !meets_boundary())
+    if(!is_flip_free() || !meets_boundary())
       return;
-    const double unavoidable = m_sliding ? 0 : unavoidable_angle_distortion_3(m_mesh);
-    const double largest_weight = unavoidable < bound ? 1e4 : 1;
-    const double ratio = (bound + std::sqrt(bound * bound - 4)) / 2; // of the singular values
-    const double aim = 1 + 0.98 * (ratio - 1);                       // the barrier may be exceeded by little
-    for(double weight = 1; !(reached < bound) && weight <= largest_weight && !m_run.is_interrupted(); weight *= 10)
+    double excess = largest_angle_distortion() - bound;
+    if(excess < 0)
+      return;
+    const auto minimize = [&](const double relaxation)
     {
-      minimize_further(Bounded_angle_energy_3<Energy>(aim, m_energy, weight), m_run.seconds());
-      reached = largest_angle_distortion();
+      minimize_further(Bounded_angle_energy_3<Energy>(bound, m_energy, relaxation), m_run.seconds());
+      excess = largest_angle_distortion() - bound;
+    };
+    double previous = std::numeric_limits<double>::infinity();
+    for(double relaxation = 0.05; excess >= 0 && relaxation > 1e-6 && !m_run.is_interrupted(); relaxation /= 5)
+    {
+      minimize(relaxation);
+      if(excess > previous / 2)
+        break;
+      previous = excess;
     }
-    if(!(reached < bound) && !m_run.is_interrupted())
+    if(excess < 0 && !m_run.is_interrupted())
+      minimize(0);
+    if(!(excess < 0) && !m_run.is_interrupted())
     {
       m_result.status = ERROR_ANGLE_BOUND_NOT_REACHED;
-      m_result.message = describe_angle_distortion(reached, unavoidable);
+      m_result.message
+        = describe_angle_distortion(bound + excess, m_sliding ? 0 : unavoidable_angle_distortion_3(m_mesh));
     }
   }
 
