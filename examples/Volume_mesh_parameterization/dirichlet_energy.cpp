@@ -1,5 +1,5 @@
-// Maps a cube onto a dented one with the Dirichlet energy, whose minimum is the harmonic map. Cells would collapse below
-// the dent, so a barrier is added.
+// Maps a cube onto a dented one with the Dirichlet energy, whose minimum is the harmonic map. Cells would collapse
+// below the dent, so a barrier is added.
 #include "Dented_cube.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>

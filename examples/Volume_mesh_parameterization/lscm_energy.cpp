@@ -1,5 +1,5 @@
-// Maps a cube onto a dented one with the energy of least squares conformal maps. Cells would collapse below the dent, so
-// a barrier is added, with a weight above the default.
+// Maps a cube onto a dented one with the energy of least squares conformal maps. Cells would collapse below the dent,
+// so a barrier is added, with a weight above the default.
 #include "Dented_cube.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
