@@ -94,11 +94,15 @@ public:
   /// makes the matrix symmetric by copying the upper triangle to the lower one.
   void copy_upper_to_lower_triangle()
   {
-    // rows are met in the order of the columns of the lower triangle
-    std::vector<int> next(m_row_begin.begin(), m_row_begin.end() - 1);
+    // the rows that need the blocks of a row come in the order of its columns
+    std::vector<int> next(size());
     for(int row = 0; row < size(); ++row)
-      for(int k = next[row] + 1; k < row_end(row); ++k)
-        block(next[column(k)]++) = block(k).transpose();
+    {
+      int k = row_begin(row);
+      for(; column(k) < row; ++k)
+        block(k) = block(next[column(k)]++).transpose();
+      next[row] = k + 1;
+    }
   }
 
   /// adds `factor` times itself to each diagonal block.

@@ -95,6 +95,17 @@ struct Cell_derivatives_3
   std::array<std::array<Matrix_3<T>, 4>, 4> hessian; // [a][b] for a <= b
 };
 
+// Eigen's own product of matrices of packs is not inlined, which costs a sixth of the whole assembly.
+template <typename T>
+EIGEN_ALWAYS_INLINE Matrix_3<T> product(const Matrix_3<T>& A, const Matrix_3<T>& B)
+{
+  Matrix_3<T> result;
+  for(int j = 0; j < 3; ++j)
+    for(int i = 0; i < 3; ++i)
+      result(i, j) = A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j);
+  return result;
+}
+
 template <typename T>
 Matrix_3<T> hessian_block(const Distortion_derivatives_3<T>& d, const Vector_3<T>& a, const Vector_3<T>& b)
 {
@@ -112,8 +123,7 @@ Matrix_3<T> hessian_block(const Distortion_derivatives_3<T>& d, const Vector_3<T
     block(q, p) = d.scaling(p, q) * a[q] * b[p] + swapped * a[p] * b[q];
   }
   const Matrix_3<T>& R = d.decomposition.R;
-  const Matrix_3<T> rotated = R * block;
-  return rotated * R.transpose();
+  return product<T>(product<T>(R, block), R.transpose());
 }
 
 // The gradient alone; row a - 1 of B is Q^T b_a.

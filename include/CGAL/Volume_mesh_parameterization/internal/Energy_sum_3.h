@@ -153,13 +153,12 @@ private:
   {
     for(int a = 0; a < 4; ++a)
     {
-      double g[3][Pack::size];
-      for(int i = 0; i < 3; ++i)
-        cells[a][i].store(g[i]);
+      double g[Pack::size][3];
+      Pack::store_by_cells(cells[a].data(), g);
       for(int lane = 0; lane < Pack::size; ++lane)
         if(pack.blocks[a][a][lane] >= 0)
           for(int i = 0; i < 3; ++i)
-            gradient(i, pack.vertices[a][lane]) += g[i][lane];
+            gradient(i, pack.vertices[a][lane]) += g[lane][i];
     }
   }
 
@@ -171,15 +170,15 @@ private:
     for(int a = 0; a < 4; ++a)
       for(int b = a; b < 4; ++b)
       {
-        double h[9][Pack::size];
-        for(int i = 0; i < 9; ++i)
-          cells.hessian[a][b](i).store(h[i]);
+        double h[Pack::size][9];
+        Pack::store_by_cells(cells.hessian[a][b].data(), h);
         for(int lane = 0; lane < Pack::size; ++lane)
           if(pack.blocks[a][b][lane] >= 0)
           {
             NT* const block = hessian.values(pack.blocks[a][b][lane]);
-            for(int i = 0; i < 9; ++i)
-              block[i] += static_cast<NT>(h[i][lane]);
+            for(int i = 0; i < 8; ++i) // a number that compilers vectorize
+              block[i] += static_cast<NT>(h[lane][i]);
+            block[8] += static_cast<NT>(h[lane][8]);
           }
       }
   }
