@@ -104,6 +104,23 @@ inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3 ring(const 
   });
 }
 
+// A vertex in the middle, which is prescribed as the boundary is, is pulled aside; the boundary stays.
+inline CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3
+pulled_cube(const int n, const double jitter, const double distance)
+{
+  auto mesh = cube_mesh(n, jitter);
+  const int last = --mesh.number_of_free_vertices;
+  int middle = 0;
+  (mesh.source.colwise() - Eigen::Vector3d::Constant(n / 2.)).colwise().norm().minCoeff(&middle);
+  mesh.source.col(middle).swap(mesh.source.col(last));
+  for(std::array<int, 4>& cell : mesh.cells)
+    for(int& v : cell)
+      v = v == middle ? last : (v == last ? middle : v);
+  mesh.target = mesh.source;
+  mesh.target(0, last) += distance;
+  return mesh;
+}
+
 // The source as a soup, with the vertices in the same order.
 inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3
 source_soup(const CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3& mesh)

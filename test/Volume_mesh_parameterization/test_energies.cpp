@@ -265,16 +265,18 @@ TEST_CASE("The barrier against the distortion of angles", "[energies]")
   // two pairs of singular values have the distortion k, the third pair has 2
   const auto barrier = [&](const double k, const double epsilon)
   {
-    return value(Bounded_angle<MIPS>(K, MIPS(), epsilon), Vector3d(ratio(k), 1, 1)) - value(MIPS(), Vector3d(ratio(k), 1, 1));
+    const Vector3d s(ratio(k), 1, 1);
+    return value(Bounded_angle<MIPS>(K, MIPS(), epsilon), s) - value(MIPS(), s);
   };
   CHECK(barrier(K / 2, 0) == 0);
   CHECK(barrier(0.75 * K, 0) == Approx(2 * spline(0.5)));
   CHECK(barrier(0.94 * K, relaxation) == barrier(0.94 * K, 0));
   // its relaxation is the Taylor polynomial
-  const double first = (spline(relaxation + step) - spline(relaxation - step)) / (2 * step);
-  const double second = (spline(relaxation + step) - 2 * spline(relaxation) + spline(relaxation - step)) / (step * step);
+  const double before = spline(relaxation - step), here = spline(relaxation), behind = spline(relaxation + step);
+  const double first = (behind - before) / (2 * step), second = (behind - 2 * here + before) / (step * step);
+  const double distance = 2 + relaxation;
   CHECK(barrier(2 * K, relaxation)
-        == Approx(2 * (spline(relaxation) - (2 + relaxation) * first + std::pow(2 + relaxation, 2) / 2 * second)).epsilon(1e-3));
+        == Approx(2 * (here - distance * first + distance * distance / 2 * second)).epsilon(1e-3));
 }
 
 // With k = r + 1/r, r the ratio of the largest to the smallest singular value.

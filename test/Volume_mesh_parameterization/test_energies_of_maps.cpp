@@ -33,22 +33,6 @@ using VMP::internal::Numbered_mesh_3;
 
 namespace {
 
-// The cube [0, n]^3 with a boundary that stays and a vertex in the middle that is pulled aside.
-Numbered_mesh_3 pulled_cube(const int n)
-{
-  Numbered_mesh_3 mesh = cube_mesh(n, 0.1);
-  const int last = --mesh.number_of_free_vertices;
-  int middle = 0;
-  (mesh.source.colwise() - Vector3d::Constant(n / 2.)).colwise().norm().minCoeff(&middle);
-  mesh.source.col(middle).swap(mesh.source.col(last));
-  for(std::array<int, 4>& cell : mesh.cells)
-    for(int& v : cell)
-      v = v == middle ? last : (v == last ? middle : v);
-  mesh.target = mesh.source;
-  mesh.target(0, last) += 0.35 * n;
-  return mesh;
-}
-
 // The worst of the cells with a free vertex.
 struct Map
 {
@@ -113,7 +97,7 @@ TEST_CASE("A larger power lowers the largest stretch", "[energies]")
 
 TEST_CASE("The relaxed bound on the angle distortion is approached from a start that exceeds it", "[energies]")
 {
-  const Numbered_mesh_3 mesh = pulled_cube(6);
+  const Numbered_mesh_3 mesh = pulled_cube(6, 0.1, 2.1);
   const double unbounded = minimize(mesh, VMP::Stretch_energy_3()).largest_angle_distortion;
   for(const double factor : {0.9, 0.7, 0.5})
   {
@@ -127,7 +111,7 @@ TEST_CASE("The relaxed bound on the angle distortion is approached from a start 
 
 TEST_CASE("A bound that cannot be met does no harm", "[energies]")
 {
-  const Map map = minimize(pulled_cube(6), VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>(2.1));
+  const Map map = minimize(pulled_cube(6, 0.1, 2.1), VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>(2.1));
   CHECK(map.status == VMP::OK);
   CHECK(map.smallest_determinant > 0);
 }

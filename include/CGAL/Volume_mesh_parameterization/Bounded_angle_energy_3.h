@@ -34,9 +34,9 @@ to \f$\psi_0\f$ where \f$k \le K/2\f$, finite where \f$k < K\f$, and infinite fr
 accepts only steps that lower the energy, never exceeds the bound if it starts below it.
 
 To get there, \f$\varphi\f$ can be relaxed: where its argument is below \f$\varepsilon > 0\f$, it is continued by
-the parabola that touches it there. Then the energy is finite, the minimization may start from a map that exceeds the
-bound, and leads below it, or beyond it by little, the less the smaller \f$\varepsilon\f$ is. Whether the bound is met is
-told by the result. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
+the parabola that touches it there. Then the energy is finite, the minimization may start from a map that exceeds
+the bound, and leads below it, or beyond it by little, the less the smaller \f$\varepsilon\f$ is. Whether the bound is
+met is told by the result. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
 
 A facet with three prescribed vertices limits what can be asked for: the distortion in its cell is not
 below the one of the map of the facet. Cells whose four vertices are prescribed are not influenced at all.
