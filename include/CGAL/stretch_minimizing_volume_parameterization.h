@@ -51,8 +51,8 @@ computes a map from a tetrahedral complex to a domain with prescribed boundary t
 cell and a low distortion of angles and volumes. The map is linear on each cell and given by the images of the
 vertices.
 
-The method is the stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
-harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps
+The method is the stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary,
+a harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps
 that never invert a cell. With soft boundary, the method of the paper, no cell is inverted from the
 beginning, and the boundary may be missed. That no cell is inverted is checked at the end with exact
 predicates on the coordinates that are written.
@@ -76,8 +76,8 @@ predicates on the coordinates that are written.
     \cgalParamDescription{the image of each vertex of the boundary of the complex}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
-    \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`; if there
-                      is none, the result has the status that it returns}
+    \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`; if
+                      there is none, the result has the status that it returns}
     \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target.
                     Prescribed vertices receive exactly the points given, unless they slide or the boundary is missed.}
   \cgalParamNEnd
@@ -89,7 +89,8 @@ predicates on the coordinates that are written.
   \cgalParamNEnd
   \cgalParamNBegin{use_volume_weights}
     \cgalParamDescription{whether a cell counts by its volume in the source, as in the mean distortions of
-                          `Volume_mesh_parameterization::Distortion_3`; otherwise all cells count alike, as in the paper}
+                          `Volume_mesh_parameterization::Distortion_3`; otherwise all cells count alike, as in the
+                          paper}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
@@ -135,8 +136,8 @@ predicates on the coordinates that are written.
                           remain one to one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A patch
-                    is planar if its vertices are in its plane up to 1e-7 times the diagonal of the bounding box;
+    \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A
+                    patch is planar if its vertices are in its plane up to 1e-7 times the diagonal of the bounding box;
                     they move parallel to the plane. In planes orthogonal to an axis, that coordinate keeps its bits.
                     Vertices that `vertex_is_constrained_map` tells stay at their targets, also on the
                     boundary. Nothing slides if the boundary is missed.}

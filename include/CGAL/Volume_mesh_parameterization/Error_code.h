@@ -20,8 +20,8 @@ namespace Volume_mesh_parameterization {
 
 How a parameterization ended.
 
-With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map without
-inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
+With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map
+without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
 `Parameterization_result::has_valid_map`. With the other values there is none. Those from
 `ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`.
 */

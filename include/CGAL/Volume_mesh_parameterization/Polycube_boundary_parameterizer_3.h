@@ -73,8 +73,8 @@ public:
   ///         `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, or
   ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map
   ///
-  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus that of
-  /// minimum cuts, at least one for each of the six labels and each weight that is tried, plus the solution of sparse
+  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus that
+  /// of minimum cuts, at least one for each of the six labels and each weight that is tried, plus the solution of sparse
   /// linear systems for each chart.
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const

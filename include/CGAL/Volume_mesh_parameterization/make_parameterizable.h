@@ -37,8 +37,8 @@ refines a complex so that no interior edge, facet or cell has all its vertices o
 Where the boundary is mapped to something flat, such simplices become degenerate, whatever the images of the
 vertices inside the complex are. Meshes made by \ref PkgMesh3 "Mesh_3" have many of them.
 
-A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come first;
-among edges those that the boundary map degenerates, then the one that most of the simplices to be
+A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come
+first; among edges those that the boundary map degenerates, then the one that most of the simplices to be
 removed contain (each counted once for each cell around the edge), then the longest. Facets and cells get a vertex
 only if none of their edges can be split. Without a boundary map, all edges inside the complex that join two
 vertices of the boundary must be split, and the number of insertions is minimal; with a
