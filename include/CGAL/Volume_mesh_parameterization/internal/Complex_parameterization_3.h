@@ -131,9 +131,11 @@ private:
     if(needs_soft)
     {
       stages.run_with_soft_boundary(m_options.soft, numbered_constraints(complex), soft_start(complex));
-      if(m_result.status == ERROR_BOUNDARY_NOT_REACHED && refine(complex, stages.positions()))
+      const bool is_stuck = m_result.status == ERROR_BOUNDARY_NOT_REACHED
+        || (m_result.status == ERROR_NOT_CONVERGED && !stages.meets_boundary());
+      if(is_stuck && refine(complex, stages.positions()))
       {
-        m_number_of_raises = stages.number_of_raises() - 1; // the last one was useless
+        m_number_of_raises = (std::max)(stages.number_of_raises(), std::size_t(1)) - 1; // the last one was useless
         return true;
       }
     }

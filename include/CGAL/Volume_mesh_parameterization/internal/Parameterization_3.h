@@ -157,6 +157,15 @@ public:
 
   bool is_flip_free() const { return inverted_cells(m_mesh, m_positions).number == 0; }
 
+  bool meets_boundary() const
+  {
+    if(m_sliding)
+      return m_sliding->residual(m_positions) == 0 && m_sliding->has_same_orientations(m_positions);
+    // the residual may be zero by underflow
+    const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
+    return m_positions.rightCols(n) == m_mesh.target.rightCols(n);
+  }
+
   // Judges the map by exact predicates and measures it.
   void evaluate()
   {
@@ -230,15 +239,6 @@ private:
       for(auto& term : constraint.terms)
         term.vertex = number[term.vertex];
     return constraints;
-  }
-
-  bool meets_boundary() const
-  {
-    if(m_sliding)
-      return m_sliding->residual(m_positions) == 0 && m_sliding->has_same_orientations(m_positions);
-    // the residual may be zero by underflow
-    const Eigen::Index n = m_mesh.number_of_vertices() - m_mesh.number_of_free_vertices;
-    return m_positions.rightCols(n) == m_mesh.target.rightCols(n);
   }
 
   // The largest distance of a prescribed vertex to its target, or to where it may slide, relative to the
