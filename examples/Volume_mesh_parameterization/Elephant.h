@@ -1,6 +1,9 @@
-// A tetrahedral mesh of CGAL's elephant.
+// A tetrahedral mesh of CGAL's elephant, and what is told of a map of it.
 #ifndef ELEPHANT_H
 #define ELEPHANT_H
+
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -14,6 +17,9 @@
 #include <CGAL/make_mesh_3.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +50,28 @@ inline C3t3 mesh_elephant(const std::string& filename)
                                            params::cell_size = size);
   // a perturbation could make the boundary non-manifold again
   return CGAL::make_mesh_3<C3t3>(domain, criteria, params::manifold(), params::no_perturb(), params::no_exude());
+}
+
+// Prints the result, writes the map to a file, and returns the exit code of the program.
+template <typename VertexUVWMap>
+int report(const C3t3& c3t3, const VertexUVWMap uvw_map,
+           const CGAL::Volume_mesh_parameterization::Parameterization_result& result, const std::string& filename)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+
+  std::cout << result.message << "\n"
+            << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"
+            << "distortion of angles:  mean " << result.distortion.angle_mean
+            << ", max " << result.distortion.angle_max << "\n"
+            << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
+            << ", max " << result.distortion_at_source_volume.volume_max << std::endl;
+  if(result.status != VMP::OK)
+    return EXIT_FAILURE;
+
+  std::ofstream out(filename);
+  VMP::IO::write_VTU(out, c3t3, uvw_map);
+  out.close();
+  return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 #endif // ELEPHANT_H

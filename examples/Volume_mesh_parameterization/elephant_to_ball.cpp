@@ -3,13 +3,11 @@
 #include "Elephant.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -27,19 +25,7 @@ try
   const auto uvw_map = boost::make_assoc_property_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map);
 
-  std::cout << result.message << "\n"
-            << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"
-            << "distortion of angles:  mean " << result.distortion.angle_mean
-            << ", max " << result.distortion.angle_max << "\n"
-            << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
-            << ", max " << result.distortion_at_source_volume.volume_max << std::endl;
-  if(result.status != VMP::OK)
-    return EXIT_FAILURE;
-
-  std::ofstream out(output_filename);
-  VMP::IO::write_VTU(out, c3t3, uvw_map);
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report(c3t3, uvw_map, result, output_filename);
 }
 catch(const std::exception& error)
 {
