@@ -90,12 +90,12 @@ struct Problem
   }
 
   // Takes over the vertices that refinement has added, behind those of the file.
-  void update_source()
+  void update_source(const std::size_t number_of_points)
   {
     VMP::Tetrahedron_soup_3 refined;
     std::vector<Vertex_handle> vertices;
     VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, refined, vertices);
-    source.points.resize(indices.size());
+    source.points.resize(number_of_points);
     for(std::size_t v = 0; v < vertices.size(); ++v)
       source.points[indices.at(vertices[v])] = refined.points[v];
     for(auto& cell : refined.cells)
@@ -221,7 +221,7 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
   });
   progress.finish();
   if(result.number_of_added_vertices > 0 && result.has_valid_map)
-    problem.update_source();
+    problem.update_source(uvw.size());
   return result;
 }
 

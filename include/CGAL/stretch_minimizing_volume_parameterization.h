@@ -124,7 +124,8 @@ predicates on the coordinates that are written.
     \cgalParamType{Boolean}
     \cgalParamDefault{`true` if there is no `boundary_map` and `c3t3` is not constant, otherwise `false`}
     \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of
-                    the vertices has been added. The complex stays refined whatever the status is.}
+                    the vertices, or 1000 of a small complex, has been added. The complex stays refined whatever the
+                    status is.}
     \cgalParamPrecondition{`c3t3` is not constant if the value is `true`.}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}

@@ -377,9 +377,10 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
 TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may be missed, 0 with refinement")
 {
   const Folder folder;
-  const std::size_t length = 6;
+  const std::size_t length = 24;
   const double pi = 3.14159265358979;
-  const Soup source = fan_in_prism(length);
+  Soup source = fan_in_prism(length);
+  source.points.resize(source.points.size() + 2, Point{9, 9, 9}); // two vertices without a cell
   Soup target = source;
   for(Point& p : target.points)
   {
@@ -408,6 +409,7 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(refined.points.size() == folder.soup("map.mesh").points.size());
   CHECK(refined.points.size() > source.points.size());
   CHECK(std::equal(source.points.begin(), source.points.end(), refined.points.begin()));
+  CHECK(refined.cells == folder.soup("map.mesh").cells);
 }
 
 TEST_CASE("The report never replaces what is not a regular file")

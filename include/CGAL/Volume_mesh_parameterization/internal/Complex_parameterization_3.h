@@ -186,10 +186,11 @@ private:
     return result;
   }
 
-  // More than one new vertex for ten old ones would mean that refinement does not help.
+  // More new vertices would mean that refinement does not help. A small complex may need many in proportion.
   bool may_refine() const
   {
-    return m_options.do_refine && m_result.number_of_added_vertices <= m_result.number_of_vertices / 10;
+    const std::size_t limit = (std::max)(m_result.number_of_vertices / 10, std::size_t(1000));
+    return m_options.do_refine && m_result.number_of_added_vertices <= limit;
   }
 
   // Splits the interior edges of the cells that keep the boundary from its targets, and the map with them; or, where these
@@ -220,22 +221,15 @@ private:
       m_result.message.clear();
       m_inverted_cells.clear();
 
-      if(has_come_nearer(complex.mesh(), image) && !is_easier_fixed)
+      // If the last refinement has not helped, it is better to start all again, with the complex as it is now.
+      const double distance = largest_distance_to_target(complex.mesh(), image);
+      if(!is_easier_fixed && (m_images.empty() || distance < 0.9 * m_distance))
         keep(complex, image, inserted);
       else
         m_images.clear();
+      m_distance = distance;
       return !inserted.empty();
     }
-  }
-
-  // Has the last refinement helped? If not, it is better to start all again, with the complex as it is now.
-  bool has_come_nearer(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
-  {
-    const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-    const double distance = (image - mesh.target).rightCols(n).colwise().norm().maxCoeff();
-    const bool result = m_images.empty() || distance < 0.9 * m_distance;
-    m_distance = distance;
-    return result;
   }
 
   // The images from which the approach goes on, with those of new vertices.
@@ -256,20 +250,8 @@ private:
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
       if(!is_positive(image, mesh.cells[c]))
         m_inverted_cells.push_back(c);
-    m_result.message = proofs.empty() ? describe_inverted_cells() : describe_infeasibility(proofs, mesh);
-  }
-
-  // Names the cells, the first ones of many.
-  std::string describe_inverted_cells() const
-  {
-    constexpr std::size_t maximal_number = 100;
-    const std::size_t number = (std::min)(maximal_number, m_inverted_cells.size());
-    std::string list;
-    for(std::size_t i = 0; i < number; ++i)
-      list += (i == 0 ? "" : ", ") + std::to_string(m_inverted_cells[i]);
-    const std::size_t others = m_inverted_cells.size() - number;
-    return "With the boundary at its targets, these cells stay inverted: " + list
-      + (others > 0 ? ", and " + std::to_string(others) + " others." : ".");
+    m_result.message = proofs.empty() ? describe_inverted_cells(m_inverted_cells)
+                                      : describe_infeasibility(proofs, mesh);
   }
 
   std::vector<Linear_constraint_3<int> > numbered_constraints(const Complex& complex) const

@@ -50,6 +50,13 @@ inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd po
   return positions;
 }
 
+// How far the prescribed vertices are from their targets at most.
+inline double largest_distance_to_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  return (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+}
+
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
 template <typename Positions>
 Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>& cell)

@@ -249,7 +249,7 @@ private:
     const auto targets = m_mesh.target.rightCols(n);
     const double diagonal = (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
     const double distance = m_sliding ? m_sliding->residual(m_positions)
-                                      : (m_positions.rightCols(n) - targets).colwise().norm().maxCoeff();
+                                      : largest_distance_to_target(m_mesh, m_positions);
     return distance / diagonal;
   }
 
