@@ -123,7 +123,8 @@ private:
       throw VMP::Input_error(filename + ": " + error.what());
     }
     for(std::size_t v = 0; v < vertices.size(); ++v)
-      indices.emplace(vertices[v], v);
+      if(vertices[v] != Vertex_handle()) // a vertex without a cell
+        indices.emplace(vertices[v], v);
   }
 
   // The library would find a missing target too, but it does not know the index in the file.
