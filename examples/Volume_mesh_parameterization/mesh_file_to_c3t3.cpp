@@ -53,7 +53,8 @@ int main(int argc, char* argv[])
 
   Point_map boundary, uvw;
   for(std::size_t v = 0; v < vertices.size(); ++v)
-    boundary[vertices[v]] = Point_3(targets[v][0], targets[v][1], targets[v][2]);
+    if(vertices[v] != C3t3::Vertex_handle()) // otherwise it has no cell
+      boundary[vertices[v]] = Point_3(targets[v][0], targets[v][1], targets[v][2]);
 
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, boost::make_assoc_property_map(uvw),

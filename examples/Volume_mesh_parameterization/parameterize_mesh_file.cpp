@@ -123,7 +123,7 @@ private:
       throw VMP::Input_error(filename + ": " + error.what());
     }
     for(std::size_t v = 0; v < vertices.size(); ++v)
-      if(vertices[v] != Vertex_handle()) // a vertex without a cell
+      if(vertices[v] != Vertex_handle()) // otherwise it has no cell
         indices.emplace(vertices[v], v);
   }
 
