@@ -2,24 +2,24 @@
 # Installs what is missing and builds the manual in build/doc_output; a warning of Doxygen is an error.
 set -euo pipefail
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-doc="$root/doc/Volume_mesh_parameterization"
-output="$root/build/doc_output"
-version=$(sed -n 's/^project(.* VERSION \([0-9.]*\) .*/\1/p' "$root/CMakeLists.txt")
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+doc=doc/Volume_mesh_parameterization
+output=build/doc_output # all paths are relative: Doxygen splits the absolute ones at spaces
+version=$(sed -n 's/^project(.* VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
 
 # Copies a configuration with the variables that CGAL's documentation system would set.
 configure()
 {
   sed -e "s|\${CGAL_DOC_PACKAGE_DEFAULTS}|$output/defaults|g" -e "s|\${CGAL_DOC_VERSION}|$version|g" \
-      -e "s|\${CGAL_PACKAGE_DIR}|$root|g" -e "s|\${CGAL_PACKAGE_DOC_DIR}|$doc|g" \
-      -e "s|\${CGAL_PACKAGE_INCLUDE_DIR}|$root/include|g" "$1" > "$2"
+      -e "s|\${CGAL_PACKAGE_DIR}|.|g" -e "s|\${CGAL_PACKAGE_DOC_DIR}|$doc|g" \
+      -e "s|\${CGAL_PACKAGE_INCLUDE_DIR}|include|g" "$1" > "$2"
 }
 
 # texlive-binaries has bibtex for the bibliography; libjs-mathjax shows the formulas.
-"$root/scripts/install_dependencies.sh" doxygen texlive-binaries libjs-mathjax
-rm -rf "$output"
-mkdir -p "$output"
-configure "$root/scripts/manual/defaults.in" "$output/defaults"
-configure "$doc/Doxyfile.in" "$output/Doxyfile"
-BIBINPUTS=. BSTINPUTS=. doxygen "$output/Doxyfile" # bibtex finds files without a TeX installation
-echo "Open $output/html/index.html"
+scripts/install_dependencies.sh doxygen texlive-binaries libjs-mathjax
+rm -rf $output
+mkdir -p $output
+configure scripts/manual/defaults.in $output/defaults
+configure $doc/Doxyfile.in $output/Doxyfile
+BIBINPUTS=. BSTINPUTS=. doxygen $output/Doxyfile # bibtex finds files without a TeX installation
+echo "Open $PWD/$output/html/index.html"
