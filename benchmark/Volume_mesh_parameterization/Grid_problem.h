@@ -4,9 +4,9 @@
 #include "jittered_grid.h"
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
 
 #include <Eigen/Dense>
 

@@ -4,11 +4,11 @@
 #include "machine_peak.h"
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distortion_derivatives_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Signed_singular_values_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/largest_step_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/largest_step_3.h>
 #include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>

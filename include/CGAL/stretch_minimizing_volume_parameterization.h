@@ -21,9 +21,9 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex_parameterization_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Complex_parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Engine_run.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>

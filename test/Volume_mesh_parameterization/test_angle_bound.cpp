@@ -7,11 +7,11 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine_run.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Fixed_boundary_engine_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parameterization_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/distortion_of_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/unavoidable_angle_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/distortion_of_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/unavoidable_angle_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Engine_run.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Fixed_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Parameterization_3.h>
 
 #include <CGAL/tags.h>
 

@@ -10,10 +10,10 @@
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distortion_derivatives_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Pack.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Signed_singular_values_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
 
 #include <Eigen/Dense>
 

@@ -12,7 +12,7 @@
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Pack.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
 
 #include <Eigen/Dense>
 

@@ -1,8 +1,8 @@
 // Proofs that no map exists, on small complexes for which it is known by construction whether there is one.
 #include "catch.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/describe_infeasibility_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/prove_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 
 #include <array>
 #include <cmath>

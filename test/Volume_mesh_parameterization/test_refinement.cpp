@@ -1,7 +1,7 @@
 // Refinement of a complex: what must stay as it is, and what must be gone.
 #include "catch.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/split_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 

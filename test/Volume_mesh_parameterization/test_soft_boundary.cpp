@@ -4,8 +4,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/blocking_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/blocking_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Soft_boundary_engine_3.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>

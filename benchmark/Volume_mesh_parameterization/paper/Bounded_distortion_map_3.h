@@ -3,7 +3,7 @@
 
 #include "Jacobian_system_3.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
 
 #include <Eigen/Dense>
 

@@ -4,9 +4,9 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
 
 #include <CGAL/tags.h>
 

@@ -6,10 +6,10 @@
 #include "Map_problem.h"
 
 #include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Signed_singular_values_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/distortion_of_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/exact_orientation_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/unavoidable_angle_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/distortion_of_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/unavoidable_angle_distortion_3.h>
 
 #include <Eigen/Dense>
 

@@ -9,9 +9,9 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Energy_sum_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Soft_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Soft_boundary_engine_3.h>
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/tags.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/for_each_index.h>
 
 #include <Eigen/Dense>
 

@@ -13,10 +13,10 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Box_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/cube_corners_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/map_to_sphere_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Box_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/cube_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 
 #include <CGAL/assertions.h>
 

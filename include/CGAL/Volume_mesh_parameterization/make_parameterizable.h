@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Degenerate_simplices_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>

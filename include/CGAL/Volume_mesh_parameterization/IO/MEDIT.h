@@ -13,9 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/read_text.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/read_text.h>
 
 #include <array>
 #include <cstddef>

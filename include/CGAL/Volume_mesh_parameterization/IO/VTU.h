@@ -14,8 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cell_distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
 
 #include <array>
 #include <cstddef>

@@ -14,8 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/read_text.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Text_scanner.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_scanner.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/read_text.h>
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,223 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_CUBE_EDGE_ROUTER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_CUBE_EDGE_ROUTER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/shortest_vertex_path_3.h>
+
+#include <CGAL/Random.h>
+#include <CGAL/algorithm.h>
+
+#include <Eigen/Dense>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Finds disjoint paths along edges of a triangulated sphere that join eight of its vertices like the edges of a cube.
+//
+// The paths are shortest paths, found one after the other, for the distances of the points given. They respect
+// the cyclic order of the edges around the corners, and those of a spanning tree come first: then no path
+// separates the ends of a later one (Praun, Sweldens, Schroeder, Consistent mesh parameterizations, 2001).
+// Earlier paths may nevertheless use up the vertices that a later one needs. Therefore paths keep away from each other
+// and from the corners, and if one is not found, all are found again in another order.
+//
+// No edge of the surface joins two vertices of a path that do not follow each other: they are shortened.
+class Cube_edge_router_3
+{
+public:
+  Cube_edge_router_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
+                     const std::array<int, 8>& corners)
+    : m_rings(rings), m_points(points), m_corners(corners), m_edges(cube_edges())
+  {}
+
+  bool run()
+  {
+    sort_edges_by_distance();
+    Random random(0);
+    for(int attempt = 0; attempt < 100; ++attempt)
+    {
+      if(route_all())
+        return true;
+      CGAL::cpp98::random_shuffle(m_edges.begin(), m_edges.end(), random);
+    }
+    return false;
+  }
+
+  const Cube_edge_3& edge(const std::size_t i) const { return m_edges[i]; }
+
+  // The vertices from `corner` to `other_corner()` of the i-th edge.
+  const std::vector<int>& path(const std::size_t i) const { return m_paths[i]; }
+
+private:
+  void sort_edges_by_distance()
+  {
+    const auto squared_distance = [&](const Cube_edge_3& edge)
+    {
+      return (m_points[m_corners[edge.corner]] - m_points[m_corners[edge.other_corner()]]).squaredNorm();
+    };
+    std::stable_sort(m_edges.begin(), m_edges.end(), [&](const Cube_edge_3& a, const Cube_edge_3& b)
+    {
+      return squared_distance(a) < squared_distance(b);
+    });
+  }
+
+  bool route_all()
+  {
+    put_spanning_tree_first();
+    m_is_used.assign(m_points.size(), false);
+    for(std::size_t k = 0; k < 8; ++k)
+    {
+      m_is_used[m_corners[k]] = true;
+      m_exits[k].fill(-1);
+    }
+    for(std::size_t i = 0; i < 12; ++i)
+      if(!route(i))
+        return false;
+    return true;
+  }
+
+  void put_spanning_tree_first()
+  {
+    std::array<int, 8> rank = {}, parent;
+    std::iota(parent.begin(), parent.end(), 0);
+    boost::disjoint_sets<int*, int*> trees(rank.data(), parent.data());
+    std::array<Cube_edge_3, 12> ordered;
+    auto front = ordered.begin();
+    auto back = ordered.rbegin();
+    for(const Cube_edge_3& edge : m_edges)
+    {
+      const bool joins_trees = trees.find_set(edge.corner) != trees.find_set(edge.other_corner());
+      trees.union_set(edge.corner, edge.other_corner());
+      (joins_trees ? *front++ : *back++) = edge;
+    }
+    m_edges = ordered;
+  }
+
+  bool route(const std::size_t i)
+  {
+    const int corner = m_edges[i].corner, other = m_edges[i].other_corner(), axis = m_edges[i].axis;
+    m_paths[i] = find_path(m_corners[corner], admissible_exits(corner, axis),
+                           m_corners[other], admissible_exits(other, axis));
+    if(m_paths[i].empty())
+      return false;
+    for(const int v : m_paths[i])
+      m_is_used[v] = true;
+    m_exits[corner][axis] = m_paths[i][1];
+    m_exits[other][axis] = m_paths[i][m_paths[i].size() - 2];
+    return true;
+  }
+
+  // The neighbours of a corner by which the path along an axis may leave it, such that the cyclic order is right
+  // and a neighbour remains for each path that is missing.
+  std::vector<int> admissible_exits(const int corner, const int axis) const
+  {
+    const int after = next_axis_around_corner(corner, axis);
+    const int next = m_exits[corner][after], previous = m_exits[corner][next_axis_around_corner(corner, after)];
+    std::vector<int> exits = m_rings[m_corners[corner]];
+    if(next < 0 && previous < 0)
+      return exits;
+
+    const int first = (previous >= 0) ? previous : next;
+    std::rotate(exits.begin(), std::find(exits.begin(), exits.end(), first), exits.end());
+    exits.erase(exits.begin());
+    if(next >= 0 && previous >= 0)
+      exits.erase(std::find(exits.begin(), exits.end(), next), exits.end());
+    else
+      exits.erase((previous >= 0) ? exits.end() - 1 : exits.begin());
+    return exits;
+  }
+
+  std::vector<int> find_path(const int source, const std::vector<int>& source_exits,
+                             const int target, const std::vector<int>& target_exits) const
+  {
+    const std::vector<int>& ring = m_rings[source];
+    if(contains(ring, target) && !(contains(source_exits, target) && contains(target_exits, source)))
+      return {};
+
+    std::vector<double> costs = costs_of_vertices(source, target);
+    forbid_other_neighbours(source, source_exits, costs);
+    forbid_other_neighbours(target, target_exits, costs);
+    return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs));
+  }
+
+  // Makes it expensive to pass by other paths, and even more to pass by other corners, which need their neighbours.
+  std::vector<double> costs_of_vertices(const int source, const int target) const
+  {
+    std::vector<double> costs(m_points.size(), 1.);
+    for(std::size_t v = 0; v < costs.size(); ++v)
+      if(m_is_used[v])
+        for(const int w : m_rings[static_cast<int>(v)])
+          costs[w] = 3;
+    for(const int corner : m_corners)
+      if(corner != source && corner != target)
+        for(const int w : m_rings[corner])
+          costs[w] = 10;
+    for(std::size_t v = 0; v < costs.size(); ++v)
+      if(m_is_used[v])
+        costs[v] = (std::numeric_limits<double>::infinity)();
+    return costs;
+  }
+
+  // Neighbours of the end of a path that it may not take first must not follow later: the edge would be a chord.
+  void forbid_other_neighbours(const int end, const std::vector<int>& exits, std::vector<double>& costs) const
+  {
+    for(const int v : m_rings[end])
+      if(!contains(exits, v))
+        costs[v] = (std::numeric_limits<double>::infinity)();
+  }
+
+  // Goes from each vertex to the last one of the path that is joined to it by an edge.
+  std::vector<int> without_chords(const std::vector<int>& path) const
+  {
+    std::vector<int> result;
+    for(auto it = path.begin(); it != path.end(); )
+    {
+      result.push_back(*it);
+      auto next = path.end() - 1;
+      while(next != it && !contains(m_rings[*it], *next))
+        --next;
+      it = (next == it) ? path.end() : next;
+    }
+    return result;
+  }
+
+  static bool contains(const std::vector<int>& range, const int v)
+  {
+    return std::find(range.begin(), range.end(), v) != range.end();
+  }
+
+  const Vertex_rings_3& m_rings;
+  const std::vector<Eigen::Vector3d>& m_points;
+  const std::array<int, 8> m_corners;
+  std::array<Cube_edge_3, 12> m_edges;
+  std::array<std::vector<int>, 12> m_paths;
+  std::array<std::array<int, 3>, 8> m_exits; // the second vertex of the paths found, by corner and axis, or -1
+  std::vector<bool> m_is_used;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_CUBE_EDGE_ROUTER_3_H

@@ -1,0 +1,247 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_COORDINATES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_COORDINATES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/QP_functions.h>
+#include <CGAL/QP_models.h>
+#include <CGAL/Union_find.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Finds the coordinates of the faces of a polycube for valid charts, along their axes: those that minimize
+//   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
+// such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis
+// that meet in a corner have the same coordinate. The axes are independent of each other, and small quadratic programs.
+// If edges of a face intersect then, they get the order that they have on the surface, too.
+class Polycube_coordinates_3
+{
+public:
+  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
+    : m_mesh(mesh), m_charts(charts), m_coordinate(charts.charts().size()), m_group(charts.charts().size())
+  {}
+
+  // Returns whether there are such coordinates.
+  bool run()
+  {
+    group_charts();
+    sum_up_faces();
+    for(const Polycube_chain_3& chain : m_charts.chains())
+      m_edges.emplace_back(chain, *this);
+    for(const Edge& edge : m_edges)
+      m_orders.push_back({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
+    do
+      for(int axis = 0; axis < 3; ++axis)
+        if(!solve(axis))
+          return false;
+    while(separate_intersecting_edges());
+    return true;
+  }
+
+  double operator[](const std::size_t chart) const { return m_coordinate[m_group[chart]]; }
+
+  // The image of a corner.
+  Eigen::Vector3d corner(const Polycube_charts_3::Vertex v) const
+  {
+    const std::array<std::size_t, 3> groups = groups_at(v);
+    return Eigen::Vector3d(m_coordinate[groups[0]], m_coordinate[groups[1]], m_coordinate[groups[2]]);
+  }
+
+private:
+  // The coordinates of the second group must be larger than those of the first one by a distance.
+  struct Order
+  {
+    std::size_t first, second;
+    double distance;
+  };
+
+  // An edge of the polycube, and its chain on the surface.
+  struct Edge
+  {
+    int axis;
+    std::array<std::size_t, 2> charts;
+    std::array<std::size_t, 3> lowest, highest; // the groups of its ends, by axis
+    Eigen::AlignedBox3d box;
+    double length = 0;
+
+    Edge(const Polycube_chain_3& chain, const Polycube_coordinates_3& coordinates)
+      : axis(chain.axis), charts(chain.charts)
+    {
+      const std::vector<Polycube_charts_3::Vertex> path = coordinates.m_charts.vertices(chain);
+      lowest = coordinates.groups_at(path.front());
+      highest = coordinates.groups_at(path.back());
+      if(chain.sign < 0)
+        lowest.swap(highest);
+      for(std::size_t i = 0; i < path.size(); ++i)
+      {
+        const Eigen::Vector3d point = eigen_point(coordinates.m_mesh, path[i]);
+        box.extend(point);
+        if(i > 0)
+          length += (point - eigen_point(coordinates.m_mesh, path[i - 1])).norm();
+      }
+    }
+
+    bool has_corner_with(const Edge& other) const
+    {
+      return lowest == other.lowest || lowest == other.highest || highest == other.lowest || highest == other.highest;
+    }
+  };
+
+  // A group of charts is known by one of them.
+  void group_charts()
+  {
+    std::iota(m_group.begin(), m_group.end(), 0);
+    Union_find<std::size_t> sets;
+    std::vector<Union_find<std::size_t>::handle> set_of_chart;
+    for(const std::size_t c : m_group)
+      set_of_chart.push_back(sets.make_set(c));
+    for(const auto v : m_charts.corners())
+    {
+      const std::array<std::size_t, 3> charts = groups_at(v);
+      for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
+      {
+        const std::size_t c = m_charts.chart(h);
+        sets.unify_sets(set_of_chart[c], set_of_chart[charts[m_charts.charts()[c].axis()]]);
+      }
+    }
+    for(std::size_t c = 0; c < m_group.size(); ++c)
+      m_group[c] = *sets.find(set_of_chart[c]);
+  }
+
+  std::array<std::size_t, 3> groups_at(const Polycube_charts_3::Vertex v) const
+  {
+    std::array<std::size_t, 3> result = {};
+    for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
+      result[m_charts.charts()[m_charts.chart(h)].axis()] = m_group[m_charts.chart(h)];
+    return result;
+  }
+
+  void sum_up_faces()
+  {
+    m_area.assign(m_group.size(), 0);
+    m_moment.assign(m_group.size(), 0);
+    for(const auto f : m_mesh.faces())
+    {
+      const auto h = m_mesh.halfedge(f);
+      const Boundary_point_3 &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h)),
+                             &c = m_mesh.point(m_mesh.target(m_mesh.next(h)));
+      const int axis = m_charts.charts()[m_charts.chart(h)].axis();
+      const double area = std::sqrt(CGAL::squared_area(a, b, c));
+      m_area[m_group[m_charts.chart(h)]] += area;
+      m_moment[m_group[m_charts.chart(h)]] += area * (a[axis] + b[axis] + c[axis]) / 3;
+    }
+  }
+
+  bool solve(const int axis)
+  {
+    Quadratic_program<double> program(LARGER, false, 0, false, 0);
+    std::vector<std::size_t> groups;
+    std::vector<int> variable(m_group.size(), -1);
+    for(std::size_t c = 0; c < m_group.size(); ++c)
+      if(m_group[c] == c && m_charts.charts()[c].axis() == axis)
+      {
+        const int i = variable[c] = static_cast<int>(groups.size());
+        program.set_d(i, i, 2 * m_area[c]);
+        program.set_c(i, -2 * m_moment[c]);
+        groups.push_back(c);
+      }
+
+    int row = 0;
+    for(const Order& order : m_orders)
+    {
+      if(variable[order.first] < 0)
+        continue;
+      if(order.first == order.second)
+        return false;
+      program.set_a(variable[order.first], row, -1);
+      program.set_a(variable[order.second], row, 1);
+      program.set_b(row++, order.distance);
+    }
+
+    const auto solution = solve_quadratic_program(program, Exact_rational());
+    if(solution.is_infeasible())
+      return false;
+    auto value = solution.variable_values_begin();
+    for(const std::size_t c : groups)
+      m_coordinate[c] = CGAL::to_double(*value++);
+    return true;
+  }
+
+  // Returns whether there were any.
+  bool separate_intersecting_edges()
+  {
+    const std::size_t n = m_orders.size();
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      for(std::size_t k = 0; k < i; ++k)
+        for(const std::size_t c : m_edges[i].charts)
+          if((c == m_edges[k].charts[0] || c == m_edges[k].charts[1]) && intersect(m_edges[i], m_edges[k]))
+            separate(m_edges[i], m_edges[k], m_charts.charts()[c].axis());
+    return m_orders.size() > n;
+  }
+
+  bool intersect(const Edge& a, const Edge& b) const
+  {
+    for(int axis = 0; axis < 3; ++axis)
+      if(m_coordinate[a.highest[axis]] < m_coordinate[b.lowest[axis]]
+         || m_coordinate[b.highest[axis]] < m_coordinate[a.lowest[axis]])
+        return false;
+    return !a.has_corner_with(b);
+  }
+
+  // Along the axis of the face along which their chains are farthest from each other.
+  void separate(const Edge& a, const Edge& b, const int normal_axis)
+  {
+    Order order = {};
+    double largest_gap = -(std::numeric_limits<double>::infinity)();
+    for(const int axis : { (normal_axis + 1) % 3, (normal_axis + 2) % 3 })
+      for(const auto& [low, high] : { std::pair(a, b), std::pair(b, a) })
+        if(high.box.min()[axis] - low.box.max()[axis] > largest_gap)
+        {
+          largest_gap = high.box.min()[axis] - low.box.max()[axis];
+          order = { low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) };
+        }
+    m_orders.push_back(order);
+  }
+
+  static constexpr double smallest_part = 0.2;
+
+  const Boundary_mesh_3& m_mesh;
+  const Polycube_charts_3& m_charts;
+  std::vector<double> m_coordinate; // of groups, as the next ones
+  std::vector<double> m_area, m_moment;
+  std::vector<std::size_t> m_group;
+  std::vector<Edge> m_edges;
+  std::vector<Order> m_orders;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_COORDINATES_3_H

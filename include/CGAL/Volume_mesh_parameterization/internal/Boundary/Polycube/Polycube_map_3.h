@@ -1,0 +1,175 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_MAP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_MAP_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Patch_relaxation_2.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is given such
+// that the longest side of its bounding box is 1, and the polycube made for the box that it had before.
+class Polycube_map_3
+{
+public:
+  using Face = Boundary_mesh_3::Face_index;
+
+  Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels)
+    : m_mesh(mesh), m_box(box), m_charts(mesh, labels), m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
+  {}
+
+  Error_code run()
+  {
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts);
+    if(!m_charts.are_valid() || !coordinates.run())
+      return ERROR_NO_POLYCUBE;
+    for(const Polycube_chain_3& chain : m_charts.chains())
+      place_chain(chain, coordinates);
+    find_flipped_faces(faces_between_edges());
+    for(std::size_t c = 0; c < m_charts.charts().size() && m_flipped_faces.empty(); ++c)
+      map_chart(c, coordinates[c]);
+    if(!m_flipped_faces.empty())
+      return ERROR_BOUNDARY_TOO_COARSE;
+    return finish();
+  }
+
+  const std::vector<Eigen::Vector3d>& images() const { return m_images; }
+
+  // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
+  const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
+
+private:
+  // Spaces the vertices by their distances on the surface.
+  void place_chain(const Polycube_chain_3& chain, const Polycube_coordinates_3& coordinates)
+  {
+    const std::vector<Polycube_charts_3::Vertex> path = m_charts.vertices(chain);
+    std::vector<double> length(1, 0.);
+    for(std::size_t i = 1; i < path.size(); ++i)
+      length.push_back(length.back() + (eigen_point(m_mesh, path[i]) - eigen_point(m_mesh, path[i - 1])).norm());
+    const Eigen::Vector3d first = coordinates.corner(path.front()), last = coordinates.corner(path.back());
+    for(std::size_t i = 0; i < path.size(); ++i)
+    {
+      const double part = length[i] / length.back();
+      m_images[path[i]] = first;
+      m_images[path[i]][chain.axis] = (1 - part) * first[chain.axis] + part * last[chain.axis];
+    }
+  }
+
+  // The faces that have all vertices on edges of the polycube.
+  std::vector<Face> faces_between_edges() const
+  {
+    std::vector<bool> is_on_edge(m_images.size(), false);
+    for(const Polycube_chain_3& chain : m_charts.chains())
+      for(const auto v : m_charts.vertices(chain))
+        is_on_edge[v] = true;
+    std::vector<Face> result;
+    for(const Face f : m_mesh.faces())
+    {
+      const auto around = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
+      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return is_on_edge[v]; }))
+        result.push_back(f);
+    }
+    return result;
+  }
+
+  void find_flipped_faces(const std::vector<Face>& faces)
+  {
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(m_flipped_faces), [this](const Face f)
+    {
+      return !is_positive(f);
+    });
+  }
+
+  void map_chart(const std::size_t c, const double coordinate)
+  {
+    const Surface_patch_3 patch = extract_patch(m_mesh, m_charts.chart_of_face(), c);
+    const auto [u, v] = plane_axes(c);
+    for(const int w : patch.vertices)
+      m_images[w][3 - u - v] = coordinate;
+    map_patch_to_polygon_3(patch, u, v, m_images);
+    relax(patch, u, v);
+    find_flipped_faces(patch.faces);
+  }
+
+  // The axes of the plane of a chart, in the order that makes its image positive.
+  std::array<int, 2> plane_axes(const std::size_t c) const
+  {
+    const int axis = m_charts.charts()[c].axis(), u = (axis + 1) % 3, v = (axis + 2) % 3;
+    return (sign_of_direction(m_charts.charts()[c].label) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
+  }
+
+  bool is_positive(const Face f) const
+  {
+    const auto [u, v] = plane_axes(m_charts.chart_of_face()[f]);
+    const auto point = [this, u = u, v = v](const Boundary_mesh_3::Vertex_index w)
+    {
+      return Boundary_point_2(m_images[w][u], m_images[w][v]);
+    };
+    const auto h = m_mesh.halfedge(f);
+    return CGAL::orientation(point(m_mesh.source(h)), point(m_mesh.target(h)), point(m_mesh.target(m_mesh.next(h))))
+           == POSITIVE;
+  }
+
+  void relax(const Surface_patch_3& patch, const int u, const int v)
+  {
+    Eigen::Matrix2Xd images(2, patch.vertices.size());
+    for(std::size_t i = 0; i < patch.vertices.size(); ++i)
+      images.col(i) << m_images[patch.vertices[i]][u], m_images[patch.vertices[i]][v];
+    Patch_relaxation_2(patch.mesh, images).run();
+    for(std::size_t i = 0; i < patch.vertices.size(); ++i)
+    {
+      m_images[patch.vertices[i]][u] = images(0, i);
+      m_images[patch.vertices[i]][v] = images(1, i);
+    }
+  }
+
+  Error_code finish()
+  {
+    for(Eigen::Vector3d& image : m_images)
+      image = m_box.center() + m_box.sizes().maxCoeff() * image;
+    const auto faces = m_mesh.faces();
+    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
+      return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+    Boundary_mesh_3 image = m_mesh;
+    set_points(image, m_images);
+    return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
+  }
+
+  const Boundary_mesh_3& m_mesh;
+  const Eigen::AlignedBox3d m_box;
+  const Polycube_charts_3 m_charts;
+  std::vector<Eigen::Vector3d> m_images;
+  std::vector<Face> m_flipped_faces;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_MAP_3_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
+
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Surface_mesh_parameterization/Error_code.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/centroid.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+using Boundary_point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
+
+// A border parameterizer for CGAL's Surface_mesh_parameterization: the border keeps the coordinates it has.
+class Prescribed_border_parameterizer_3
+{
+public:
+  using Triangle_mesh = Boundary_mesh_3;
+  using TriangleMesh = Triangle_mesh;
+
+  template <typename VertexUVMap, typename VertexIndexMap, typename VertexParameterizedMap>
+  Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh,
+                                                         const Triangle_mesh::Halfedge_index border,
+                                                         VertexUVMap, VertexIndexMap,
+                                                         VertexParameterizedMap is_parameterized) const
+  {
+    for(const auto v : CGAL::vertices_around_face(border, mesh))
+      put(is_parameterized, v, true);
+    return Surface_mesh_parameterization::OK;
+  }
+
+  bool is_border_convex() const { return true; }
+};
+
+// Part of a surface, and the numbers of its vertices and faces in the whole.
+struct Surface_patch_3
+{
+  Boundary_mesh_3 mesh;
+  std::vector<int> vertices;
+  std::vector<Boundary_mesh_3::Face_index> faces;
+};
+
+inline Surface_patch_3 extract_patch(const Boundary_mesh_3& whole, const std::vector<std::size_t>& patch_of_face,
+                                     const std::size_t patch)
+{
+  Surface_patch_3 result;
+  std::unordered_map<int, Boundary_mesh_3::Vertex_index> number;
+  for(const auto f : whole.faces())
+  {
+    if(patch_of_face[f] != patch)
+      continue;
+    std::vector<Boundary_mesh_3::Vertex_index> face;
+    for(const auto v : CGAL::vertices_around_face(whole.halfedge(f), whole))
+    {
+      const auto inserted = number.emplace(static_cast<int>(v), Boundary_mesh_3::Vertex_index());
+      if(inserted.second)
+      {
+        inserted.first->second = result.mesh.add_vertex(whole.point(v));
+        result.vertices.push_back(static_cast<int>(v));
+      }
+      face.push_back(inserted.first->second);
+    }
+    result.mesh.add_face(face);
+    result.faces.push_back(f);
+  }
+  return result;
+}
+
+// Closes all borders of a patch by fans, but the one whose image surrounds the others.
+inline Boundary_mesh_3::Halfedge_index fill_holes(Boundary_mesh_3& mesh, const std::vector<Boundary_point_2>& images)
+{
+  std::vector<Boundary_mesh_3::Halfedge_index> borders;
+  Polygon_mesh_processing::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  const auto leftmost = [&](const Boundary_mesh_3::Halfedge_index border)
+  {
+    double x = images[mesh.target(border)].x();
+    for(const auto v : CGAL::vertices_around_face(border, mesh))
+      x = (std::min)(x, images[v].x());
+    return x;
+  };
+  std::iter_swap(borders.begin(), std::min_element(borders.begin(), borders.end(), [&](const auto a, const auto b)
+  {
+    return leftmost(a) < leftmost(b);
+  }));
+  for(std::size_t i = 1; i < borders.size(); ++i)
+  {
+    std::vector<Boundary_point_3> points;
+    for(const auto v : CGAL::vertices_around_face(borders[i], mesh))
+      points.push_back(mesh.point(v));
+    Euler::fill_hole(borders[i], mesh);
+    mesh.point(mesh.target(Euler::add_center_vertex(borders[i], mesh))) = CGAL::centroid(points.begin(), points.end());
+  }
+  return borders.front();
+}
+
+// Maps the inner vertices of a patch into the polygon of its border, by mean value coordinates, which is one to one if
+// the polygon is convex. Uses the axes u and v of the images. Around holes of the patch, which keep their images,
+// the map is the one of the patch without holes. Returns whether the linear system was solved.
+inline bool map_patch_to_polygon_3(const Surface_patch_3& patch, const int u, const int v,
+                                   std::vector<Eigen::Vector3d>& images)
+{
+  namespace SMP = Surface_mesh_parameterization;
+  using Matrix = Eigen_sparse_matrix<double>::EigenType;
+  using Solver = Eigen_solver_traits<Eigen::SparseLU<Matrix> >;
+
+  std::vector<Boundary_point_2> start;
+  for(const int w : patch.vertices)
+    start.emplace_back(images[w][u], images[w][v]);
+  Boundary_mesh_3 mesh = patch.mesh;
+  const auto border = fill_holes(mesh, start);
+  auto uv_map = mesh.add_property_map<Boundary_mesh_3::Vertex_index, Boundary_point_2>("v:uv").first;
+  for(const auto w : patch.mesh.vertices())
+    uv_map[w] = start[w];
+
+  SMP::Mean_value_coordinates_parameterizer_3<Boundary_mesh_3, Prescribed_border_parameterizer_3, Solver> parameterizer;
+  if(SMP::parameterize(mesh, parameterizer, border, uv_map) != SMP::OK)
+    return false;
+  const auto vertices = patch.mesh.vertices();
+  if(!std::all_of(vertices.begin(), vertices.end(), [&](const auto w)
+     {
+       return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y());
+     }))
+    return false;
+  for(const auto w : patch.mesh.vertices())
+    if(!patch.mesh.is_border(w))
+    {
+      images[patch.vertices[w]][u] = uv_map[w].x();
+      images[patch.vertices[w]][v] = uv_map[w].y();
+    }
+  return true;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_TEXT_WRITER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_TEXT_WRITER_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <charconv>
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Writes text and numbers to a stream, whatever its locale and precision. Floating-point numbers get the fewest digits
+// (at most 17) from which reading restores the same bits. A failure is left in the state of the stream.
+class Text_writer
+{
+public:
+  explicit Text_writer(std::ostream& os)
+    : m_os(os)
+  {
+    m_buffer.reserve(capacity);
+  }
+
+  Text_writer(const Text_writer&) = delete;
+  Text_writer& operator=(const Text_writer&) = delete;
+
+  ~Text_writer()
+  {
+    flush();
+  }
+
+  Text_writer& operator<<(std::string_view text) { return append(text); }
+  Text_writer& operator<<(double x) { return append_number(x); }
+  Text_writer& operator<<(int i) { return append_number(i); }
+  Text_writer& operator<<(std::size_t i) { return append_number(i); }
+
+private:
+  static constexpr std::size_t capacity = 1 << 16;
+
+  template <typename Number>
+  Text_writer& append_number(Number number)
+  {
+    char digits[32];
+    const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), number);
+    return append(std::string_view(digits, static_cast<std::size_t>(result.ptr - digits)));
+  }
+
+  Text_writer& append(std::string_view text)
+  {
+    if(m_buffer.size() + text.size() > capacity)
+      flush();
+    m_buffer.append(text);
+    return *this;
+  }
+
+  void flush()
+  {
+    m_os.write(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
+    m_buffer.clear();
+  }
+
+  std::ostream& m_os;
+  std::string m_buffer;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_TEXT_WRITER_H

@@ -1,0 +1,100 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_COLUMNS_AROUND_ORIGIN_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_COLUMNS_AROUND_ORIGIN_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// A point of the convex hull of the columns of a matrix, as a combination of affinely independent columns.
+struct Hull_point
+{
+  Eigen::VectorXd point;
+  std::vector<Eigen::Index> columns;
+  std::vector<double> weights;
+};
+
+// The weights, with sum 1, of the point next to the origin in the affine hull of some columns.
+inline Eigen::VectorXd nearest_point_of_affine_hull(const Eigen::MatrixXd& points,
+                                                    const std::vector<Eigen::Index>& columns)
+{
+  const Eigen::Index n = static_cast<Eigen::Index>(columns.size());
+  Eigen::MatrixXd lifted(points.rows() + 1, n);
+  for(Eigen::Index i = 0; i < n; ++i)
+    lifted.col(i) << 1, points.col(columns[i]);
+  const Eigen::VectorXd weights = lifted.colPivHouseholderQr().solve(Eigen::VectorXd::Unit(lifted.rows(), 0));
+  return weights / weights.sum();
+}
+
+// Moves towards the point next to the origin in the affine hull until a weight vanishes, and drops its column.
+// Returns whether that point was reached.
+inline bool move_in_affine_hull(const Eigen::MatrixXd& points, Hull_point& p)
+{
+  const Eigen::VectorXd goal = nearest_point_of_affine_hull(points, p.columns);
+  double step = 1;
+  for(std::size_t i = 0; i < p.columns.size(); ++i)
+    if(goal[i] <= 0)
+      step = (std::min)(step, p.weights[i] / (p.weights[i] - goal[i]));
+
+  const double smallest_weight = 1e-14;
+  Hull_point next;
+  next.point.setZero(points.rows());
+  for(std::size_t i = 0; i < p.columns.size(); ++i)
+  {
+    const double weight = (1 - step) * p.weights[i] + step * goal[i];
+    if(weight < smallest_weight)
+      continue;
+    next.columns.push_back(p.columns[i]);
+    next.weights.push_back(weight);
+    next.point += weight * points.col(p.columns[i]);
+  }
+  p = next;
+  return step == 1;
+}
+
+// Columns, of at most unit length, whose convex hull contains the origin up to rounding; none if there is a
+// vector that has positive scalar products with all columns.
+// Looks for the point of the convex hull next to the origin (Wolfe, Finding the nearest point in a polytope,
+// Mathematical Programming 11, 1976), which is such a vector unless it is the origin.
+inline std::vector<Eigen::Index> columns_around_origin(const Eigen::MatrixXd& points)
+{
+  const double tolerance = 1e-12;
+  Eigen::Index column;
+  points.colwise().squaredNorm().minCoeff(&column);
+  Hull_point p = { points.col(column), {column}, {1.} };
+  for(Eigen::Index iteration = 0; iteration < 10 * points.cols(); ++iteration)
+  {
+    const double norm = p.point.norm();
+    if((points.transpose() * p.point).minCoeff(&column) > tolerance * norm)
+      return {};
+    if(norm < tolerance || std::find(p.columns.begin(), p.columns.end(), column) != p.columns.end())
+      break;
+    p.columns.push_back(column);
+    p.weights.push_back(0);
+    while(!move_in_affine_hull(points, p)) {}
+  }
+  return p.columns;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_COLUMNS_AROUND_ORIGIN_H

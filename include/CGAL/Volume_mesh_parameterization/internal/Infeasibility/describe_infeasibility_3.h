@@ -1,0 +1,86 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_DESCRIBE_INFEASIBILITY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_DESCRIBE_INFEASIBILITY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Infeasibility_proof_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The vertices a proof is about: its free vertices, and those that all its cells share.
+// These are the ends of an edge, the vertices of a cell, or a single vertex.
+inline std::set<int> blamed_vertices(const Infeasibility_proof_3& proof, const Numbered_mesh_3& mesh)
+{
+  std::set<int> result;
+  for(const std::size_t c : proof.cells)
+    for(const int v : mesh.cells[c])
+    {
+      const bool is_shared = std::all_of(proof.cells.begin(), proof.cells.end(), [&](const std::size_t d)
+      {
+        return std::find(mesh.cells[d].begin(), mesh.cells[d].end(), v) != mesh.cells[d].end();
+      });
+      if(is_shared || mesh.is_free(v))
+        result.insert(v);
+    }
+  return result;
+}
+
+// A sentence for the user about some proofs, at least one.
+inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_3>& proofs,
+                                          const Numbered_mesh_3& mesh)
+{
+  std::ostringstream message;
+  message << "No map with this connectivity meets this boundary: some sets of cells cannot all be positive, "
+          << "wherever the free vertices are. Number of sets found: " << proofs.size()
+          << "; cells of the first one: " << proofs.front().cells.size() << ", around the source's vertices at ";
+  const char* separator = "";
+  for(const int v : blamed_vertices(proofs.front(), mesh))
+  {
+    message << separator << describe(mesh.source.col(v));
+    separator = ", ";
+  }
+  message << ".";
+  return message.str();
+}
+
+// A sentence with the cells, the first ones of many, if there is no proof.
+inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells)
+{
+  constexpr std::size_t maximal_number = 100;
+  const std::size_t number = (std::min)(maximal_number, cells.size());
+  std::ostringstream message;
+  message << "With the boundary at its targets, these cells stay inverted: ";
+  for(std::size_t i = 0; i < number; ++i)
+    message << (i == 0 ? "" : ", ") << cells[i];
+  if(cells.size() > number)
+    message << ", and " << cells.size() - number << " others";
+  message << ".";
+  return message.str();
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_DESCRIBE_INFEASIBILITY_3_H

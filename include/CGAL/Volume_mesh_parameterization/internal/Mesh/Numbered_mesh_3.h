@@ -1,0 +1,106 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_NUMBERED_MESH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_NUMBERED_MESH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// A tetrahedral mesh as plain arrays. The free vertices come first: 0, ..., number_of_free_vertices - 1.
+struct Numbered_mesh_3
+{
+  Eigen::Matrix3Xd source;               // one column a vertex
+  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
+  std::vector<std::array<int, 4> > cells; // positively oriented in the source
+  int number_of_free_vertices = 0;
+  bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
+
+  int number_of_vertices() const { return static_cast<int>(source.cols()); }
+  bool is_free(const int v) const { return v < number_of_free_vertices; }
+};
+
+// The mesh with all its vertices free.
+inline Numbered_mesh_3 with_free_vertices(Numbered_mesh_3 mesh)
+{
+  mesh.number_of_free_vertices = mesh.number_of_vertices();
+  return mesh;
+}
+
+// The positions with the prescribed vertices on their targets.
+inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+{
+  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  positions.rightCols(n) = mesh.target.rightCols(n);
+  return positions;
+}
+
+// How far the prescribed vertices are from their targets at most.
+inline double largest_distance_to_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  return (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+}
+
+// The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
+template <typename Positions>
+Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>& cell)
+{
+  Eigen::Matrix3d edges;
+  for(int i = 0; i < 3; ++i)
+    edges.col(i) = positions.col(cell[i + 1]) - positions.col(cell[0]);
+  return edges;
+}
+
+// The inverse edge matrices X^{-1} of the cells in the source, times a factor.
+inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
+{
+  std::vector<Eigen::Matrix3d> result;
+  result.reserve(mesh.cells.size());
+  for(const std::array<int, 4>& cell : mesh.cells)
+    result.push_back(edge_matrix(mesh.source, cell).inverse() * factor);
+  return result;
+}
+
+template <typename Positions>
+double volume(const Positions& positions, const std::vector<std::array<int, 4> >& cells)
+{
+  double sum = 0;
+  for(const std::array<int, 4>& cell : cells)
+    sum += edge_matrix(positions, cell).determinant() / 6;
+  return sum;
+}
+
+// How much each cell counts; the sum is 1.
+inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
+{
+  std::vector<double> result(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size()));
+  if(mesh.has_volume_weights)
+  {
+    const double total = volume(mesh.source, mesh.cells);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      result[c] = edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / total;
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_NUMBERED_MESH_3_H

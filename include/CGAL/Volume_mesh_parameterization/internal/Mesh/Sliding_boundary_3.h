@@ -1,0 +1,189 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SLIDING_BOUNDARY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SLIDING_BOUNDARY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Planar_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Sliding_directions_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Where the vertices of a boundary may go if its planar patches are to cover the same polygons: a vertex
+// inside a patch moves parallel to its plane, one between two patches along their line, and every other
+// vertex stays at its target.
+//
+// While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
+// its cell with it, in between. And patches of facets that are not turned over cover each point as often
+// as their outlines wind around it. Those keep their corners and run along the same lines. So patches
+// remain one to one, vertices keep their order along edges, and the image of the complex remains the same.
+class Sliding_boundary_3
+{
+public:
+  // Vertices that `is_constrained` tells stay at their targets too.
+  template <typename Predicate>
+  Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
+    : m_mesh(mesh),
+      m_facets(boundary_facets_3(mesh.cells)),
+      m_patches(mesh.target, m_facets, planarity * diagonal(mesh)),
+      m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
+  {
+    std::vector<std::vector<std::size_t> > patches(mesh.number_of_vertices());
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      for(const int v : m_facets[f])
+        if(std::find(patches[v].begin(), patches[v].end(), m_patches.patch(f)) == patches[v].end())
+          patches[v].push_back(m_patches.patch(f));
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      m_projectors.push_back(mesh.is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                             : is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero())
+                             : projector(patches[v]));
+  }
+
+  std::size_t number_of_sliding_vertices() const
+  {
+    return std::count_if(m_projectors.begin() + m_mesh.number_of_free_vertices, m_projectors.end(), can_move);
+  }
+
+  // An order of the vertices: the free ones, those that slide, and the others.
+  std::vector<std::size_t> order() const
+  {
+    std::vector<std::size_t> result(m_projectors.size());
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    std::stable_partition(result.begin(), result.end(),
+                          [&](const std::size_t v) { return can_move(m_projectors[v]); });
+    return result;
+  }
+
+  // Of those that are free or slide, in this order.
+  Sliding_directions_3 directions(const std::vector<std::size_t>& order) const
+  {
+    std::vector<Eigen::Matrix3d> projectors;
+    for(const std::size_t v : order)
+      if(can_move(m_projectors[v]))
+        projectors.push_back(m_projectors[v]);
+    return Sliding_directions_3(std::move(projectors));
+  }
+
+  // Moves the vertices of the boundary back to where they belong, which rounding or scaling made them leave.
+  // A coordinate that cannot change keeps its bits.
+  void restore(Eigen::Matrix3Xd& positions) const
+  {
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+    {
+      positions.col(v) -= offset(positions, v);
+      for(int i = 0; i < 3; ++i)
+        if(m_projectors[v].row(i).isZero(0))
+          positions(i, v) = m_mesh.target(i, v);
+    }
+  }
+
+  // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in
+  // directions along the axes there is none.
+  double residual(const Eigen::Matrix3Xd& positions) const
+  {
+    double result = 0;
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+    {
+      const double distance = offset(positions, v).stableNorm();
+      if(distance > (m_projectors[v].isDiagonal(0) ? 0 : m_rounding))
+        result = (std::max)(result, distance);
+    }
+    return result;
+  }
+
+  // Is each facet of a planar patch oriented as in the target? Decided by exact predicates on the
+  // coordinates, without the one in which the normal is the longest.
+  bool has_same_orientations(const Eigen::Matrix3Xd& positions) const
+  {
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      if(m_patches.is_planar(m_patches.patch(f))
+         && orientation(positions, f) != orientation(m_mesh.target, f))
+        return false;
+    return true;
+  }
+
+private:
+  static constexpr double planarity = 1e-7; // relative to the diagonal; more than eight digits in a file round
+
+  static double diagonal(const Numbered_mesh_3& mesh)
+  {
+    const auto targets = mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices);
+    return (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  }
+
+  static bool can_move(const Eigen::Matrix3d& projector) { return !projector.isZero(0); }
+
+  // onto the directions in which a vertex of these patches may move
+  Eigen::Matrix3d projector(const std::vector<std::size_t>& patches) const
+  {
+    constexpr double small_sine = 1e-3; // of the angle between planes
+    const bool is_planar = std::all_of(patches.begin(), patches.end(), [&](const std::size_t patch)
+                                       { return m_patches.is_planar(patch); });
+    if(is_planar && patches.size() == 1)
+    {
+      const Eigen::Vector3d& normal = m_patches.normal(patches[0]);
+      return Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    }
+    if(is_planar && patches.size() == 2)
+    {
+      const Eigen::Vector3d line = m_patches.normal(patches[0]).cross(m_patches.normal(patches[1]));
+      if(line.norm() > small_sine)
+        return line.normalized() * line.normalized().transpose();
+    }
+    return Eigen::Matrix3d::Zero();
+  }
+
+  // from where it may be
+  Eigen::Vector3d offset(const Eigen::Matrix3Xd& positions, const int v) const
+  {
+    return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v));
+  }
+
+  CGAL::Orientation orientation(const Eigen::Matrix3Xd& positions, const std::size_t facet) const
+  {
+    using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
+    int longest;
+    m_patches.normal(m_patches.patch(facet)).cwiseAbs().maxCoeff(&longest);
+    const auto point = [&](const int k)
+    {
+      const auto p = positions.col(m_facets[facet][k]);
+      return Point_2(p[(longest + 1) % 3], p[(longest + 2) % 3]);
+    };
+    return CGAL::orientation(point(0), point(1), point(2));
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  std::vector<std::array<int, 3> > m_facets;
+  Planar_patches_3 m_patches;
+  double m_rounding;
+  std::vector<Eigen::Matrix3d> m_projectors; // of each vertex
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SLIDING_BOUNDARY_3_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_CHECK_INPUT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_CHECK_INPUT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+
+#include <Eigen/Dense>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// What is wrong with the input, with the data that make it concrete.
+struct Input_check
+{
+  Error_code status = OK;
+  std::string message;
+};
+
+template <typename... Parts>
+Input_check failed_check(const Error_code status, const Parts&... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  return { status, message.str() };
+}
+
+inline std::string describe(const Eigen::Vector3d& point)
+{
+  std::ostringstream out;
+  out << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";
+  return out.str();
+}
+
+inline Input_check check_coordinates(const Numbered_mesh_3& mesh)
+{
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const Eigen::Vector3d point = mesh.source.col(v);
+    if(!point.allFinite())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "A vertex of the source has the coordinates ",
+                          describe(point), ".");
+    const Eigen::Vector3d target = mesh.target.col(v);
+    if(target.array().isNaN().any())
+      return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The boundary vertex at ", describe(point),
+                          " has no target.");
+    if(!target.allFinite())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "The target of the boundary vertex at ", describe(point),
+                          " is ", describe(target), ".");
+  }
+  return {};
+}
+
+// The volume of a cell is a product of three lengths, and energies have their fourth powers.
+template <typename Points>
+Input_check check_size(const Points& points, const char* name)
+{
+  constexpr double smallest = 1e-70, largest = 1e70;
+  const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
+    return {};
+  return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
+                      ", which is not between ", smallest, " and ", largest, ".");
+}
+
+inline Input_check check_source_size(const Numbered_mesh_3& mesh)
+{
+  return check_size(mesh.source, "source");
+}
+
+inline Input_check check_target_size(const Numbered_mesh_3& mesh)
+{
+  return check_size(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices), "prescribed points");
+}
+
+inline Input_check check_source_cells(const Numbered_mesh_3& mesh)
+{
+  const Inverted_cells inverted = inverted_cells(mesh, mesh.source);
+  if(inverted.number == 0)
+    return {};
+  return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
+                      " cells of the source have no positive volume; the first one is cell ", inverted.first,
+                      " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6, ".");
+}
+
+// The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
+inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
+{
+  const Eigen::Matrix3d inverse = edges.inverse();
+  return edges.determinant() > 0 && inverse.allFinite() && inverse.determinant() > 0;
+}
+
+inline Input_check check_source_determinants(const Numbered_mesh_3& mesh)
+{
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if(!has_positive_inverse(edge_matrix(mesh.source, mesh.cells[c])))
+      return failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", c,
+                          " of the source is so flat that its volume is positive in exact arithmetic only.");
+  return {};
+}
+
+// Each connected component of the target must have a positive volume, which depends on its boundary only.
+inline Input_check check_target_volume(const Numbered_mesh_3& mesh)
+{
+  std::vector<int> rank(mesh.number_of_vertices()), parent(mesh.number_of_vertices());
+  std::iota(parent.begin(), parent.end(), 0);
+  boost::disjoint_sets<int*, int*> components(rank.data(), parent.data());
+  for(const std::array<int, 4>& cell : mesh.cells)
+    for(int i = 1; i < 4; ++i)
+      components.union_set(cell[0], cell[i]);
+
+  std::vector<double> volume(mesh.number_of_vertices(), 0.);
+  for(const std::array<int, 4>& cell : mesh.cells)
+    volume[components.find_set(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
+  for(const std::array<int, 4>& cell : mesh.cells)
+    if(!(volume[components.find_set(cell[0])] > 0))
+      return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ",
+                          volume[components.find_set(cell[0])],
+                          ", which must be positive; is it turned inside out?");
+  return {};
+}
+
+inline Input_check check_prescribed_cells(const Numbered_mesh_3& mesh)
+{
+  const Inverted_cells inverted = inverted_cells(mesh, mesh.target, [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
+  });
+  if(inverted.number == 0)
+    return {};
+  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
+                      " cells have four prescribed vertices and no positive volume in the target; the first one is cell ",
+                      inverted.first, ".");
+}
+
+// Can there be a map? Names the first reason against it.
+inline Input_check check_input_3(const Numbered_mesh_3& mesh)
+{
+  if(mesh.cells.empty())
+    return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
+  for(const auto check : { check_coordinates, check_source_size, check_target_size,
+                           check_source_cells, check_source_determinants, check_target_volume, check_prescribed_cells })
+  {
+    const Input_check result = check(mesh);
+    if(result.status != OK)
+      return result;
+  }
+  return {};
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_CHECK_INPUT_3_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_EXACT_ORIENTATION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_EXACT_ORIENTATION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Is the cell positively oriented? Decided by exact predicates on the coordinates as they are.
+inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+{
+  const auto point = [&](const int i)
+  {
+    const auto column = positions.col(cell[i]);
+    return Exact_point_3(column[0], column[1], column[2]);
+  };
+  return is_positive_cell({ point(0), point(1), point(2), point(3) });
+}
+
+// The cells that fulfil a condition and are not positively oriented.
+struct Inverted_cells
+{
+  std::size_t number = 0;
+  std::size_t first = 0;
+};
+
+template <typename Condition>
+Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Condition& condition)
+{
+  Inverted_cells result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if(condition(mesh.cells[c]) && !is_positive(positions, mesh.cells[c]) && result.number++ == 0)
+      result.first = c;
+  return result;
+}
+
+inline Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return inverted_cells(mesh, positions, [](const std::array<int, 4>&) { return true; });
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_EXACT_ORIENTATION_3_H

@@ -1,0 +1,117 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Removes inverted cells: minimizes the untangling energy while its epsilon tends to zero
+// (Garanzha et al. 2021, section 4), until no cell is inverted.
+template <typename Newton>
+class Untangler_3
+{
+public:
+  Untangler_3(Newton& newton, Eigen::Matrix3Xd& u, const double theta)
+    : m_newton(newton), m_u(u), m_theta(theta)
+  {
+    const double D = m_newton.evaluate(energy(1), m_u).smallest_determinant;
+    m_epsilon = std::sqrt(1e-12 + 0.04 * D * D);
+    m_evaluation = m_newton.evaluate(energy(m_epsilon), m_u);
+    m_fewest_inverted_cells = m_evaluation.number_of_inverted_cells;
+  }
+
+  const Energy_evaluation& evaluation() const { return m_evaluation; }
+  double step_length() const { return m_step_length; }
+
+  Step_status step()
+  {
+    constexpr double solver_tolerance = 1e-2;
+    if(m_evaluation.is_flip_free())
+      return Step_status::DONE;
+
+    const Untangling_energy_3 f = energy(m_epsilon);
+    const Linear_solver_status status
+      = m_newton.compute_direction(f, m_u, 0., solver_tolerance);
+    if(status != Linear_solver_status::SUCCESS && status != Linear_solver_status::TRUNCATED)
+      return Step_status::SOLVER_FAILED;
+
+    const typename Newton::Step step = m_newton.line_search(f, m_u, m_evaluation.energy, 1., false);
+    m_step_length = step.length;
+    if(step.length == 0)
+      return Step_status::STUCK;
+    if(step.evaluation.is_flip_free())
+    {
+      m_evaluation = step.evaluation;
+      return Step_status::DONE;
+    }
+
+    m_epsilon = next_epsilon(f, step.evaluation);
+    m_evaluation = m_newton.evaluate(energy(m_epsilon), m_u);
+    return is_progressing() ? Step_status::CONTINUE : Step_status::STUCK;
+  }
+
+private:
+  Untangling_energy_3 energy(const double epsilon) const { return Untangling_energy_3(epsilon, m_theta); }
+
+  // the rule of their section 4, which makes the energy tend to infinity at inverted cells
+  double next_epsilon(const Untangling_energy_3& f, const Energy_evaluation& after) const
+  {
+    const double decrease = (std::max)(1 - after.energy / m_evaluation.energy, 0.1);
+    const double mu = (1 - decrease) * f.chi(m_evaluation.smallest_determinant);
+    const double D = after.smallest_determinant;
+    return D < mu ? 2 * std::sqrt(mu * (mu - D)) : 1e-10;
+  }
+
+  bool is_progressing()
+  {
+    constexpr std::size_t patience = 30;
+    constexpr double small_epsilon = 1e-7;
+    if(m_evaluation.number_of_inverted_cells < m_fewest_inverted_cells)
+    {
+      m_fewest_inverted_cells = m_evaluation.number_of_inverted_cells;
+      m_steps_without_progress = 0;
+    }
+    else
+      ++m_steps_without_progress;
+    return m_steps_without_progress < patience || m_epsilon > small_epsilon;
+  }
+
+  Newton& m_newton;
+  Eigen::Matrix3Xd& m_u;
+  double m_theta;
+  double m_epsilon;
+  double m_step_length = 0;
+  Energy_evaluation m_evaluation;
+  std::size_t m_fewest_inverted_cells;
+  std::size_t m_steps_without_progress = 0;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLER_3_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_REFINEMENT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_REFINEMENT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Point_in_simplex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Inserts vertices into chosen edges, facets and cells of a complex, and knows where the other chosen ones are then.
+//
+// The triangulation could find an edge by its vertices, but not all of them at a vertex where the boundary is no manifold.
+template <typename C3t3>
+class Refinement_3
+{
+  using Vertex_handle = typename C3t3::Vertex_handle;
+  using Cell_handle = typename C3t3::Cell_handle;
+  using Simplex = Simplex_3<Vertex_handle>;
+
+public:
+  explicit Refinement_3(C3t3& c3t3) : m_c3t3(c3t3) {}
+
+  // Chooses a simplex, of a cell if one is known; false if it was chosen before.
+  bool choose(const Simplex& simplex, const Cell_handle c = Cell_handle())
+  {
+    return m_cells.emplace(simplex, c).second;
+  }
+
+  // Finds the chosen simplices among the faces of a cell.
+  void locate_faces(const Cell_handle c) { set_cell_of_faces(c, c); }
+
+  // A cell that contains a chosen simplex, `Cell_handle()` if there is none.
+  Cell_handle cell(const Simplex& simplex) const { return m_cells.at(simplex); }
+
+  // Inserts a vertex into a chosen simplex. The result is `Vertex_handle()` if the simplex does not exist (any more), is
+  // not interior, or has no point that makes positive cells after rounding.
+  Vertex_handle insert(const Simplex& simplex)
+  {
+    const Cell_handle c = cell(simplex);
+    if(c == Cell_handle() || !is_interior(m_c3t3, simplex, c))
+      return Vertex_handle();
+    const std::vector<Cell_handle> cells = cells_around(m_c3t3.triangulation(), simplex, c);
+    const auto point = Point_in_simplex_3<typename C3t3::Triangulation>(m_c3t3.triangulation(), simplex, cells).find();
+    if(!point)
+      return Vertex_handle();
+
+    for(const Cell_handle old_cell : cells)
+      set_cell_of_faces(old_cell, Cell_handle());
+    Vertex_insertion_3<C3t3> insertion(m_c3t3, simplex, cells);
+    const Vertex_handle v = insertion.insert(*point);
+    for(const Cell_handle new_cell : insertion.new_cells())
+      locate_faces(new_cell);
+    return v;
+  }
+
+private:
+  // The order of the vertices does not matter.
+  struct Hash
+  {
+    std::size_t operator()(const Simplex& simplex) const
+    {
+      std::size_t sum = 0;
+      for(const Vertex_handle v : simplex)
+      {
+        std::size_t hash = 0;
+        boost::hash_combine(hash, v);
+        sum += hash;
+      }
+      return sum;
+    }
+  };
+
+  struct Has_same_vertices
+  {
+    bool operator()(const Simplex& a, const Simplex& b) const { return a.size() == b.size() && contains(a, b); }
+  };
+
+  void set_cell_of_faces(const Cell_handle c, const Cell_handle value)
+  {
+    for_each_face(vertices_of_cell(c), [&](const Simplex& face)
+    {
+      const auto found = m_cells.find(face);
+      if(found != m_cells.end())
+        found->second = value;
+    });
+  }
+
+  C3t3& m_c3t3;
+  std::unordered_map<Simplex, Cell_handle, Hash, Has_same_vertices> m_cells;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_REFINEMENT_3_H
