@@ -2,4 +2,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/CGAL_Volume_mesh_parameterizationDependencies.
 include(${CMAKE_CURRENT_LIST_DIR}/CGAL_Volume_mesh_parameterizationTargets.cmake)
 
 # Searched with -I, hence before CGAL's own headers, which are searched with -isystem.
-set_target_properties(CGAL::Volume_mesh_parameterization PROPERTIES IMPORTED_NO_SYSTEM TRUE)
+foreach(target Volume_mesh_parameterization Volume_mesh_parameterization_engine)
+  if(TARGET CGAL::${target})
+    set_target_properties(CGAL::${target} PROPERTIES IMPORTED_NO_SYSTEM TRUE)
+  endif()
+endforeach()

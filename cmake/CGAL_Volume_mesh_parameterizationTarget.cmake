@@ -19,12 +19,31 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
   $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>
   $<TARGET_NAME_IF_EXISTS:CGAL::CHOLMOD_support>)
 
+# The same with the engine compiled once, for those who have many units or build often. Eigen aligns memory by the
+# processor that a unit is compiled for; the engine and its users must agree on that.
+if(${PROJECT_NAME}_ENGINE)
+  file(CONFIGURE OUTPUT engine.cpp CONTENT [[
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
+template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag>;
+#ifdef CGAL_LINKED_WITH_TBB
+template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Parallel_tag>;
+#endif
+]] @ONLY)
+  add_library(${PROJECT_NAME}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp)
+  add_library(CGAL::Volume_mesh_parameterization_engine ALIAS ${PROJECT_NAME}_engine)
+  set_target_properties(${PROJECT_NAME}_engine PROPERTIES EXPORT_NAME Volume_mesh_parameterization_engine)
+  target_link_libraries(${PROJECT_NAME}_engine PUBLIC ${PROJECT_NAME})
+  target_compile_definitions(${PROJECT_NAME}_engine PUBLIC
+    CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE EIGEN_MAX_ALIGN_BYTES=64)
+  install(TARGETS ${PROJECT_NAME}_engine EXPORT ${PROJECT_NAME}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
+
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir})
 install(TARGETS ${PROJECT_NAME} EXPORT ${PROJECT_NAME}Targets)
 install(EXPORT ${PROJECT_NAME}Targets NAMESPACE CGAL:: DESTINATION ${_config_dir})
 
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake
-  COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  COMPATIBILITY SameMinorVersion)
 install(FILES
   ${PROJECT_BINARY_DIR}/${PROJECT_NAME}ConfigVersion.cmake
   ${PROJECT_SOURCE_DIR}/cmake/${PROJECT_NAME}Config.cmake

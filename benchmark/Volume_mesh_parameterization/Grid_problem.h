@@ -4,33 +4,38 @@
 #include "jittered_grid.h"
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 // A jittered grid in the arrays of the solver, and a map of it: the regular grid, bent.
 struct Grid_problem
 {
   using Mesh = CGAL::Volume_mesh_parameterization::internal::Numbered_mesh_3;
+  using Cells = CGAL::Volume_mesh_parameterization::internal::Scaled_cells_3;
   using Matrix = CGAL::Volume_mesh_parameterization::Block_sparse_matrix_3<float>;
   using Packs = CGAL::Volume_mesh_parameterization::internal::Cell_packs_3;
 
   explicit Grid_problem(const std::size_t n)
     : mesh(make_mesh(Jittered_grid(n))),
-      inverse_sources(make_inverse_sources(mesh)),
-      packs(make_packs(mesh, inverse_sources, hessian)),
-      u(mesh.target),
+      cells{ 1, scaled_inverse_sources(mesh, 1), cell_weights(mesh) },
+      packs(make_packs(mesh, cells, hessian)),
+      u(bent(mesh.source)),
       gradient(3, mesh.number_of_free_vertices)
   {}
 
   Mesh mesh;
-  std::vector<Eigen::Matrix3d> inverse_sources;
+  Cells cells;
   Matrix hessian;
   Packs packs;
   Eigen::Matrix3Xd u, gradient;
@@ -39,44 +44,37 @@ private:
   static Mesh make_mesh(const Jittered_grid& grid)
   {
     const auto& points = grid.soup().points;
-    std::vector<int> numbers(points.size());
-    int number = 0;
-    for(const bool is_on_boundary : {false, true})
-    {
-      for(std::size_t v = 0; v < points.size(); ++v)
-        if(grid.is_on_boundary(v) == is_on_boundary)
-          numbers[v] = number++;
-    }
-
-    Mesh mesh;
-    mesh.source.resize(3, number);
-    mesh.target.resize(3, number);
+    Eigen::Matrix3Xd source(3, points.size());
+    std::vector<bool> is_prescribed;
     for(std::size_t v = 0; v < points.size(); ++v)
     {
-      const auto& [x, y, z] = points[v];
-      mesh.source.col(numbers[v]) << x, y, z;
-      mesh.target.col(numbers[v]) << x + 0.2 * y * y, y + 0.2 * z * z, z + 0.2 * x * x;
-      mesh.number_of_free_vertices += !grid.is_on_boundary(v);
+      source.col(v) = Eigen::Vector3d(points[v].data());
+      is_prescribed.push_back(grid.is_on_boundary(v));
     }
+    std::vector<std::array<int, 4> > cells;
     for(const auto& cell : grid.soup().cells)
-      mesh.cells.push_back({numbers[cell[0]], numbers[cell[1]], numbers[cell[2]], numbers[cell[3]]});
-    using namespace CGAL::Volume_mesh_parameterization::internal;
-    return reordered(mesh, spatial_order_3(mesh));
+      cells.push_back({int(cell[0]), int(cell[1]), int(cell[2]), int(cell[3])});
+
+    Mesh mesh;
+    CGAL::Volume_mesh_parameterization::internal::engine::set_numbered_mesh(cells, source, is_prescribed, mesh);
+    return mesh;
   }
 
-  static std::vector<Eigen::Matrix3d> make_inverse_sources(const Mesh& mesh)
+  static Eigen::Matrix3Xd bent(const Eigen::Matrix3Xd& points)
   {
-    std::vector<Eigen::Matrix3d> result;
-    for(const std::array<int, 4>& cell : mesh.cells)
-      result.push_back(CGAL::Volume_mesh_parameterization::internal::edge_matrix(mesh.source, cell).inverse());
+    Eigen::Matrix3Xd result = points;
+    for(int i = 0; i < 3; ++i)
+      result.row(i) += 0.2 * points.row((i + 1) % 3).cwiseAbs2();
     return result;
   }
 
-  static Packs make_packs(const Mesh& mesh, const std::vector<Eigen::Matrix3d>& inverse_sources, Matrix& hessian)
+  static Packs make_packs(const Mesh& mesh, const Cells& cells, Matrix& hessian)
   {
-    CGAL::Volume_mesh_parameterization::internal::set_pattern(mesh, {}, hessian);
-    const std::vector<double> weights(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size()));
-    return Packs(mesh, inverse_sources, weights, hessian);
+    const auto unknowns = free_vertices(mesh);
+    auto pattern = sparsity_pattern_3(mesh, unknowns);
+    Packs packs(mesh, cells, unknowns, pattern);
+    hessian.set_pattern(std::move(pattern.row_begin), std::move(pattern.columns));
+    return packs;
   }
 };
 

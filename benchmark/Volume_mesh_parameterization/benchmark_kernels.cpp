@@ -4,12 +4,14 @@
 #include "machine_peak.h"
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/largest_step_3.h>
-#include <CGAL/tags.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+
+#include <Eigen/Core>
 
 #include <benchmark/benchmark.h>
 
@@ -24,8 +26,13 @@
 using namespace CGAL::Volume_mesh_parameterization;
 using namespace CGAL::Volume_mesh_parameterization::internal;
 
-using Energy_sum = Energy_sum_3<CGAL::Sequential_tag>;
-using Counted_matrix = Matrix_3<Counting_number>;
+using Counted_vector = arithmetic_of_unit::Vector_3<Counting_number>;
+using Counted_matrix = arithmetic_of_unit::Matrix_3<Counting_number>;
+using Counted_decomposition = arithmetic_of_unit::Signed_singular_values_3<Counting_number>;
+using Vector_of_energy = Eigen::Matrix<Counting_number, 3, 1>; // energies have vectors of Eigen
+using Matrix_of_energy = Eigen::Matrix<Counting_number, 3, 3>;
+
+constexpr bool in_parallel = false;
 
 Grid_problem& problem(const std::size_t n)
 {
@@ -69,7 +76,10 @@ double count_cells(const Grid_problem& p, const Function& f)
   for(std::size_t c = 0; c < p.mesh.cells.size(); c += stride, ++number_of_samples)
   {
     const std::array<int, 4>& cell = p.mesh.cells[c];
-    const Counted_matrix inverse_source = p.inverse_sources[c].cast<Counting_number>();
+    Counted_matrix inverse_source;
+    for(int k = 0; k < 3; ++k)
+      for(int i = 0; i < 3; ++i)
+        inverse_source(i, k) = p.cells.inverse_sources[c](i, k);
     int number_of_free_vertices = 0;
     for(const int v : cell)
       number_of_free_vertices += p.mesh.is_free(v);
@@ -79,7 +89,7 @@ double count_cells(const Grid_problem& p, const Function& f)
       for(int k = 0; k < 3; ++k)
         for(int i = 0; i < 3; ++i)
           U(i, k) = Counting_number(p.u(i, cell[k + 1])) - Counting_number(p.u(i, cell[0]));
-      f(Counted_matrix(U * inverse_source), inverse_source, number_of_free_vertices);
+      f(product(U, inverse_source), inverse_source, number_of_free_vertices);
     });
   }
   return static_cast<double>(sum) * static_cast<double>(p.mesh.cells.size()) / static_cast<double>(number_of_samples);
@@ -102,20 +112,40 @@ double number_of_blocks(const Grid_problem& p)
 
 constexpr std::size_t geometry_bytes = sizeof(Cell_pack_3::vertices) + sizeof(Cell_pack_3::inverse_source);
 
+Counted_decomposition decomposed(const Counted_matrix& J)
+{
+  Counted_decomposition result;
+  decompose(J, result);
+  return result;
+}
+
+Vector_of_energy to_energy(const Counted_vector& s)
+{
+  return Vector_of_energy(s[0], s[1], s[2]);
+}
+
+Counted_vector from_energy(const Vector_of_energy& g)
+{
+  return Counted_vector(g[0], g[1], g[2]);
+}
+
 void singular_values(benchmark::State& state, Grid_problem& p)
 {
   const double operations = count_cells(p, [](const Counted_matrix& J, const Counted_matrix&, int)
   {
-    signed_singular_values_3(J);
+    decomposed(J);
   });
   measure(state, p, {operations, bytes_of_packs(p, geometry_bytes) + bytes_of_positions(p)}, [&]
   {
     Pack largest(0);
-    for(std::size_t i = 0; i < p.packs.number_of_packs(); ++i)
-    {
-      const Matrix_3<Pack> J = edge_matrix(p.u, p.packs[i]) * p.packs[i].inverse_source;
-      largest = maximum(largest, signed_singular_values_3(J).s[0]);
-    }
+    for(std::size_t chunk = 0; chunk < p.packs.number_of_chunks(); ++chunk)
+      for(const Cell_pack_3* pack = p.packs.chunk_begin(chunk); pack != p.packs.chunk_end(chunk); ++pack)
+        for(int first = 0; first < cells_per_pack; first += Pack::size)
+        {
+          arithmetic_of_unit::Signed_singular_values_3<Pack> J;
+          decompose(arithmetic_of_unit::jacobian(p.u.data(), *pack, first), J);
+          largest = maximum(largest, J.s[0]);
+        }
     benchmark::DoNotOptimize(largest);
   });
 }
@@ -125,15 +155,15 @@ void evaluate(benchmark::State& state, Grid_problem& p, const Energy& energy)
 {
   const double operations = count_cells(p, [&](const Counted_matrix& J, const Counted_matrix&, int)
   {
-    const Vector_3<Counting_number> s = signed_singular_values_3(J).s;
+    const Vector_of_energy s = to_energy(decomposed(J).s);
     Counting_number sum = 0;
     sum += Counting_number(1) * energy.value(s) + s[0] * s[1] * s[2];
   });
   const double bytes = bytes_of_packs(p, geometry_bytes + sizeof(Cell_pack_3::weight)) + bytes_of_positions(p);
-  const Energy_sum sum(p.packs);
+  const Cell_energy_of<Energy> cell_energy(energy);
   measure(state, p, {operations, bytes}, [&]
   {
-    benchmark::DoNotOptimize(sum.evaluate(energy, p.u));
+    benchmark::DoNotOptimize(evaluate_energy(p.packs, cell_energy, p.u, in_parallel));
   });
 }
 
@@ -142,19 +172,24 @@ void assemble(benchmark::State& state, Grid_problem& p, const Energy& energy, co
 {
   const double operations = count_cells(p, [&](const Counted_matrix& J, const Counted_matrix& inverse_source, int m)
   {
-    Cell_derivatives_3<Counting_number> cell;
-    cell_derivatives_3(distortion_derivatives_3<Counting_number>(energy, J, negative_curvature),
-                       inverse_source, Counting_number(1), cell);
+    const Counted_decomposition d = decomposed(J);
+    const Vector_of_energy s = to_energy(d.s);
+    const Counted_vector g = from_energy(energy.gradient(s));
+    const Matrix_of_energy columns = energy.hessian(s);
+    const Counted_matrix H = {from_energy(columns.col(0)), from_energy(columns.col(1)), from_energy(columns.col(2))};
+    arithmetic_of_unit::Cell_derivatives_3<Counting_number> cell;
+    cell_derivatives_3(distortion_derivatives_3(d.s, g, H, negative_curvature), d.R, product(inverse_source, d.Q),
+                       Counting_number(1), cell);
     Counting_number::count() += 3 * m + 9 * m * (m + 1) / 2; // additions to the gradient and to the Hessian
   });
   // gradient: cleared and updated; Hessian: cleared, one half updated and copied to the other
   const double bytes = bytes_of_packs(p, sizeof(Cell_pack_3)) + bytes_of_positions(p)
                      + 3. * sizeof(double) * static_cast<double>(p.gradient.size())
                      + number_of_blocks(p) * (3. * 9 * sizeof(Grid_problem::Matrix::NT) + sizeof(int));
-  const Energy_sum sum(p.packs);
+  const Cell_energy_of<Energy> cell_energy(energy);
   measure(state, p, {operations, bytes}, [&]
   {
-    sum.assemble(energy, p.u, negative_curvature, p.gradient, p.hessian);
+    assemble_energy(p.packs, cell_energy, p.u, negative_curvature, in_parallel, p.gradient, p.hessian);
     benchmark::ClobberMemory();
   });
 }
@@ -163,27 +198,27 @@ void largest_step(benchmark::State& state, Grid_problem& p)
 {
   const double operations = count_cells(p, [](const Counted_matrix& J, const Counted_matrix& inverse_source, int)
   {
-    const Counted_matrix dJ = J * inverse_source; // as many operations as for J itself
-    determinant_polynomial<Counting_number>(J, dJ);
+    determinant_polynomial_3(J, product(J, inverse_source)); // dJ costs as many operations as J itself
   });
   const Eigen::Matrix3Xd direction = 0.1 * p.u;
   measure(state, p, {operations, bytes_of_packs(p, geometry_bytes) + 2 * bytes_of_positions(p)}, [&]
   {
-    benchmark::DoNotOptimize(largest_step_3<CGAL::Sequential_tag>(p.packs, p.u, direction));
+    benchmark::DoNotOptimize(largest_step_3(p.packs, p.u, direction, in_parallel));
   });
 }
 
 void matrix_product(benchmark::State& state, Grid_problem& p)
 {
   using NT = Grid_problem::Matrix::NT;
-  Energy_sum(p.packs).assemble(Stretch_energy_3(), p.u, 0., p.gradient, p.hessian);
+  const Cell_energy_of<Stretch_energy_3> energy{Stretch_energy_3()};
+  assemble_energy(p.packs, energy, p.u, 0., in_parallel, p.gradient, p.hessian);
   const std::size_t n = 3 * static_cast<std::size_t>(p.hessian.size());
   std::vector<NT> x(n + 1, NT(1)), y(n);
   const double bytes = number_of_blocks(p) * (9. * sizeof(NT) + sizeof(int)) + 2. * sizeof(NT) * static_cast<double>(n);
   measure(state, p, {18 * number_of_blocks(p), bytes}, [&]
   {
     for(int row = 0; row < p.hessian.size(); ++row)
-      Eigen::Map<Vector_3<NT> >(y.data() + 3 * std::size_t(row)) = p.hessian.multiply_row(row, x.data());
+      Eigen::Map<Eigen::Matrix<NT, 3, 1> >(y.data() + 3 * std::size_t(row)) = p.hessian.multiply_row(row, x.data());
     benchmark::DoNotOptimize(y.data());
     benchmark::ClobberMemory();
   });

@@ -21,9 +21,15 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Complex_parameterization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Engine_run.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -251,39 +257,55 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   VMP::Default_visitor default_visitor;
   Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
 
-  const VMP::internal::Run_limits limits = {
+  const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
+  const auto after_step = [&](const VMP::Parameterization_step& step)
+  {
+    if(verbose)
+      VMP::internal::print(step);
+    return visitor.after_step(step);
+  };
+  VMP::internal::Progress_3 progress(
+    after_step,
     static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000)),
     static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                         (std::numeric_limits<double>::infinity)())),
-    choose_parameter(get_parameter(np, internal_np::verbose), false)
-  };
+                                         (std::numeric_limits<double>::infinity)())));
 
-  constexpr bool has_angle_bound
-    = !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value;
-  using Options = VMP::internal::Parameterization_options<C3t3, has_angle_bound>;
-  const VMP::Boundary_mode mode
-    = choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO);
-  const VMP::Soft_boundary_parameters default_soft_parameters
-    = mode == VMP::Boundary_mode::SOFT ? VMP::Soft_boundary_parameters()
-                                       : VMP::approaching_soft_boundary_parameters();
-  const Options options = {
-    mode,
-    choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters), default_soft_parameters),
+  VMP::internal::Map_options_3 options;
+  options.mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO);
+  options.soft = choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters),
+                                  options.mode == VMP::Boundary_mode::SOFT ? VMP::Soft_boundary_parameters()
+                                                                           : VMP::approaching_soft_boundary_parameters());
+  options.do_slide = choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false);
+  options.maximal_angle_distortion = choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
+                                                      (std::numeric_limits<double>::infinity)());
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value)
+    options.improve = &VMP::internal::engine::improve_map;
+  options.is_parallel = VMP::internal::is_parallel<ConcurrencyTag>();
+  CGAL_precondition_msg(options.maximal_angle_distortion > 2, "The distortion of angles is 2 or more.");
+
+  const VMP::internal::Cell_energy_of<Energy> cell_energy(energy);
+  VMP::internal::Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
+  const VMP::internal::Complex_problem_3<Vertex_handle, std::remove_const_t<decltype(is_constrained)>,
+                                         std::remove_const_t<decltype(boundary_map)> > problem = {
+    is_constrained, boundary_map,
     choose_parameter(get_parameter(np, internal_np::positional_constraints),
                      std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
-    choose_parameter(get_parameter(np, internal_np::do_refine), !has_boundary_map && !std::is_const<C3t3>::value),
-    choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false),
-    choose_parameter(get_parameter(np, internal_np::use_volume_weights), false),
-    static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
-                                         (std::numeric_limits<double>::infinity)()))
+    options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false), verbose,
+    cell_energy, linear_solver, progress
   };
-  CGAL_precondition_msg(options.maximal_angle_distortion > 2, "The distortion of angles is 2 or more.");
-  CGAL_precondition_msg(!(options.do_refine && std::is_const<C3t3>::value), "A constant complex cannot be refined.");
 
-  return VMP::internal::Complex_parameterization_3<
-    ConcurrencyTag, C3t3, Energy, std::remove_reference_t<Solver>, std::remove_reference_t<Visitor>,
-    std::remove_const_t<decltype(is_constrained)>, std::remove_const_t<decltype(boundary_map)>, Options>(
-      c3t3, is_constrained, boundary_map, energy, solver, visitor, limits, options).run(uvw_map);
+  // what refines is compiled only where it can be asked for
+  const bool do_refine
+    = choose_parameter(get_parameter(np, internal_np::do_refine), !has_boundary_map && !std::is_const<C3t3>::value);
+  CGAL_precondition_msg(!(do_refine && std::is_const<C3t3>::value), "A constant complex cannot be refined.");
+  if constexpr(!std::is_const<C3t3>::value
+               && !(has_boundary_map && parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value))
+  {
+    if(do_refine)
+      return VMP::internal::refine_and_parameterize_complex_3(c3t3, problem, uvw_map);
+  }
+  return VMP::internal::parameterize_complex_3(c3t3, problem, uvw_map);
 }
 
 } // namespace CGAL

@@ -10,9 +10,8 @@
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
 
 #include <Eigen/Dense>
@@ -26,6 +25,7 @@
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace arithmetic = VMP::internal::arithmetic_of_unit;
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -93,9 +93,43 @@ const std::vector<Vector3d> samples = {
   {2, 1, -1}, {2, 1, -1 + 1e-7}, {1, 1, -1}, {1, 0.1, 0.05}, {1, 0.5, -0.02}, {2, 1, 0}, {2, 0, 0}, {0, 0, 0}
 };
 
+template <typename T>
+arithmetic::Vector_3<T> from_eigen(const Eigen::Matrix<T, 3, 1>& v)
+{
+  return { v[0], v[1], v[2] };
+}
+
+template <typename T>
+arithmetic::Matrix_3<T> from_eigen(const Eigen::Matrix<T, 3, 3>& A)
+{
+  arithmetic::Matrix_3<T> result;
+  for(int j = 0; j < 3; ++j)
+    for(int i = 0; i < 3; ++i)
+      result(i, j) = A(i, j);
+  return result;
+}
+
+template <typename T>
+Eigen::Matrix<T, 3, 1> to_eigen(const arithmetic::Vector_3<T>& v)
+{
+  return Eigen::Matrix<T, 3, 1>(v[0], v[1], v[2]);
+}
+
+template <typename T>
+Eigen::Matrix<T, 3, 3> to_eigen(const arithmetic::Matrix_3<T>& A)
+{
+  Eigen::Matrix<T, 3, 3> result;
+  for(int j = 0; j < 3; ++j)
+    result.col(j) = to_eigen(A.column(j));
+  return result;
+}
+
 void check_decomposition(const Matrix3d& J)
 {
-  const auto [R, Q, s] = VMP::internal::signed_singular_values_3<double>(J);
+  arithmetic::Signed_singular_values_3<double> decomposition;
+  decompose(from_eigen(J), decomposition);
+  const Matrix3d R = to_eigen(decomposition.R), Q = to_eigen(decomposition.Q);
+  const Vector3d s = to_eigen(decomposition.s);
   const double tolerance = 4e-14 * J.norm();
   CHECK((R * s.asDiagonal() * Q.transpose() - J).norm() <= tolerance);
   CHECK(s[0] >= s[1] - tolerance);
@@ -128,22 +162,35 @@ double value(const Energy& energy, const Matrix3d& inverse_source, const Vector_
   Matrix3d U;
   for(int i = 0; i < 3; ++i)
     U.col(i) = u.segment<3>(3 * i + 3) - u.head<3>();
-  return energy.value(VMP::internal::signed_singular_values_3<double>(U * inverse_source).s);
+  return energy.value(VMP::internal::signed_singular_values_3(U * inverse_source));
+}
+
+// The derivatives of a cell with Jacobian J, or of a pack of cells.
+template <typename T, typename Energy>
+arithmetic::Cell_derivatives_3<T>
+cell_derivatives(const Energy& energy, const Eigen::Matrix<T, 3, 3>& J, const Eigen::Matrix<T, 3, 3>& inverse_source,
+                 const T& weight, const double negative_curvature)
+{
+  arithmetic::Signed_singular_values_3<T> decomposition;
+  decompose(from_eigen(J), decomposition);
+  const auto& [R, Q, s] = decomposition;
+  const Eigen::Matrix<T, 3, 1> g = energy.gradient(to_eigen(s));
+  const Eigen::Matrix<T, 3, 3> H = energy.hessian(to_eigen(s));
+  arithmetic::Cell_derivatives_3<T> cell;
+  cell_derivatives_3(distortion_derivatives_3(s, from_eigen(g), from_eigen(H), negative_curvature),
+                     R, product(from_eigen(inverse_source), Q), weight, cell);
+  return cell;
 }
 
 template <typename Energy>
-VMP::internal::Cell_derivatives_3<double>
+arithmetic::Cell_derivatives_3<double>
 cell_derivatives(const Energy& energy, const Matrix3d& inverse_source, const Vector_12& u,
                  const double negative_curvature)
 {
   Matrix3d U;
   for(int i = 0; i < 3; ++i)
     U.col(i) = u.segment<3>(3 * i + 3) - u.head<3>();
-  VMP::internal::Cell_derivatives_3<double> cell;
-  VMP::internal::cell_derivatives_3<double>(
-    VMP::internal::distortion_derivatives_3<double>(energy, U * inverse_source, negative_curvature),
-    inverse_source, 1., cell);
-  return cell;
+  return cell_derivatives<double>(energy, U * inverse_source, inverse_source, 1., negative_curvature);
 }
 
 template <typename Energy>
@@ -152,7 +199,7 @@ Vector_12 gradient(const Energy& energy, const Matrix3d& inverse_source, const V
   const auto cell = cell_derivatives(energy, inverse_source, u, full);
   Vector_12 g;
   for(int a = 0; a < 4; ++a)
-    g.segment<3>(3 * a) = cell.gradient[a];
+    g.segment<3>(3 * a) = to_eigen(cell.gradient[a]);
   return g;
 }
 
@@ -165,8 +212,9 @@ Matrix_12 hessian(const Energy& energy, const Matrix3d& inverse_source, const Ve
   for(int a = 0; a < 4; ++a)
     for(int b = a; b < 4; ++b)
     {
-      H.block<3, 3>(3 * a, 3 * b) = cell.hessian[a][b];
-      H.block<3, 3>(3 * b, 3 * a) = cell.hessian[a][b].transpose();
+      const Matrix3d block = to_eigen(cell.hessian[a][b]);
+      H.block<3, 3>(3 * a, 3 * b) = block;
+      H.block<3, 3>(3 * b, 3 * a) = block.transpose();
     }
   return H;
 }
@@ -226,7 +274,7 @@ TEST_CASE("Signed singular values decompose a matrix")
       INFO(scale << " times " << expected.transpose());
       const Matrix3d J = scale * random.rotation() * expected.asDiagonal() * random.rotation().transpose();
       check_decomposition(J);
-      const Vector3d s = VMP::internal::signed_singular_values_3<double>(J).s;
+      const Vector3d s = VMP::internal::signed_singular_values_3(J);
       CHECK((s - scale * expected).norm() <= 4e-14 * scale * expected[0]);
     }
 }
@@ -250,7 +298,7 @@ TEST_CASE("Signed singular values are those of Eigen up to the sign")
   for(int i = 0; i < 100; ++i)
   {
     const Matrix3d J = random.matrix();
-    const Vector3d s = VMP::internal::signed_singular_values_3<double>(J).s;
+    const Vector3d s = VMP::internal::signed_singular_values_3(J);
     const Vector3d expected = Eigen::JacobiSVD<Matrix3d>(J).singularValues();
     CHECK((s.cwiseAbs() - expected).norm() <= 1e-14);
     CHECK((s[2] > 0) == (J.determinant() > 0));
@@ -266,7 +314,7 @@ TEST_CASE("Tiny singular values have a small relative error")
     const Matrix3d J = random.rotation() * expected.asDiagonal();
     for(const Matrix3d& permuted : {J, Matrix3d(J * Eigen::PermutationMatrix<3>(Eigen::Vector3i(1, 2, 0)))})
     {
-      const Vector3d s = VMP::internal::signed_singular_values_3<double>(permuted).s;
+      const Vector3d s = VMP::internal::signed_singular_values_3(permuted);
       CHECK((s - expected).cwiseQuotient(expected).norm() <= 1e-12);
     }
   }
@@ -342,7 +390,7 @@ TEMPLATE_LIST_TEST_CASE("A pack of cells gets the derivatives of each cell", "",
     for(std::size_t first = 0; first < smooth.size(); ++first)
     {
       std::array<Matrix3d, Pack::size> J, inverse_source;
-      VMP::internal::Matrix_3<Pack> packed_J, packed_inverse_source;
+      Eigen::Matrix<Pack, 3, 3> packed_J, packed_inverse_source;
       for(int lane = 0; lane < Pack::size; ++lane)
       {
         const Vector3d& s = smooth[(first + lane) % smooth.size()];
@@ -361,13 +409,11 @@ TEMPLATE_LIST_TEST_CASE("A pack of cells gets the derivatives of each cell", "",
         packed_J(i) = pack(J, i);
         packed_inverse_source(i) = pack(inverse_source, i);
       }
-      VMP::internal::Cell_derivatives_3<Pack> packed;
-      VMP::internal::cell_derivatives_3<Pack>(
-        VMP::internal::distortion_derivatives_3<Pack>(energy, packed_J, negative_curvature),
-        packed_inverse_source, Pack(2), packed);
+      const auto packed = cell_derivatives<Pack>(energy, packed_J, packed_inverse_source, Pack(2), negative_curvature);
 
-      const auto lane_of = [](const auto& matrix, const int lane)
+      const auto lane_of = [](const auto& packs, const int lane)
       {
+        const auto matrix = to_eigen(packs);
         Eigen::MatrixXd result(matrix.rows(), matrix.cols());
         for(Eigen::Index i = 0; i < matrix.size(); ++i)
         {
@@ -380,17 +426,14 @@ TEMPLATE_LIST_TEST_CASE("A pack of cells gets the derivatives of each cell", "",
       for(int lane = 0; lane < Pack::size; ++lane)
       {
         INFO(smooth[(first + lane) % smooth.size()].transpose());
-        VMP::internal::Cell_derivatives_3<double> single;
-        VMP::internal::cell_derivatives_3<double>(
-          VMP::internal::distortion_derivatives_3<double>(energy, J[lane], negative_curvature),
-          inverse_source[lane], 2., single);
+        const auto single = cell_derivatives<double>(energy, J[lane], inverse_source[lane], 2., negative_curvature);
         for(int a = 0; a < 4; ++a)
         {
-          CHECK((lane_of(packed.gradient[a], lane) - single.gradient[a]).norm()
-                <= 1e-8 * single.gradient[a].norm() + 1e-14 * single.hessian[a][a].norm());
+          const Vector3d g = to_eigen(single.gradient[a]);
+          const double size = to_eigen(single.hessian[a][a]).norm();
+          CHECK((lane_of(packed.gradient[a], lane) - g).norm() <= 1e-8 * g.norm() + 1e-14 * size);
           for(int b = a; b < 4; ++b)
-            CHECK((lane_of(packed.hessian[a][b], lane) - single.hessian[a][b]).norm()
-                  <= 1e-8 * single.hessian[a][a].norm());
+            CHECK((lane_of(packed.hessian[a][b], lane) - to_eigen(single.hessian[a][b])).norm() <= 1e-8 * size);
         }
       }
     }

@@ -1,6 +1,7 @@
 // What the adapters of energies do to the minimizers.
 #include "catch.h"
 #include "cube_mesh.h"
+#include "fixed_boundary.h"
 
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
@@ -14,9 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Fixed_boundary_engine_3.h>
-
-#include <CGAL/tags.h>
 
 #include <Eigen/Dense>
 
@@ -45,16 +43,15 @@ struct Map
 template <typename Energy>
 Map minimize(const Numbered_mesh_3& mesh, const Energy& energy)
 {
-  VMP::Conjugate_gradient_solver_traits_3<> solver;
-  VMP::internal::Fixed_boundary_engine_3<Energy, VMP::Conjugate_gradient_solver_traits_3<>, CGAL::Sequential_tag>
-    engine(mesh, energy, solver);
-  engine.start();
-  while(engine.is_running() && engine.last_step().iteration < 300)
-    engine.step();
+  using Solver = VMP::Conjugate_gradient_solver_traits_3<>;
+  Solver solver;
+  fixed_boundary::Search<Energy, Solver> search(mesh, energy, solver);
+  while(search.is_running() && search.number_of_steps() < 300)
+    search.step();
 
   Map map;
-  map.status = engine.status();
-  const Matrix3Xd u = engine.positions();
+  map.status = search.status();
+  const Matrix3Xd u = search.positions();
   const double scale = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells) / VMP::internal::volume(u, mesh.cells));
   for(const std::array<int, 4>& cell : mesh.cells)
   {

@@ -1,14 +1,18 @@
 // The engine on plain arrays: sums over the cells, step lengths, untangling and minimization.
 #include "catch.h"
 #include "cube_mesh.h"
+#include "fixed_boundary.h"
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Fixed_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
@@ -57,7 +61,7 @@ double psi(const Energy& energy, const Numbered_mesh_3& mesh, const Matrix3Xd& u
   return energy.value(s);
 }
 
-// The mean over the cells with a free vertex, as the engine has it: both meshes scaled to one volume.
+// The mean over the cells as a stage reports it: both meshes scaled to one volume.
 template <typename Energy>
 double mean_energy(const Energy& energy, const Numbered_mesh_3& mesh, const Matrix3Xd& u)
 {
@@ -65,8 +69,7 @@ double mean_energy(const Energy& energy, const Numbered_mesh_3& mesh, const Matr
                                  / VMP::internal::volume(mesh.target, mesh.cells));
   double sum = 0;
   for(const std::array<int, 4>& cell : mesh.cells)
-    if(*std::min_element(cell.begin(), cell.end()) < mesh.number_of_free_vertices)
-      sum += psi(energy, mesh, u, cell, scale);
+    sum += psi(energy, mesh, u, cell, scale);
   return sum / static_cast<double>(mesh.cells.size());
 }
 
@@ -86,12 +89,6 @@ bool has_target_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& u)
   return has_same_bits(u.rightCols(n), mesh.target.rightCols(n));
 }
 
-template <typename Solver, typename Energy>
-auto make_engine(const Numbered_mesh_3& mesh, const Energy& energy, Solver& solver)
-{
-  return VMP::internal::Fixed_boundary_engine_3<Energy, Solver, CGAL::Sequential_tag>(mesh, energy, solver);
-}
-
 struct Outcome
 {
   Matrix3Xd positions;
@@ -99,38 +96,43 @@ struct Outcome
   double energy;
 };
 
-template <typename Tag, typename Energy, typename Solver>
-Outcome run(const Numbered_mesh_3& mesh, const Energy& energy, Solver solver)
+template <typename Energy, typename Solver>
+Outcome run(const Numbered_mesh_3& mesh, const Energy& energy, Solver solver, const bool is_parallel = false)
 {
-  VMP::internal::Fixed_boundary_engine_3<Energy, Solver, Tag> engine(mesh, energy, solver);
-  engine.start();
-  while(engine.is_running() && engine.last_step().iteration < 1000)
-    engine.step();
-  return {engine.positions(), engine.status(), engine.last_step().energy};
+  fixed_boundary::Search<Energy, Solver> search(mesh, energy, solver, is_parallel);
+  while(search.is_running() && search.number_of_steps() < 1000)
+    search.step();
+  return {search.positions(), search.status(), search.last_step().energy};
 }
 
 template <typename Energy = VMP::Stretch_energy_3>
 Outcome run(const Numbered_mesh_3& mesh, const Energy& energy = Energy())
 {
-  return run<CGAL::Sequential_tag>(mesh, energy, Solver<>());
+  return run(mesh, energy, Solver<>());
+}
+
+std::vector<Matrix3d> inverse_sources(const Numbered_mesh_3& mesh)
+{
+  std::vector<Matrix3d> result;
+  for(const std::array<int, 4>& cell : mesh.cells)
+    result.push_back(VMP::internal::edge_matrix(mesh.source, cell).inverse());
+  return result;
 }
 
 // The parts of the engine on a mesh with X^{-1} as it is.
 struct Parts
 {
-  VMP::Block_sparse_matrix_3<double> hessian;
-  std::vector<double> weights;
+  VMP::internal::Unknowns_3 unknowns;
+  VMP::internal::Sparsity_pattern_3 pattern;
+  VMP::internal::Scaled_cells_3 scaled;
   VMP::internal::Cell_packs_3 packs;
+  VMP::Block_sparse_matrix_3<double> hessian;
 
   explicit Parts(const Numbered_mesh_3& mesh)
-    : hessian(pattern(mesh)), weights(make_weights(mesh)), packs(mesh, inverse_sources(mesh), weights, hessian)
-  {}
-
-  static VMP::Block_sparse_matrix_3<double> pattern(const Numbered_mesh_3& mesh)
+    : unknowns(free_vertices(mesh)), pattern(sparsity_pattern_3(mesh, unknowns)),
+      scaled{1, inverse_sources(mesh), make_weights(mesh)}, packs(mesh, scaled, unknowns, pattern)
   {
-    VMP::Block_sparse_matrix_3<double> matrix;
-    VMP::internal::set_pattern(mesh, {}, matrix);
-    return matrix;
+    hessian.set_pattern(pattern.row_begin, pattern.columns);
   }
 
   static std::vector<double> make_weights(const Numbered_mesh_3& mesh)
@@ -140,12 +142,10 @@ struct Parts
     return weights;
   }
 
-  static std::vector<Matrix3d> inverse_sources(const Numbered_mesh_3& mesh)
+  template <typename Energy>
+  VMP::internal::Energy_evaluation evaluate(const Energy& energy, const Matrix3Xd& u) const
   {
-    std::vector<Matrix3d> result;
-    for(const std::array<int, 4>& cell : mesh.cells)
-      result.push_back(VMP::internal::edge_matrix(mesh.source, cell).inverse());
-    return result;
+    return evaluate_energy(packs, VMP::internal::Cell_energy_of<Energy>(energy), u, false);
   }
 };
 
@@ -157,31 +157,35 @@ TEST_CASE("The sum over the cells has the value and the derivatives it should")
   const Matrix3Xd u = mesh.source + noise(mesh.number_of_vertices(), 0.1);
   const VMP::Stretch_energy_3 energy;
   Parts parts(mesh);
-  const VMP::internal::Energy_sum_3<CGAL::Sequential_tag> sum(parts.packs);
 
   double expected = 0;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     if(*std::min_element(mesh.cells[c].begin(), mesh.cells[c].end()) < mesh.number_of_free_vertices)
-      expected += parts.weights[c] * psi(energy, mesh, u, mesh.cells[c]);
-  const VMP::internal::Energy_evaluation evaluation = sum.evaluate(energy, u);
+      expected += parts.scaled.weights[c] * psi(energy, mesh, u, mesh.cells[c]);
+  const VMP::internal::Energy_evaluation evaluation = parts.evaluate(energy, u);
   CHECK(evaluation.energy == Approx(expected).epsilon(1e-12));
   CHECK(evaluation.is_flip_free());
 
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> cell_energy(energy);
   const auto assembled_gradient = [&](const Matrix3Xd& v)
   {
     Matrix3Xd gradient;
-    sum.assemble(energy, v, 1., gradient, parts.hessian);
+    assemble_energy(parts.packs, cell_energy, v, 1., false, gradient, parts.hessian);
     return gradient;
   };
   const double h = 1e-5;
   const Matrix3Xd gradient = assembled_gradient(u);
+  Matrix3Xd gradient_alone = Matrix3Xd::Zero(3, mesh.number_of_free_vertices);
+  add_energy_gradient(parts.packs, cell_energy, u, false, gradient_alone);
+  CHECK((gradient_alone - gradient).norm() <= 1e-12 * gradient.norm());
   const VMP::Block_sparse_matrix_3<double> hessian = parts.hessian;
   for(int i = 0; i < 3 * mesh.number_of_free_vertices; ++i)
   {
     Matrix3Xd forward = u, backward = u;
     forward(i) += h;
     backward(i) -= h;
-    const double difference = (sum.evaluate(energy, forward).energy - sum.evaluate(energy, backward).energy) / (2 * h);
+    const double difference
+      = (parts.evaluate(energy, forward).energy - parts.evaluate(energy, backward).energy) / (2 * h);
     CHECK(gradient(i) == Approx(difference).margin(1e-7 * gradient.norm()));
 
     const Matrix3Xd differences = (assembled_gradient(forward) - assembled_gradient(backward)) / (2 * h);
@@ -196,14 +200,13 @@ TEST_CASE("Inverted cells are counted")
 {
   const Numbered_mesh_3 mesh = cube_mesh(4);
   const Parts parts(mesh);
-  const VMP::internal::Energy_sum_3<CGAL::Sequential_tag> sum(parts.packs);
   Matrix3Xd u = mesh.source;
-  CHECK(sum.evaluate(VMP::Dirichlet_energy_3(), u).number_of_inverted_cells == 0);
+  CHECK(parts.evaluate(VMP::Dirichlet_energy_3(), u).number_of_inverted_cells == 0);
   u.col(0) += Vector3d(0, 0, 1.5);
   const std::size_t expected = number_of_inverted_cells(mesh, u);
   CHECK(expected > 0);
-  CHECK(sum.evaluate(VMP::Dirichlet_energy_3(), u).number_of_inverted_cells == expected);
-  CHECK(sum.evaluate(VMP::Dirichlet_energy_3(), u).smallest_determinant == Approx(-0.5));
+  CHECK(parts.evaluate(VMP::Dirichlet_energy_3(), u).number_of_inverted_cells == expected);
+  CHECK(parts.evaluate(VMP::Dirichlet_energy_3(), u).smallest_determinant == Approx(-0.5));
 }
 
 TEST_CASE("The largest step is the first root of a determinant")
@@ -226,7 +229,7 @@ TEST_CASE("The largest step is the first root of a determinant")
             break;
           }
 
-      const double step = VMP::internal::largest_step_3<CGAL::Sequential_tag>(parts.packs, mesh.source, d);
+      const double step = VMP::internal::largest_step_3(parts.packs, mesh.source, d, false);
       INFO("amplitude " << amplitude << ", first root about " << root);
       CHECK(step <= root);
       CHECK(step >= root - 1. / 1024 - 1. / samples);
@@ -253,21 +256,23 @@ TEST_CASE("The identity and affine maps are recovered on cells of equal volume")
 
 TEST_CASE("The minimizer returns to the identity from a perturbed start")
 {
-  Numbered_mesh_3 mesh = cube_mesh(5);
+  const Numbered_mesh_3 mesh = cube_mesh(5);
   Solver<> solver;
-  using Newton = VMP::internal::Newton_method_3<CGAL::Sequential_tag, Solver<> >;
-  Newton newton(mesh, Parts::inverse_sources(mesh), std::vector<double>(mesh.cells.size(), 1.), solver);
-  const VMP::Stretch_energy_3 energy;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  const VMP::internal::Scaled_cells_3 scaled{1, inverse_sources(mesh), std::vector<double>(mesh.cells.size(), 1.)};
+  VMP::internal::Newton_system_3 system(mesh, scaled, free_vertices(mesh), linear_solver, false);
+  const VMP::Stretch_energy_3 stretch;
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
   Matrix3Xd u = mesh.source;
   u.leftCols(mesh.number_of_free_vertices) += noise(mesh.number_of_free_vertices, 0.2);
   REQUIRE(number_of_inverted_cells(mesh, u) == 0);
 
-  VMP::internal::Minimizer_3<Newton, VMP::Stretch_energy_3, CGAL::Sequential_tag> minimizer(newton, u, energy);
+  VMP::internal::Minimizer_3 minimizer(system, energy, u);
   VMP::internal::Step_status status = VMP::internal::Step_status::CONTINUE;
   for(int i = 0; i < 50 && status == VMP::internal::Step_status::CONTINUE; ++i)
     status = minimizer.step();
   CHECK(status == VMP::internal::Step_status::DONE);
-  CHECK((u - mesh.source).cwiseAbs().maxCoeff() <= 1e-5);
+  CHECK((minimizer.positions() - mesh.source).cwiseAbs().maxCoeff() <= 1e-5);
 }
 
 TEMPLATE_TEST_CASE("The energy never rises, and no cell is ever inverted", "",
@@ -277,24 +282,23 @@ TEMPLATE_TEST_CASE("The energy never rises, and no cell is ever inverted", "",
   for(const Numbered_mesh_3& mesh : {twisted_cube(5, 0.15), ring(6)})
   {
     Solver<> solver;
-    auto engine = make_engine(mesh, energy, solver);
-    engine.start();
+    fixed_boundary::Search<TestType, Solver<> > search(mesh, energy, solver);
     double previous = std::numeric_limits<double>::infinity();
-    while(engine.is_running())
+    while(search.is_running())
     {
-      const bool was_flip_free = engine.is_flip_free();
-      engine.step();
+      const bool was_flip_free = search.is_flip_free();
+      search.step();
       if(!was_flip_free)
         continue;
-      CHECK(engine.last_step().energy <= previous);
-      CHECK(engine.last_step().number_of_inverted_cells == 0);
-      CHECK(number_of_inverted_cells(mesh, engine.positions()) == 0);
-      previous = engine.last_step().energy;
+      CHECK(search.last_step().energy <= previous);
+      CHECK(search.last_step().number_of_inverted_cells == 0);
+      CHECK(number_of_inverted_cells(mesh, search.positions()) == 0);
+      previous = search.last_step().energy;
     }
     if(TestType::has_barrier)
-      CHECK(engine.status() == VMP::OK);
-    CHECK(previous == Approx(mean_energy(energy, mesh, engine.positions())).epsilon(1e-9));
-    CHECK(has_target_boundary(mesh, engine.positions()));
+      CHECK(search.status() == VMP::OK);
+    CHECK(previous == Approx(mean_energy(energy, mesh, search.positions())).epsilon(1e-9));
+    CHECK(has_target_boundary(mesh, search.positions()));
   }
 }
 
@@ -317,19 +321,22 @@ TEST_CASE("A map with inverted cells is untangled")
 {
   const Numbered_mesh_3 mesh = ring(8);
   Solver<> solver;
-  auto engine = make_engine(mesh, VMP::Stretch_energy_3(), solver);
-  engine.start();
-  CHECK(engine.number_of_inverted_cells_at_start() > 100);
-  CHECK(engine.number_of_inverted_cells_at_start() == number_of_inverted_cells(mesh, engine.positions()));
-  REQUIRE(!engine.is_flip_free());
-  while(engine.is_running() && !engine.is_flip_free())
+  fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
+  VMP::internal::Untangling_3 untangling(mesh, problem.system);
+  CHECK(untangling.number_of_inverted_cells_at_start() > 100);
+  CHECK(untangling.number_of_inverted_cells_at_start() == number_of_inverted_cells(mesh, untangling.positions()));
+  REQUIRE(!untangling.is_flip_free());
+  REQUIRE(untangling.is_running());
+  while(untangling.is_running())
   {
-    engine.step();
-    CHECK(engine.last_step().phase == VMP::Phase::UNTANGLING);
-    CHECK(has_target_boundary(mesh, engine.positions()));
+    CHECK(!untangling.is_flip_free());
+    untangling.step();
+    CHECK(untangling.last_step().phase == VMP::Phase::UNTANGLING);
+    CHECK(has_target_boundary(mesh, untangling.positions()));
   }
-  CHECK(engine.is_flip_free());
-  CHECK(number_of_inverted_cells(mesh, engine.positions()) == 0);
+  CHECK(untangling.status() == VMP::OK);
+  CHECK(untangling.is_flip_free());
+  CHECK(number_of_inverted_cells(mesh, untangling.positions()) == 0);
 }
 
 TEST_CASE("Untangling ends without success where there is no map")
@@ -365,7 +372,7 @@ TEST_CASE("Parallel and sequential results have the same bits")
   {
     const VMP::Stretch_energy_3 energy;
     const Outcome sequential = run(mesh);
-    const Outcome parallel = run<CGAL::Parallel_tag>(mesh, energy, Solver<CGAL::Parallel_tag>());
+    const Outcome parallel = run(mesh, energy, Solver<CGAL::Parallel_tag>(), true);
     CHECK(sequential.status == VMP::OK);
     CHECK(has_same_bits(sequential.positions, parallel.positions));
     CHECK(sequential.energy == parallel.energy);
@@ -380,7 +387,7 @@ TEST_CASE("Both solvers lead to the same minimum")
   for(const Numbered_mesh_3& mesh : {twisted_cube(6, 0.1), ring(6)})
   {
     const Outcome iterative = run(mesh);
-    const Outcome direct = run<CGAL::Sequential_tag>(mesh, energy, VMP::CHOLMOD_solver_traits_3());
+    const Outcome direct = run(mesh, energy, VMP::CHOLMOD_solver_traits_3());
     CHECK(direct.status == VMP::OK);
     CHECK(direct.energy == Approx(iterative.energy).epsilon(1e-6));
     CHECK((direct.positions - iterative.positions).cwiseAbs().maxCoeff() <= 1e-3);
@@ -391,28 +398,65 @@ TEST_CASE("Both solvers lead to the same minimum")
 TEST_CASE("The spatial order keeps free vertices in front and the mesh as it is")
 {
   const Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  const std::vector<std::size_t> order = VMP::internal::spatial_order_3(mesh);
+  std::vector<bool> is_prescribed;
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    is_prescribed.push_back(!mesh.is_free(v));
+  const std::vector<std::size_t> order = VMP::internal::spatial_order_3(mesh.source, is_prescribed);
   std::vector<std::size_t> sorted = order;
   std::sort(sorted.begin(), sorted.end());
+  REQUIRE(sorted.size() == is_prescribed.size());
   for(std::size_t i = 0; i < sorted.size(); ++i)
     REQUIRE(sorted[i] == i);
 
-  const Numbered_mesh_3 ordered = VMP::internal::reordered(mesh, order);
+  Numbered_mesh_3 ordered;
+  CHECK(VMP::internal::engine::set_numbered_mesh(mesh.cells, mesh.source, is_prescribed, ordered) == order);
   for(std::size_t i = 0; i < order.size(); ++i)
   {
     CHECK(ordered.is_free(static_cast<int>(i)) == mesh.is_free(static_cast<int>(order[i])));
     CHECK(ordered.source.col(i) == mesh.source.col(order[i]));
-    CHECK(ordered.target.col(i) == mesh.target.col(order[i]));
   }
-  const auto cells = [](const Numbered_mesh_3& m, const auto& name)
+  // each cell is named by its place among the cells of the user
+  REQUIRE(ordered.cells.size() == mesh.cells.size());
+  std::vector<bool> is_found(mesh.cells.size(), false);
+  for(std::size_t c = 0; c < ordered.cells.size(); ++c)
   {
-    std::vector<std::array<int, 4> > result = m.cells;
-    for(std::array<int, 4>& cell : result)
-      for(int& v : cell)
-        v = name(v);
-    std::sort(result.begin(), result.end());
-    return result;
+    std::array<int, 4> cell = ordered.cells[c];
+    for(int& v : cell)
+      v = static_cast<int>(order[v]);
+    CHECK(cell == mesh.cells[ordered.user_number(c)]);
+    CHECK(!is_found[ordered.user_number(c)]);
+    is_found[ordered.user_number(c)] = true;
+  }
+}
+
+TEST_CASE("Vertices that are prescribed keep their place among each other")
+{
+  const Numbered_mesh_3 mesh = twisted_cube(3, 0.1);
+  std::vector<bool> is_prescribed(mesh.number_of_vertices());
+  std::vector<std::size_t> prescribed;
+  for(std::size_t v = 0; v < is_prescribed.size(); ++v)
+    if((is_prescribed[v] = v % 3 != 1))
+      prescribed.push_back(v);
+  const std::vector<std::size_t> order = VMP::internal::spatial_order_3(mesh.source, is_prescribed);
+  CHECK(std::vector<std::size_t>(order.end() - prescribed.size(), order.end()) == prescribed);
+}
+
+TEST_CASE("The energy of a step counts the cells without a free vertex")
+{
+  const Numbered_mesh_3 mesh = twisted_cube(4);
+  const auto is_prescribed = [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
   };
-  CHECK(cells(ordered, [&](const int v) { return static_cast<int>(order[v]); })
-        == cells(mesh, [](const int v) { return v; }));
+  REQUIRE(std::count_if(mesh.cells.begin(), mesh.cells.end(), is_prescribed) > 10);
+  const VMP::Stretch_energy_3 energy;
+  const Outcome outcome = run(mesh);
+  REQUIRE(outcome.status == VMP::OK);
+  CHECK(outcome.energy == Approx(mean_energy(energy, mesh, outcome.positions)).epsilon(1e-10));
+  const double factor = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells)
+                                  / VMP::internal::volume(outcome.positions, mesh.cells));
+  const double energy_of_result
+    = VMP::internal::mean_energy_3(mesh, VMP::internal::singular_values_of_cells_3(mesh, outcome.positions),
+                                   VMP::internal::Cell_energy_of<VMP::Stretch_energy_3>(energy), factor);
+  CHECK(outcome.energy == Approx(energy_of_result).epsilon(1e-10));
 }

@@ -5,7 +5,8 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
@@ -41,8 +42,9 @@ using Solvers = std::tuple<VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequent
 template <typename NT>
 VMP::Block_sparse_matrix_3<NT> pattern(const VMP::internal::Numbered_mesh_3& mesh)
 {
+  auto [row_begin, columns] = VMP::internal::sparsity_pattern_3(mesh, VMP::internal::free_vertices(mesh));
   VMP::Block_sparse_matrix_3<NT> A;
-  VMP::internal::set_pattern(mesh, {}, A);
+  A.set_pattern(std::move(row_begin), std::move(columns));
   return A;
 }
 

@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Soft_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
 
 #include <CGAL/tags.h>
 
@@ -252,9 +252,9 @@ TEST_CASE("Plain Newton and relaxation find the same map where both converge", "
   parameters.use_full_hessian = true;
   parameters.do_snap = false;
   VMP::CHOLMOD_solver_traits_3 solver;
-  VMP::internal::Soft_boundary_engine_3<VMP::Stretch_energy_3, VMP::CHOLMOD_solver_traits_3, CGAL::Sequential_tag>
-    relaxing(mesh, energy, solver, parameters);
-  relaxing.start();
+  VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> linear_solver(solver);
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> cell_energy(energy);
+  VMP::internal::Boundary_approach_3 relaxing(mesh, cell_energy, linear_solver, false, parameters);
   while(relaxing.is_running())
     relaxing.step();
 

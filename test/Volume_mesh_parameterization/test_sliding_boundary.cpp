@@ -245,7 +245,7 @@ TEST_CASE("A vertex outside its plane or a facet turned over is found")
   CHECK(boundary.residual(u) > 0);
   u(1, on_edge) = 0.25;
   CHECK(boundary.residual(u) == 0.25);
-  boundary.restore(u);
+  u = boundary.restored(u);
   CHECK(u.col(in_face) == Vector3d(0, 2.1, 2.2));
   CHECK(u.col(on_edge) == Vector3d(0, 0, 2.3));
 

@@ -4,8 +4,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/blocking_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Soft_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>
@@ -21,11 +21,28 @@ namespace internal = CGAL::Volume_mesh_parameterization::internal;
 using Constraint = VMP::Linear_constraint_3<int>;
 using Constraints = std::vector<Constraint>;
 using Solver = VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>;
-using Engine = internal::Soft_boundary_engine_3<VMP::Stretch_energy_3, Solver, CGAL::Sequential_tag>;
 
 namespace {
 
-const VMP::Stretch_energy_3 stretch;
+const internal::Cell_energy_of<VMP::Stretch_energy_3> stretch{VMP::Stretch_energy_3()};
+
+struct Solver_of_approach
+{
+  Solver traits;
+  internal::Linear_solver_of<Solver> solver{traits};
+};
+
+// With a solver of its own.
+class Approach : private Solver_of_approach, public internal::Boundary_approach_3
+{
+public:
+  explicit Approach(const internal::Numbered_mesh_3& mesh,
+                    const VMP::Soft_boundary_parameters& parameters = VMP::Soft_boundary_parameters(),
+                    const Constraints& constraints = Constraints(),
+                    const internal::Approach_start_3& start = internal::Approach_start_3())
+    : internal::Boundary_approach_3(mesh, stretch, solver, false, parameters, constraints, start)
+  {}
+};
 
 // Couples the first and the last vertex, which share no cell.
 Constraints coupling(const internal::Numbered_mesh_3& mesh)
@@ -69,26 +86,22 @@ bool is_flip_free(const internal::Numbered_mesh_3& mesh, const Eigen::Matrix3Xd&
 }
 
 // Runs until the end, and checks what holds after each step. Returns whether there was a relaxation.
-bool run(Engine& engine, const internal::Numbered_mesh_3& mesh)
+bool run(Approach& approach, const internal::Numbered_mesh_3& mesh)
 {
-  engine.start();
-  REQUIRE(is_flip_free(mesh, engine.positions()));
-  double weight_before = engine.weight();
+  REQUIRE(is_flip_free(mesh, approach.positions()));
   bool has_relaxed = false;
-  while(engine.is_running() && engine.last_step().iteration < 500)
+  while(approach.is_running() && approach.last_step().iteration < 500)
   {
-    const double energy_before = engine.last_step().energy;
-    const double weight = engine.weight();
-    const bool was_relaxing = engine.is_relaxing();
-    engine.step();
-    REQUIRE(is_flip_free(mesh, engine.positions()));
-    // a relaxation is for another target, and a larger weight gives another energy
-    if(weight == weight_before && !was_relaxing && !engine.is_relaxing() && engine.last_step().step_length > 0)
-      REQUIRE(engine.last_step().energy <= energy_before);
-    weight_before = weight;
-    has_relaxed |= engine.is_relaxing();
+    const double energy_before = approach.energy(); // with the weight that the step uses
+    const bool was_relaxing = approach.is_relaxing();
+    approach.step();
+    REQUIRE(is_flip_free(mesh, approach.positions()));
+    // a relaxation is for another target
+    if(!was_relaxing && !approach.is_relaxing() && approach.last_step().step_length > 0)
+      REQUIRE(approach.last_step().energy <= energy_before);
+    has_relaxed |= approach.is_relaxing();
   }
-  REQUIRE(!engine.is_running());
+  REQUIRE(!approach.is_running());
   return has_relaxed;
 }
 
@@ -103,20 +116,16 @@ VMP::Soft_boundary_parameters without_snapping()
 
 TEST_CASE("The derivatives of energy plus penalty agree with finite differences")
 {
-  internal::Numbered_mesh_3 mesh = cube_mesh(2, 0.1);
-  mesh.number_of_free_vertices = mesh.number_of_vertices();
+  const internal::Numbered_mesh_3 mesh = cube_mesh(2, 0.1);
   internal::Quadratic_penalty_3 penalty(coupling(mesh), 7);
-  std::vector<Eigen::Matrix3d> inverse_sources;
-  for(const std::array<int, 4>& cell : mesh.cells)
-    inverse_sources.push_back(internal::edge_matrix(mesh.source, cell).inverse());
+  const internal::Scaled_cells_3 scaled{1, scaled_inverse_sources(mesh, 1), std::vector<double>(mesh.cells.size(), 1.)};
   Dense_solver solver;
-  internal::Newton_method_3<CGAL::Sequential_tag, Dense_solver>
-    newton(mesh, inverse_sources, std::vector<double>(mesh.cells.size(), 1.), solver, &penalty);
+  internal::Linear_solver_of<Dense_solver> linear_solver(solver);
+  internal::Newton_system_3 newton(mesh, scaled, all_vertices(mesh), linear_solver, false, &penalty);
 
   Eigen::Matrix3Xd u = 1.25 * mesh.source;
   const Eigen::Matrix3Xd gradient = newton.gradient(stretch, u);
-  newton.compute_direction(stretch, u, 1, 1e-2);
-  CHECK(newton.gradient_norm() == Approx(gradient.norm()));
+  CHECK(newton.direction(stretch, u, 1, 1e-2).gradient_norm == Approx(gradient.norm()));
 
   const double h = 1e-5;
   for(const int v : {0, 1, mesh.number_of_vertices() - 1})
@@ -216,12 +225,11 @@ TEST_CASE("A twisted cube is reached from the aligned source")
     parameters.maximal_number_of_relaxations = 0;
   }
 
-  Solver solver;
-  Engine engine(mesh, stretch, solver, parameters);
-  run(engine, mesh);
-  CHECK(engine.status() == VMP::OK);
-  CHECK(engine.residual() <= parameters.residual_tolerance);
-  CHECK(is_flip_free(mesh, engine.snapped_positions()));
+  Approach approach(mesh, parameters);
+  run(approach, mesh);
+  CHECK(approach.status() == VMP::OK);
+  CHECK(approach.residual() <= parameters.residual_tolerance);
+  CHECK(is_flip_free(mesh, approach.snapped_positions()));
 }
 
 TEST_CASE("Relaxation helps where the full Hessian is not positive definite")
@@ -229,56 +237,52 @@ TEST_CASE("Relaxation helps where the full Hessian is not positive definite")
   const internal::Numbered_mesh_3 mesh = ring(4);
   VMP::Soft_boundary_parameters parameters = without_snapping();
   parameters.use_full_hessian = true;
-  Solver solver;
-  Engine engine(mesh, stretch, solver, parameters);
-  CHECK(run(engine, mesh));
-  CHECK(engine.status() == VMP::OK);
+  Approach approach(mesh, parameters);
+  CHECK(run(approach, mesh));
+  CHECK(approach.status() == VMP::OK);
 }
 
 TEST_CASE("The engine ends as soon as the boundary can be snapped")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Solver solver;
-  Engine engine(mesh, stretch, solver);
-  run(engine, mesh);
-  REQUIRE(engine.can_snap());
-  const Eigen::Matrix3Xd snapped = engine.snapped_positions();
+  Approach approach(mesh);
+  run(approach, mesh);
+  REQUIRE(approach.can_snap());
+  const Eigen::Matrix3Xd snapped = approach.snapped_positions();
   CHECK(is_flip_free(mesh, snapped));
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
   CHECK(snapped.rightCols(n) == mesh.target.rightCols(n));
-  CHECK(snapped.leftCols(mesh.number_of_free_vertices) == engine.positions().leftCols(mesh.number_of_free_vertices));
+  CHECK(snapped.leftCols(mesh.number_of_free_vertices) == approach.positions().leftCols(mesh.number_of_free_vertices));
 }
 
 TEST_CASE("The result does not depend on units")
 {
   internal::Numbered_mesh_3 mesh = twisted_cube(3, 0.1);
-  Solver solver;
-  Engine engine(mesh, stretch, solver, without_snapping());
-  run(engine, mesh);
+  Approach approach(mesh, without_snapping());
+  run(approach, mesh);
   const double factor = 1000;
   internal::Numbered_mesh_3 large = mesh;
   large.source *= 7;
   large.target *= factor;
-  Engine other(large, stretch, solver, without_snapping());
+  Approach other(large, without_snapping());
   run(other, large);
-  CHECK((other.positions() / factor - engine.positions()).norm() < 1e-6);
-  CHECK(other.last_step().energy == Approx(engine.last_step().energy));
+  CHECK((other.positions() / factor - approach.positions()).norm() < 1e-6);
+  CHECK(other.last_step().energy == Approx(approach.last_step().energy));
 }
 
 TEST_CASE("A vertex is held on a plane")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Solver solver;
-  Engine unconstrained(mesh, stretch, solver, without_snapping());
+  Approach unconstrained(mesh, without_snapping());
   run(unconstrained, mesh);
 
   const Eigen::Vector3d normal = Eigen::Vector3d(1, 1, 1).normalized();
   const double value = normal.dot(unconstrained.positions().col(0)) + 0.1;
-  Engine engine(mesh, stretch, solver, without_snapping(), {{{{0, normal}}, value}});
-  run(engine, mesh);
-  CHECK(engine.status() == VMP::OK);
-  CHECK(normal.dot(engine.positions().col(0)) == Approx(value).epsilon(1e-5));
-  CHECK(!engine.can_snap()); // which would give the constraint up
+  Approach approach(mesh, without_snapping(), {{{{0, normal}}, value}});
+  run(approach, mesh);
+  CHECK(approach.status() == VMP::OK);
+  CHECK(normal.dot(approach.positions().col(0)) == Approx(value).epsilon(1e-5));
+  CHECK(!approach.can_snap()); // which would give the constraint up
 }
 
 TEST_CASE("The distance of two vertices that share no cell is kept")
@@ -286,12 +290,14 @@ TEST_CASE("The distance of two vertices that share no cell is kept")
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
   const int a = 0, b = mesh.number_of_free_vertices - 1;
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  Solver solver;
-  Engine engine(mesh, stretch, solver, without_snapping(), {{{{a, axis}, {b, -axis}}, 0.25}});
-  run(engine, mesh);
-  CHECK(engine.status() == VMP::OK);
-  CHECK(engine.positions()(0, a) - engine.positions()(0, b) == Approx(0.25).epsilon(1e-5));
+  Approach approach(mesh, without_snapping(), {{{{a, axis}, {b, -axis}}, 0.25}});
+  run(approach, mesh);
+  CHECK(approach.status() == VMP::OK);
+  CHECK(approach.positions()(0, a) - approach.positions()(0, b) == Approx(0.25).epsilon(1e-5));
 }
+
+// From the aligned source, with an end as soon as it is blocked.
+const internal::Approach_start_3 impatient = {{}, 0, 1};
 
 // Two vertices of the boundary change their places.
 internal::Numbered_mesh_3 impossible_cube()
@@ -305,48 +311,42 @@ internal::Numbered_mesh_3 impossible_cube()
 TEST_CASE("A boundary that cannot be reached is approached, and said so")
 {
   const internal::Numbered_mesh_3 mesh = impossible_cube();
-  Solver solver;
-  Engine engine(mesh, stretch, solver);
-  run(engine, mesh);
-  CHECK(engine.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
-  CHECK(engine.residual() > 1e-6);
-  CHECK(!engine.can_snap());
+  Approach approach(mesh);
+  run(approach, mesh);
+  CHECK(approach.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(approach.residual() > 1e-6);
+  CHECK(!approach.can_snap());
 }
 
 TEST_CASE("An approach that is blocked ends early, names the cells to blame, and goes on from there")
 {
   const internal::Numbered_mesh_3 mesh = impossible_cube();
   const VMP::Soft_boundary_parameters parameters = VMP::approaching_soft_boundary_parameters();
-  Solver solver;
-  Engine engine(mesh, stretch, solver, parameters);
-  engine.end_when_blocked(1);
-  run(engine, mesh);
-  CHECK(engine.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
-  CHECK(engine.number_of_raises() < parameters.maximal_number_of_raises);
+  Approach approach(mesh, parameters, {}, impatient);
+  run(approach, mesh);
+  CHECK(approach.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(approach.number_of_raises() < parameters.maximal_number_of_raises);
 
   const int last = mesh.number_of_vertices() - 1;
-  const std::vector<std::size_t> cells = internal::blocking_cells_3(mesh, engine.positions());
+  const std::vector<std::size_t> cells = internal::blocking_cells_3(mesh, approach.positions());
   REQUIRE(!cells.empty());
   for(const std::size_t c : cells)
   {
-    CHECK(!internal::is_positive(engine.snapped_positions(), mesh.cells[c]));
+    CHECK(!internal::is_positive(approach.snapped_positions(), mesh.cells[c]));
     CHECK(std::any_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](const int v) { return v >= last - 1; }));
   }
 
-  Engine second(mesh, stretch, solver, parameters);
-  second.start(engine.positions(), engine.number_of_raises());
-  CHECK(second.weight() == engine.weight());
-  CHECK(second.last_step().energy == Approx(engine.last_step().energy));
-  CHECK((second.positions() - engine.positions()).norm() < 1e-12);
+  const Approach second(mesh, parameters, {}, {approach.positions(), approach.number_of_raises(), 1});
+  CHECK(second.weight() == approach.weight());
+  CHECK(second.energy() == Approx(approach.last_step().energy));
+  CHECK((second.positions() - approach.positions()).norm() < 1e-12);
 }
 
 TEST_CASE("An approach that can end at the targets does, whatever its patience")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Solver solver;
-  Engine engine(mesh, stretch, solver, VMP::approaching_soft_boundary_parameters());
-  engine.end_when_blocked(1);
-  run(engine, mesh);
-  CHECK(engine.status() == VMP::OK);
-  CHECK(engine.can_snap());
+  Approach approach(mesh, VMP::approaching_soft_boundary_parameters(), {}, impatient);
+  run(approach, mesh);
+  CHECK(approach.status() == VMP::OK);
+  CHECK(approach.can_snap());
 }

@@ -3,7 +3,7 @@
 
 #include "Jacobian_system_3.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 
 #include <Eigen/Dense>
 
@@ -37,13 +37,12 @@ public:
 private:
   Eigen::Matrix3Xd nearest_rotations(const Eigen::Matrix3Xd& jacobians) const
   {
-    namespace internal = CGAL::Volume_mesh_parameterization::internal;
+    using CGAL::Volume_mesh_parameterization::internal::rotation_and_stretch_3;
     Eigen::Matrix3Xd result(3, jacobians.cols());
     for(Eigen::Index column = 0; column < jacobians.cols(); column += 3)
     {
-      const auto J = internal::signed_singular_values_3<double>(Eigen::Matrix3d(jacobians.middleCols<3>(column)));
       const double weight = m_system.weight(static_cast<std::size_t>(column / 3));
-      result.middleCols<3>(column) = std::sqrt(weight) * J.R * J.Q.transpose();
+      result.middleCols<3>(column) = std::sqrt(weight) * rotation_and_stretch_3(jacobians.middleCols<3>(column)).rotation;
     }
     return result;
   }

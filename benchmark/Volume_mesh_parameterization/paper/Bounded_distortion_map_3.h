@@ -3,7 +3,7 @@
 
 #include "Jacobian_system_3.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 
 #include <Eigen/Dense>
 
@@ -71,14 +71,15 @@ private:
 
   void project()
   {
-    namespace internal = CGAL::Volume_mesh_parameterization::internal;
+    using Matrix = Eigen::Map<const Eigen::Matrix3d>;
     m_jacobians = m_system.jacobians(m_u);
     m_projection.resize(3, m_jacobians.cols());
     m_number_of_violating_cells = 0;
     for(Eigen::Index column = 0; column < m_jacobians.cols(); column += 3)
     {
-      const auto J = internal::signed_singular_values_3<double>(Eigen::Matrix3d(m_jacobians.middleCols<3>(column)));
-      m_projection.middleCols<3>(column) = J.R * nearest_bounded(J.s, safety * m_K).asDiagonal() * J.Q.transpose();
+      const auto J = CGAL::Volume_mesh_parameterization::internal::decomposed(m_jacobians.middleCols<3>(column));
+      const Eigen::Vector3d nearest = nearest_bounded(Eigen::Vector3d(J.s.x), safety * m_K);
+      m_projection.middleCols<3>(column) = Matrix(J.R.data()) * nearest.asDiagonal() * Matrix(J.Q.data()).transpose();
       m_number_of_violating_cells += !(J.s[0] <= m_K * J.s[2]);
     }
   }

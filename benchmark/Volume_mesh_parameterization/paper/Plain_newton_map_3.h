@@ -12,8 +12,8 @@
 #include <cstddef>
 
 // The map with soft boundary, of one weight, by the solver of Jin et al., Remeshing-assisted Optimization for
-// Locally Injective Mappings (CGF 2014), without its relaxation. As the soft boundary engine, with which it
-// shares its interface, it starts from the aligned source, takes the mean over the cells and measures lengths
+// Locally Injective Mappings (CGF 2014), without its relaxation. As Boundary_approach_3, with which it shares
+// its interface, it starts from the aligned source, takes the mean over the cells and measures lengths
 // where the target has volume 1.
 template <typename Energy>
 class Plain_newton_map_3

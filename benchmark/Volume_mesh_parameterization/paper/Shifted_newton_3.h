@@ -4,11 +4,12 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
-
-#include <CGAL/tags.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
 
 #include <Eigen/Dense>
 
@@ -29,21 +30,19 @@ public:
 
   // Source and target of the mesh have the same volume; `start` inverts no cell.
   Shifted_newton_3(const Mesh& mesh, const Energy& energy, const Positions& start)
-    : m_mesh(with_free_vertices(mesh)),
-      m_first_prescribed(mesh.number_of_free_vertices),
+    : m_first_prescribed(mesh.number_of_free_vertices),
+      m_target(constrained(mesh.target)),
       m_energy(energy),
-      m_hessian(pattern(m_mesh)),
-      m_packs(m_mesh, scaled_inverse_sources(m_mesh, 1), std::vector<double>(mesh.cells.size(), 1.), m_hessian),
-      m_energy_sum(m_packs),
+      m_packs(make_packs(mesh, m_hessian)),
       m_u(start)
   {
     m_solver.analyze_pattern(m_hessian);
   }
 
   const Positions& positions() const { return m_u; }
-  Positions target() const { return constrained(m_mesh.target); }
+  const Positions& target() const { return m_target; }
   Positions constrained_positions() const { return constrained(m_u); }
-  double energy() const { return m_energy_sum.evaluate(m_energy, m_u).energy; } // without the constraints
+  double energy() const { return evaluate(m_u).energy; } // without the constraints
   double distance() const { return (constrained(m_u) - target()).norm(); }
   double shift() const { return m_shift; }
   double step_length() const { return m_step_length; }
@@ -54,8 +53,8 @@ public:
   void step(const double weight, const TargetOfStep& target_of_step)
   {
     Positions gradient;
-    m_energy_sum.assemble(m_energy, m_u, 1., gradient, m_hessian);
-    for(int v = m_first_prescribed; v < m_mesh.number_of_vertices(); ++v)
+    assemble_energy(m_packs, m_energy, m_u, 1., is_parallel, gradient, m_hessian);
+    for(int v = m_first_prescribed; v < m_hessian.size(); ++v)
       m_hessian.block(m_hessian.position(v, v)).diagonal().array() += 2 * weight;
     m_is_running = factorize();
     if(!m_is_running)
@@ -70,19 +69,27 @@ public:
 
 private:
   using Matrix = CGAL::Volume_mesh_parameterization::Block_sparse_matrix_3<double>;
+  using Packs = CGAL::Volume_mesh_parameterization::internal::Cell_packs_3;
 
-  static Matrix pattern(const Mesh& mesh)
+  static constexpr bool is_parallel = false;
+
+  // The prescribed vertices move as well; all cells count alike.
+  static Packs make_packs(const Mesh& mesh, Matrix& hessian)
   {
-    Matrix matrix;
-    set_pattern(mesh, {}, matrix);
-    return matrix;
+    const auto unknowns = all_vertices(mesh);
+    const auto pattern = sparsity_pattern_3(mesh, unknowns);
+    hessian.set_pattern(pattern.row_begin, pattern.columns);
+    const std::vector<double> weights(mesh.cells.size(), 1.);
+    return Packs(mesh, { 1, scaled_inverse_sources(mesh, 1), weights }, unknowns, pattern);
   }
+
+  auto evaluate(const Positions& u) const { return evaluate_energy(m_packs, m_energy, u, is_parallel); }
 
   Positions constrained(const Positions& u) const { return u.rightCols(u.cols() - m_first_prescribed); }
 
   double value(const Positions& u, const double weight, const Positions& target) const
   {
-    const auto evaluation = m_energy_sum.evaluate(m_energy, u);
+    const auto evaluation = evaluate(u);
     if(!evaluation.is_flip_free())
       return std::numeric_limits<double>::infinity();
     return evaluation.energy + weight * (constrained(u) - target).squaredNorm();
@@ -123,12 +130,11 @@ private:
     return true;
   }
 
-  Mesh m_mesh;
   int m_first_prescribed;
-  Energy m_energy;
+  Positions m_target; // of the prescribed vertices
+  CGAL::Volume_mesh_parameterization::internal::Cell_energy_of<Energy> m_energy;
   Matrix m_hessian;
-  CGAL::Volume_mesh_parameterization::internal::Cell_packs_3 m_packs;
-  CGAL::Volume_mesh_parameterization::internal::Energy_sum_3<CGAL::Sequential_tag> m_energy_sum;
+  Packs m_packs;
   CGAL::Volume_mesh_parameterization::CHOLMOD_solver_traits_3 m_solver;
   Positions m_u;
   double m_shift = 0, m_step_length = 1;

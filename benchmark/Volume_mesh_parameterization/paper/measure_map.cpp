@@ -6,9 +6,9 @@
 #include "Map_problem.h"
 
 #include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/distortion_of_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/unavoidable_angle_distortion_3.h>
 
 #include <Eigen/Dense>
@@ -39,7 +39,7 @@ std::string measure(const Map_problem::Mesh& mesh, const Eigen::Matrix3Xd& image
     const Eigen::Matrix3d X = VMP::internal::edge_matrix(mesh.source, cell);
     const Eigen::Matrix3d J = VMP::internal::edge_matrix(image, cell) * X.inverse();
     VMP::internal::add_cell(distortion, X.determinant() / 6 / source_volume,
-                            VMP::internal::signed_singular_values_3<double>(J).s);
+                            VMP::internal::signed_singular_values_3(J));
   }
 
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;

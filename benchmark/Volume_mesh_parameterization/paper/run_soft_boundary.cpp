@@ -6,15 +6,17 @@
 #include "Map_problem.h"
 #include "Plain_newton_map_3.h"
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Soft_boundary_engine_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
 
 #include <CGAL/Real_timer.h>
-#include <CGAL/tags.h>
 
 #include <boost/program_options.hpp>
 
@@ -41,45 +43,33 @@ struct Options
   VMP::Soft_boundary_parameters parameters;
 };
 
+constexpr bool is_parallel = false;
+
 // The mean of an energy over the cells, and its gradient by all vertices.
 class Mean_energy
 {
-  using Mesh = Map_problem::Mesh;
-
 public:
-  Mean_energy(const Mesh& mesh, const Named_energy_3& energy)
-    : m_mesh(with_free_vertices(mesh)),
+  Mean_energy(const Map_problem::Mesh& mesh, const VMP::internal::Cell_energy_3& energy)
+    : m_number_of_cells(static_cast<double>(mesh.cells.size())),
       m_energy(energy),
-      m_pattern(pattern(m_mesh)),
-      m_packs(m_mesh, scaled_inverse_sources(m_mesh, 1), cell_weights(m_mesh), m_pattern),
-      m_sum(m_packs)
+      m_packs(mesh, { 1, scaled_inverse_sources(mesh, 1), cell_weights(mesh) }, all_vertices(mesh),
+              sparsity_pattern_3(mesh, all_vertices(mesh)))
   {}
 
-  double value(const Eigen::Matrix3Xd& u) const { return m_sum.evaluate(m_energy, u).energy; }
+  double value(const Eigen::Matrix3Xd& u) const { return evaluate_energy(m_packs, m_energy, u, is_parallel).energy; }
 
   // In lengths for which the mesh has volume 1; in those of u, its cells have.
   double squared_gradient_norm(const Eigen::Matrix3Xd& u) const
   {
-    Eigen::Matrix3Xd gradient(3, u.cols());
-    m_sum.compute_gradient(m_energy, u, gradient);
-    return std::pow(static_cast<double>(m_mesh.cells.size()), 2. / 3) * gradient.squaredNorm();
+    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, u.cols());
+    add_energy_gradient(m_packs, m_energy, u, is_parallel, gradient);
+    return std::pow(m_number_of_cells, 2. / 3) * gradient.squaredNorm();
   }
 
 private:
-  using Pattern = VMP::Block_sparse_matrix_3<double>;
-
-  static Pattern pattern(const Mesh& mesh)
-  {
-    Pattern matrix;
-    set_pattern(mesh, {}, matrix);
-    return matrix;
-  }
-
-  Mesh m_mesh;
-  const Named_energy_3& m_energy;
-  Pattern m_pattern;
+  double m_number_of_cells;
+  const VMP::internal::Cell_energy_3& m_energy;
   VMP::internal::Cell_packs_3 m_packs;
-  VMP::internal::Energy_sum_3<CGAL::Sequential_tag> m_sum;
 };
 
 bool parse(int argc, char* argv[], Options& options)
@@ -113,7 +103,7 @@ bool parse(int argc, char* argv[], Options& options)
   return given.count("help") == 0;
 }
 
-// Takes the steps of `map`, which has been started, and writes the log, the shapes and the map.
+// Takes the steps of `map`, and writes the log, the shapes and the map.
 template <typename Map>
 void run(Map& map, const Options& options, const Map_problem& problem, const Mean_energy& mean_energy,
          CGAL::Real_timer& timer)
@@ -147,7 +137,8 @@ void run(const Options& options)
 {
   const Map_problem problem(options.source, options.target);
   const Named_energy_3 energy(options.energy);
-  const Mean_energy mean_energy(problem.mesh(), energy);
+  const VMP::internal::Cell_energy_of<Named_energy_3> cell_energy(energy);
+  const Mean_energy mean_energy(problem.mesh(), cell_energy);
   CGAL::Real_timer timer;
   timer.start();
   if(options.is_plain)
@@ -157,10 +148,9 @@ void run(const Options& options)
   }
   else
   {
-    VMP::CHOLMOD_solver_traits_3 solver;
-    VMP::internal::Soft_boundary_engine_3<Named_energy_3, VMP::CHOLMOD_solver_traits_3, CGAL::Sequential_tag>
-      map(problem.mesh(), energy, solver, options.parameters);
-    map.start();
+    VMP::CHOLMOD_solver_traits_3 cholmod;
+    VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> solver(cholmod);
+    VMP::internal::Boundary_approach_3 map(problem.mesh(), cell_energy, solver, is_parallel, options.parameters);
     run(map, options, problem, mean_energy, timer);
   }
 }

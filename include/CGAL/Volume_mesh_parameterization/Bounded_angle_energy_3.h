@@ -16,7 +16,7 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {

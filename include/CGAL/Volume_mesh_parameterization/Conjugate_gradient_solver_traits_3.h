@@ -16,7 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/for_each_index.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -73,13 +74,13 @@ public:
     for_each_row([&](const int row)
     {
       const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
-      const Eigen::LLT<Eigen::Matrix3d> llt(D);
       Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-      if(llt.info() == Eigen::Success)
-        inverse = llt.solve(Eigen::Matrix3d::Identity());
+      if(is_positive_definite(D))
+        inverse = D.inverse();
       else if(D.norm() > 0) // the iteration must meet the negative curvature of this block
-        inverse = Eigen::Matrix3d::Identity() / D.norm();
-      inverse_diagonal(row) = inverse.template cast<NT>();
+        inverse.diagonal().setConstant(1 / D.norm());
+      for(int i = 0; i < 9; ++i)
+        m_inverse_diagonal[9 * std::size_t(row) + i] = static_cast<NT>(inverse(i));
     });
     m_matrix = &A;
     return Linear_solver_status::SUCCESS;
@@ -137,7 +138,7 @@ private:
   double sum_over_row_ranges(const Function& f)
   {
     const int rows = static_cast<int>(m_inverse_diagonal.size() / 9);
-    internal::for_each_index<ConcurrencyTag>(0, number_of_row_ranges(), [&](const std::size_t i)
+    internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, number_of_row_ranges(), [&](const std::size_t i)
     {
       const int first = static_cast<int>(i) * rows_per_range;
       m_partial_sums[i] = f(first, (std::min)(rows, first + rows_per_range));
@@ -157,6 +158,12 @@ private:
         f(row);
       return 0.;
     });
+  }
+
+  // Sylvester's criterion.
+  static bool is_positive_definite(const Eigen::Matrix3d& D)
+  {
+    return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0;
   }
 
   auto inverse_diagonal(const int row)

@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
+#include <CGAL/Volume_mesh_parameterization/select.h>
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cmath>
 
@@ -93,7 +93,6 @@ private:
 
     Powers(const Eigen::Matrix<T, 3, 1>& s, const double p)
     {
-      using internal::minimum;
       using std::exp;
       using std::log;
       const Eigen::Matrix<T, 3, 1> square = s.cwiseProduct(s);

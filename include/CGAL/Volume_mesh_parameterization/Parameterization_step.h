@@ -36,8 +36,8 @@ struct Parameterization_step
 {
   std::size_t iteration = 0;                ///< number of Newton steps so far, in all stages
   Phase phase = Phase::START;               ///< what the step was for
-  /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; values of
-  /// different phases and stages are not comparable
+  /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; while cells are
+  /// untangled, over those with a free vertex only. Values of different phases and stages are not comparable
   double energy = 0;
   std::size_t number_of_inverted_cells = 0; ///< or flat, after the step, by floating-point determinants
   double gradient_norm = 0;                 ///< Euclidean norm of the gradient at the beginning of the step

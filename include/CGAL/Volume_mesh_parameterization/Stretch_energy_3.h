@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 
 #include <Eigen/Dense>
 
@@ -50,7 +50,7 @@ inline std::vector<Cell_distortion_3> cell_distortions(const Tetrahedron_soup_3&
   for(const std::array<std::size_t, 4>& cell : soup.cells)
   {
     const Eigen::Matrix3d J = edge_matrix(uvw, cell) * edge_matrix(soup.points, cell).inverse();
-    const Eigen::Vector3d stretches = signed_singular_values_3(J).s;
+    const Eigen::Vector3d stretches = signed_singular_values_3(J);
     const double ratio = stretches.maxCoeff() / stretches.minCoeff();
     const double det_J = stretches.prod();
     distortions.push_back({ratio + 1 / ratio, det_J + 1 / det_J, det_J});

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
+#include <CGAL/Volume_mesh_parameterization/select.h>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {

@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <Eigen/Dense>
+#include <CGAL/Volume_mesh_parameterization/select.h>
+
+#include <Eigen/Core>
 
 #include <cmath>
 

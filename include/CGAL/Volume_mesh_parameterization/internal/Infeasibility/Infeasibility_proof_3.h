@@ -13,13 +13,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/volume_polynomial_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/volume_form_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL {
@@ -34,31 +36,46 @@ struct Infeasibility_proof_3
   std::vector<Exact_rational> factors;
 };
 
-inline Volume_polynomial_3<Exact_rational> exact_volume_polynomial_3(const Numbered_mesh_3& mesh, const std::size_t c)
+inline Volume_form_3<Exact_rational> exact_volume_form_3(const Numbered_mesh_3& mesh, const std::size_t c, const int u)
 {
-  return volume_polynomial_3<Exact_rational>(mesh, mesh.cells[c], [&](const int v, const int k)
+  return volume_form_3<Exact_rational>(mesh, mesh.cells[c], u, [&](const int v)
   {
-    return Exact_rational(mesh.target(k, v));
+    return std::array<Exact_rational, 3>{ Exact_rational(mesh.target(0, v)), Exact_rational(mesh.target(1, v)),
+                                          Exact_rational(mesh.target(2, v)) };
   });
+}
+
+// The free vertices of some cells.
+inline std::set<int> free_vertices_of(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
+{
+  std::set<int> result;
+  for(const std::size_t c : cells)
+    for(const int v : mesh.cells[c])
+      if(mesh.is_free(v))
+        result.insert(v);
+  return result;
 }
 
 // Checks the proof with exact numbers only; does not rely on how it was found.
 inline bool is_valid(const Infeasibility_proof_3& proof, const Numbered_mesh_3& mesh)
 {
-  if(proof.cells.empty() || proof.factors.size() != proof.cells.size())
+  if(proof.cells.empty() || proof.factors.size() != proof.cells.size()
+     || *std::max_element(proof.cells.begin(), proof.cells.end()) >= mesh.cells.size())
     return false;
-  Volume_polynomial_3<Exact_rational> sum;
+  const std::set<int> free = free_vertices_of(mesh, proof.cells);
+  if(free.size() > 2)
+    return false;
+  Volume_form_3<Exact_rational> sum;
+  sum.fill(Exact_rational(0));
   for(std::size_t i = 0; i < proof.cells.size(); ++i)
   {
-    if(proof.cells[i] >= mesh.cells.size() || proof.factors[i] <= 0)
+    if(proof.factors[i] <= 0)
       return false;
-    for(const auto& term : exact_volume_polynomial_3(mesh, proof.cells[i]))
-      sum[term.first] += proof.factors[i] * term.second;
+    const Volume_form_3<Exact_rational> form = exact_volume_form_3(mesh, proof.cells[i], free.empty() ? -1 : *free.begin());
+    for(std::size_t k = 0; k < sum.size(); ++k)
+      sum[k] += proof.factors[i] * form[k];
   }
-  return std::all_of(sum.begin(), sum.end(), [](const auto& term)
-  {
-    return term.first == constant_monomial ? term.second <= 0 : term.second == 0;
-  });
+  return sum[0] <= 0 && std::all_of(sum.begin() + 1, sum.end(), [](const Exact_rational& x) { return x == 0; });
 }
 
 } // namespace internal

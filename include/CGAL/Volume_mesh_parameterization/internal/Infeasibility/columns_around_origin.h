@@ -13,7 +13,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
@@ -31,15 +31,33 @@ struct Hull_point
   std::vector<double> weights;
 };
 
-// The weights, with sum 1, of the point next to the origin in the affine hull of some columns.
+// The weights, with sum 1, of the point next to the origin in the affine hull of some columns: the solution of least
+// squares of the system with a row of ones added, whose right side is 1 there and 0 elsewhere. By Gram and Schmidt's
+// modified method, which is stable with the right side as a further column, and small to compile.
 inline Eigen::VectorXd nearest_point_of_affine_hull(const Eigen::MatrixXd& points,
                                                     const std::vector<Eigen::Index>& columns)
 {
-  const Eigen::Index n = static_cast<Eigen::Index>(columns.size());
-  Eigen::MatrixXd lifted(points.rows() + 1, n);
-  for(Eigen::Index i = 0; i < n; ++i)
-    lifted.col(i) << 1, points.col(columns[i]);
-  const Eigen::VectorXd weights = lifted.colPivHouseholderQr().solve(Eigen::VectorXd::Unit(lifted.rows(), 0));
+  const Eigen::Index n = static_cast<Eigen::Index>(columns.size()), rows = points.rows() + 1;
+  Eigen::MatrixXd Q(rows, n + 1), R = Eigen::MatrixXd::Zero(n, n + 1);
+  for(Eigen::Index j = 0; j < n; ++j)
+    Q.col(j) << 1, points.col(columns[j]);
+  Q.col(n) = Eigen::VectorXd::Unit(rows, 0);
+  for(Eigen::Index j = 0; j < n; ++j)
+  {
+    R(j, j) = Q.col(j).norm();
+    Q.col(j) /= R(j, j);
+    for(Eigen::Index k = j + 1; k <= n; ++k)
+    {
+      R(j, k) = Q.col(j).dot(Q.col(k));
+      Q.col(k) -= R(j, k) * Q.col(j);
+    }
+  }
+  Eigen::VectorXd weights = R.col(n);
+  for(Eigen::Index j = n - 1; j >= 0; --j)
+  {
+    weights[j] /= R(j, j);
+    weights.head(j) -= weights[j] * R.col(j).head(j);
+  }
   return weights / weights.sum();
 }
 
@@ -69,6 +87,16 @@ inline bool move_in_affine_hull(const Eigen::MatrixXd& points, Hull_point& p)
   return step == 1;
 }
 
+// The smallest scalar product of a vector with a column, and which column that is.
+inline double smallest_product(const Eigen::MatrixXd& points, const Eigen::VectorXd& vector, Eigen::Index& column)
+{
+  column = 0;
+  for(Eigen::Index i = 1; i < points.cols(); ++i)
+    if(points.col(i).dot(vector) < points.col(column).dot(vector))
+      column = i;
+  return points.col(column).dot(vector);
+}
+
 // Columns, of at most unit length, whose convex hull contains the origin up to rounding; none if there is a
 // vector that has positive scalar products with all columns.
 // Looks for the point of the convex hull next to the origin (Wolfe, Finding the nearest point in a polytope,
@@ -82,7 +110,7 @@ inline std::vector<Eigen::Index> columns_around_origin(const Eigen::MatrixXd& po
   for(Eigen::Index iteration = 0; iteration < 10 * points.cols(); ++iteration)
   {
     const double norm = p.point.norm();
-    if((points.transpose() * p.point).minCoeff(&column) > tolerance * norm)
+    if(smallest_product(points, p.point, column) > tolerance * norm)
       return {};
     if(norm < tolerance || std::find(p.columns.begin(), p.columns.end(), column) != p.columns.end())
       break;

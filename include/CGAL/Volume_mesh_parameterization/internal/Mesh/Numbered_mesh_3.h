@@ -22,25 +22,21 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// A tetrahedral mesh as plain arrays. The free vertices come first: 0, ..., number_of_free_vertices - 1.
+// A tetrahedral mesh as plain arrays, and where its prescribed vertices go, in the units of the user. The free vertices
+// come first: 0, ..., number_of_free_vertices - 1.
 struct Numbered_mesh_3
 {
   Eigen::Matrix3Xd source;               // one column a vertex
-  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
+  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free, otherwise 0
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
+  std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
+  std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
-
-// The mesh with all its vertices free.
-inline Numbered_mesh_3 with_free_vertices(Numbered_mesh_3 mesh)
-{
-  mesh.number_of_free_vertices = mesh.number_of_vertices();
-  return mesh;
-}
 
 // The positions with the prescribed vertices on their targets.
 inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
@@ -54,7 +50,21 @@ inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd po
 inline double largest_distance_to_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-  return (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+  return n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+}
+
+// Are the prescribed vertices exactly on their targets?
+inline bool is_on_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  return positions.rightCols(n) == mesh.target.rightCols(n);
+}
+
+// The diagonal of the bounding box of the targets.
+inline double target_diagonal(const Numbered_mesh_3& mesh)
+{
+  const auto targets = mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices);
+  return (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
 }
 
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.

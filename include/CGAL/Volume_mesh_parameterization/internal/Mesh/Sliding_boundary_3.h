@@ -12,10 +12,11 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Planar_patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Sliding_directions_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -48,7 +48,7 @@ public:
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
     : m_mesh(mesh),
       m_facets(boundary_facets_3(mesh.cells)),
-      m_patches(mesh.target, m_facets, planarity * diagonal(mesh)),
+      m_patches(mesh.target, m_facets, planarity * target_diagonal(mesh)),
       m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
   {
     std::vector<std::vector<std::size_t> > patches(mesh.number_of_vertices());
@@ -64,32 +64,16 @@ public:
 
   std::size_t number_of_sliding_vertices() const
   {
-    return std::count_if(m_projectors.begin() + m_mesh.number_of_free_vertices, m_projectors.end(), can_move);
+    return std::count_if(m_projectors.begin() + m_mesh.number_of_free_vertices, m_projectors.end(),
+                         [](const Eigen::Matrix3d& projector) { return !projector.isZero(0); });
   }
 
-  // An order of the vertices: the free ones, those that slide, and the others.
-  std::vector<std::size_t> order() const
-  {
-    std::vector<std::size_t> result(m_projectors.size());
-    std::iota(result.begin(), result.end(), std::size_t(0));
-    std::stable_partition(result.begin(), result.end(),
-                          [&](const std::size_t v) { return can_move(m_projectors[v]); });
-    return result;
-  }
+  // Of each vertex, onto the directions in which it may move: all for a free one, none for one that stays.
+  const std::vector<Eigen::Matrix3d>& projectors() const { return m_projectors; }
 
-  // Of those that are free or slide, in this order.
-  Sliding_directions_3 directions(const std::vector<std::size_t>& order) const
-  {
-    std::vector<Eigen::Matrix3d> projectors;
-    for(const std::size_t v : order)
-      if(can_move(m_projectors[v]))
-        projectors.push_back(m_projectors[v]);
-    return Sliding_directions_3(std::move(projectors));
-  }
-
-  // Moves the vertices of the boundary back to where they belong, which rounding or scaling made them leave.
-  // A coordinate that cannot change keeps its bits.
-  void restore(Eigen::Matrix3Xd& positions) const
+  // The positions with the vertices of the boundary moved back to where they belong, which rounding or scaling made
+  // them leave. A coordinate that cannot change keeps its bits.
+  Eigen::Matrix3Xd restored(Eigen::Matrix3Xd positions) const
   {
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
     {
@@ -98,6 +82,7 @@ public:
         if(m_projectors[v].row(i).isZero(0))
           positions(i, v) = m_mesh.target(i, v);
     }
+    return positions;
   }
 
   // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in
@@ -127,14 +112,6 @@ public:
 
 private:
   static constexpr double planarity = 1e-7; // relative to the diagonal; more than eight digits in a file round
-
-  static double diagonal(const Numbered_mesh_3& mesh)
-  {
-    const auto targets = mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices);
-    return (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
-  }
-
-  static bool can_move(const Eigen::Matrix3d& projector) { return !projector.isZero(0); }
 
   // onto the directions in which a vertex of these patches may move
   Eigen::Matrix3d projector(const std::vector<std::size_t>& patches) const
@@ -179,8 +156,19 @@ private:
   std::vector<std::array<int, 3> > m_facets;
   Planar_patches_3 m_patches;
   double m_rounding;
-  std::vector<Eigen::Matrix3d> m_projectors; // of each vertex
+  std::vector<Eigen::Matrix3d> m_projectors;
 };
+
+// With prescribed vertices that may slide.
+inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Eigen::Matrix3Xd positions)
+{
+  Map_3 map;
+  map.number_of_inverted_cells = inverted_cells(mesh, positions).number;
+  map.distance_to_boundary = boundary.residual(positions);
+  map.meets_boundary = map.distance_to_boundary == 0 && boundary.has_same_orientations(positions);
+  map.positions = std::move(positions);
+  return map;
+}
 
 } // namespace internal
 } // namespace Volume_mesh_parameterization

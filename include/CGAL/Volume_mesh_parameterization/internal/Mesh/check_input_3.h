@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 
@@ -32,15 +33,8 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// What is wrong with the input, with the data that make it concrete.
-struct Input_check
-{
-  Error_code status = OK;
-  std::string message;
-};
-
 template <typename... Parts>
-Input_check failed_check(const Error_code status, const Parts&... parts)
+Input_check_3 failed_check(const Error_code status, const Parts&... parts)
 {
   std::ostringstream message;
   (message << ... << parts);
@@ -54,7 +48,7 @@ inline std::string describe(const Eigen::Vector3d& point)
   return out.str();
 }
 
-inline Input_check check_coordinates(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 {
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
@@ -75,7 +69,7 @@ inline Input_check check_coordinates(const Numbered_mesh_3& mesh)
 
 // The volume of a cell is a product of three lengths, and energies have their fourth powers.
 template <typename Points>
-Input_check check_size(const Points& points, const char* name)
+Input_check_3 check_size(const Points& points, const char* name)
 {
   constexpr double smallest = 1e-70, largest = 1e70;
   const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
@@ -85,23 +79,23 @@ Input_check check_size(const Points& points, const char* name)
                       ", which is not between ", smallest, " and ", largest, ".");
 }
 
-inline Input_check check_source_size(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_source_size(const Numbered_mesh_3& mesh)
 {
   return check_size(mesh.source, "source");
 }
 
-inline Input_check check_target_size(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_target_size(const Numbered_mesh_3& mesh)
 {
   return check_size(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices), "prescribed points");
 }
 
-inline Input_check check_source_cells(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 {
   const Inverted_cells inverted = inverted_cells(mesh, mesh.source);
   if(inverted.number == 0)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
-                      " cells of the source have no positive volume; the first one is cell ", inverted.first,
+                      " cells of the source have no positive volume; the first one is cell ", mesh.user_number(inverted.first),
                       " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6, ".");
 }
 
@@ -112,17 +106,17 @@ inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
   return edges.determinant() > 0 && inverse.allFinite() && inverse.determinant() > 0;
 }
 
-inline Input_check check_source_determinants(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 {
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     if(!has_positive_inverse(edge_matrix(mesh.source, mesh.cells[c])))
-      return failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", c,
+      return failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(c),
                           " of the source is so flat that its volume is positive in exact arithmetic only.");
   return {};
 }
 
 // Each connected component of the target must have a positive volume, which depends on its boundary only.
-inline Input_check check_target_volume(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
   std::vector<int> rank(mesh.number_of_vertices()), parent(mesh.number_of_vertices());
   std::iota(parent.begin(), parent.end(), 0);
@@ -142,7 +136,7 @@ inline Input_check check_target_volume(const Numbered_mesh_3& mesh)
   return {};
 }
 
-inline Input_check check_prescribed_cells(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 {
   const Inverted_cells inverted = inverted_cells(mesh, mesh.target, [&](const std::array<int, 4>& cell)
   {
@@ -152,18 +146,18 @@ inline Input_check check_prescribed_cells(const Numbered_mesh_3& mesh)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
                       " cells have four prescribed vertices and no positive volume in the target; the first one is cell ",
-                      inverted.first, ".");
+                      mesh.user_number(inverted.first), ".");
 }
 
 // Can there be a map? Names the first reason against it.
-inline Input_check check_input_3(const Numbered_mesh_3& mesh)
+inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   for(const auto check : { check_coordinates, check_source_size, check_target_size,
                            check_source_cells, check_source_determinants, check_target_volume, check_prescribed_cells })
   {
-    const Input_check result = check(mesh);
+    const Input_check_3 result = check(mesh);
     if(result.status != OK)
       return result;
   }

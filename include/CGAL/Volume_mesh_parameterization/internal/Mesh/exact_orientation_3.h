@@ -35,7 +35,7 @@ inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int,
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
-// The cells that fulfil a condition and are not positively oriented.
+// The cells that fulfil a condition and are not positively oriented; the first one in the order of the user.
 struct Inverted_cells
 {
   std::size_t number = 0;
@@ -47,7 +47,8 @@ Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3X
 {
   Inverted_cells result;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(condition(mesh.cells[c]) && !is_positive(positions, mesh.cells[c]) && result.number++ == 0)
+    if(condition(mesh.cells[c]) && !is_positive(positions, mesh.cells[c])
+       && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
       result.first = c;
   return result;
 }

@@ -12,12 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
-#include <Eigen/Dense>
-#include <Eigen/Geometry>
-
-#include <cmath>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -32,15 +30,26 @@ inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
   if(n == 0)
     return mesh.source;
-  const Eigen::MatrixXd source = mesh.source.rightCols(n); // of dynamic size: GCC 12 warns of fixed ones
-  const Eigen::MatrixXd target = mesh.target.rightCols(n);
-  const Eigen::MatrixXd similarity = Eigen::umeyama(source, target);
-  const Eigen::Matrix3d scaled_rotation = similarity.topLeftCorner<3, 3>();
+  const auto source = mesh.source.rightCols(n), target = mesh.target.rightCols(n);
+  const Eigen::Vector3d source_mean = source.rowwise().mean(), target_mean = target.rowwise().mean();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double variance = 0;
+  for(Eigen::Index i = 0; i < n; ++i)
+  {
+    const Eigen::Vector3d x = source.col(i) - source_mean;
+    covariance += (target.col(i) - target_mean) * x.transpose();
+    variance += x.squaredNorm();
+  }
+  const Rotation_and_stretch_3 polar = rotation_and_stretch_3(covariance);
+  const double scale = polar.stretch / variance;
   // without a correlation of source and target the best scale would be zero
-  const bool is_invertible = scaled_rotation.determinant() > 0;
-  if(!is_invertible)
+  if(!(scale > 0))
     return mesh.source;
-  return (scaled_rotation * mesh.source).colwise() + similarity.topRightCorner<3, 1>();
+  const Eigen::Matrix3d scaled_rotation = scale * polar.rotation;
+  Eigen::Matrix3Xd result(3, mesh.source.cols());
+  for(Eigen::Index v = 0; v < result.cols(); ++v)
+    result.col(v) = scaled_rotation * (mesh.source.col(v) - source_mean) + target_mean;
+  return result;
 }
 
 } // namespace internal

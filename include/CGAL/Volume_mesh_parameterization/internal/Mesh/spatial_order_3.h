@@ -12,73 +12,77 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory.
-inline std::vector<std::size_t> spatial_order_3(const Numbered_mesh_3& mesh)
+// An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones
+// only, the others keep their order.
+inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> points;
-  for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    points.emplace_back(mesh.source(0, v), mesh.source(1, v), mesh.source(2, v));
+  for(Eigen::Index v = 0; v < source.cols(); ++v)
+    points.emplace_back(source(0, v), source(1, v), source(2, v));
 
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto end_of_free
+    = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return !is_prescribed[v]; });
   using Point_map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
   const CGAL::Spatial_sort_traits_adapter_3<Kernel, Point_map> traits(CGAL::make_property_map(points));
-  CGAL::hilbert_sort(order.begin(), order.begin() + mesh.number_of_free_vertices, traits);
+  CGAL::hilbert_sort(order.begin(), end_of_free, traits);
   return order;
 }
 
-// The columns in the given order, and back.
-inline Eigen::Matrix3Xd reordered(const Eigen::Matrix3Xd& columns, const std::vector<std::size_t>& order)
+// The place of each vertex in an order.
+inline std::vector<int> places_in(const std::vector<std::size_t>& order)
 {
-  Eigen::Matrix3Xd result(3, columns.cols());
+  std::vector<int> places(order.size());
   for(std::size_t i = 0; i < order.size(); ++i)
-    result.col(i) = columns.col(order[i]);
-  return result;
+    places[order[i]] = static_cast<int>(i);
+  return places;
 }
 
-inline Eigen::Matrix3Xd in_original_order(const Eigen::Matrix3Xd& columns, const std::vector<std::size_t>& order)
+// The cells with their vertices renumbered, in the order of their first vertices; `user_numbers` receives their old places.
+inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::array<int, 4> >& cells,
+                                                         const std::vector<int>& places,
+                                                         std::vector<std::size_t>& user_numbers)
 {
-  Eigen::Matrix3Xd result(3, columns.cols());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    result.col(order[i]) = columns.col(i);
-  return result;
-}
-
-// The mesh with its vertices in the given order, and its cells by their first vertex.
-inline Numbered_mesh_3 reordered(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& order)
-{
-  std::vector<int> number(order.size());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    number[order[i]] = static_cast<int>(i);
-  Numbered_mesh_3 result = { reordered(mesh.source, order), reordered(mesh.target, order), mesh.cells,
-                             mesh.number_of_free_vertices, mesh.has_volume_weights };
-  for(std::array<int, 4>& cell : result.cells)
-    for(int& v : cell)
-      v = number[v];
-  std::stable_sort(result.cells.begin(), result.cells.end(), [](const auto& a, const auto& b)
+  std::vector<std::pair<int, std::size_t> > order; // the first vertex of each cell
+  for(std::size_t c = 0; c < cells.size(); ++c)
   {
-    return *std::min_element(a.begin(), a.end()) < *std::min_element(b.begin(), b.end());
-  });
+    int first = places[cells[c][0]];
+    for(const int v : cells[c])
+      first = (std::min)(first, places[v]);
+    order.emplace_back(first, c);
+  }
+  std::sort(order.begin(), order.end());
+
+  std::vector<std::array<int, 4> > result;
+  result.reserve(cells.size());
+  user_numbers.clear();
+  for(const auto& [first, c] : order)
+  {
+    user_numbers.push_back(c);
+    result.push_back(cells[c]);
+    for(int& v : result.back())
+      v = places[v];
+  }
   return result;
 }
 

@@ -12,34 +12,30 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Signed_singular_values_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
-#include <string>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
-
-inline double angle_distortion(const double largest, const double smallest)
-{
-  return largest / smallest + smallest / largest;
-}
 
 // The squared singular values of the map between two triangles with edges X and U are the eigenvalues of
 // U^T U relative to X^T X.
 inline double angle_distortion_of_facet(const Eigen::Matrix<double, 3, 2>& X, const Eigen::Matrix<double, 3, 2>& U)
 {
   const Eigen::Matrix2d source = X.transpose() * X, image = U.transpose() * U;
-  const Eigen::Vector2d squares
-    = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(image, source, Eigen::EigenvaluesOnly).eigenvalues();
-  return angle_distortion(std::sqrt(squares[1]), std::sqrt((std::max)(squares[0], 0.)));
+  // of a 2x2 matrix, from half of its trace and its determinant
+  const Eigen::Matrix2d relative = source.inverse() * image;
+  const double half = relative.trace() / 2;
+  const double root = std::sqrt((std::max)(half * half - relative.determinant(), 0.));
+  const double largest = half + root;
+  return angle_distortion(std::sqrt(largest), std::sqrt((std::max)(relative.determinant() / largest, 0.)));
 }
 
 // The largest distortion of angles that the prescribed vertices force alone: that of a cell with four of
@@ -58,22 +54,13 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
     const Eigen::Matrix3d X = edge_matrix(mesh.source, cell), U = edge_matrix(mesh.target, cell);
     if(number_of_prescribed == 4)
     {
-      const Eigen::Vector3d s = signed_singular_values_3<double>(Eigen::Matrix3d(U * X.inverse())).s;
+      const Eigen::Vector3d s = signed_singular_values_3(U * X.inverse());
       result = (std::max)(result, angle_distortion(s[0], s[2]));
     }
     else
       result = (std::max)(result, angle_distortion_of_facet(X.leftCols<2>(), U.leftCols<2>()));
   }
   return result;
-}
-
-inline std::string describe_angle_distortion(const double reached, const double unavoidable)
-{
-  std::ostringstream message;
-  message << "The largest distortion of angles is " << reached << ".";
-  if(unavoidable > 2)
-    message << " The prescribed vertices alone force " << unavoidable << ".";
-  return message.str();
 }
 
 } // namespace internal

@@ -12,39 +12,45 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/largest_step_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
 // Minimizes an energy by Newton steps that never invert a cell.
-template <typename Newton, typename Energy, typename ConcurrencyTag>
 class Minimizer_3
 {
 public:
-  Minimizer_3(Newton& newton, Eigen::Matrix3Xd& u, const Energy& energy)
-    : m_newton(newton), m_u(u), m_energy(energy), m_evaluation(newton.evaluate(energy, u))
+  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, Eigen::Matrix3Xd u)
+    : m_system(system), m_energy(energy), m_u(std::move(u)), m_evaluation(system.evaluate(energy, m_u))
   {}
 
+  const Eigen::Matrix3Xd& positions() const { return m_u; }
   const Energy_evaluation& evaluation() const { return m_evaluation; }
+  const Newton_direction_3& direction() const { return m_direction; } // of the last step
   double step_length() const { return m_step_length; }
 
+  // The full Hessian is tried, or a part of its negative curvature; less of it where that fails.
   Step_status step()
   {
-    Linear_solver_status status = move();
-    while(m_negative_curvature.part() > 0 && (m_step_length == 0 || status != Linear_solver_status::SUCCESS))
+    move();
+    while(m_negative_curvature.part() > 0 && (m_step_length == 0 || !m_direction.is_usable())
+          && m_direction.status != Linear_solver_status::OUT_OF_MEMORY)
     {
       m_negative_curvature.lower();
-      status = move();
+      move();
     }
-    if(status != Linear_solver_status::SUCCESS && status != Linear_solver_status::TRUNCATED)
+    if(!m_direction.is_usable())
       return Step_status::SOLVER_FAILED;
     if(is_converged())
       return Step_status::DONE;
@@ -54,46 +60,41 @@ public:
   }
 
 private:
-  Linear_solver_status move()
+  void move()
   {
     constexpr double solver_tolerance = 1e-2;
     m_step_length = 0;
-    const Linear_solver_status status
-      = m_newton.compute_direction(m_energy, m_u, m_negative_curvature.part(), solver_tolerance);
-    if(status == Linear_solver_status::SUCCESS
-       || (status == Linear_solver_status::TRUNCATED && m_negative_curvature.part() == 0))
-    {
-      const typename Newton::Step step = search();
-      m_step_length = step.length;
-      if(step.length > 0)
-        m_evaluation = step.evaluation;
-    }
-    return status;
+    m_direction = m_system.direction(m_energy, m_u, m_negative_curvature.part(), solver_tolerance);
+    if(!m_direction.is_usable())
+      return;
+    Line_search_step_3 step = search();
+    m_step_length = step.length;
+    if(step.length == 0)
+      return;
+    m_u = std::move(step.positions);
+    m_evaluation = step.evaluation;
   }
 
-  typename Newton::Step search()
+  Line_search_step_3 search() const
   {
-    constexpr double safety = 0.9; // stays away from flat cells
-    const double largest = largest_step_3<ConcurrencyTag>(m_newton.packs(), m_u, m_newton.direction());
-    const Eigen::Matrix3Xd origin = m_u;
-    typename Newton::Step step = m_newton.line_search(m_energy, m_u, m_evaluation.energy,
-                                                      largest < 1 ? safety * largest : 1., true);
+    Line_search_step_3 step = safe_line_search_3(m_system, m_energy, m_u, m_evaluation.energy, m_direction);
     // A gain above half of the slope shows less curvature than the Hessian had.
-    if(step.length == 1 && step.evaluation.energy < m_evaluation.energy + 0.6 * m_newton.slope())
-      m_newton.extrapolate(m_energy, origin, m_u, step);
+    if(step.length == 1 && step.evaluation.energy < m_evaluation.energy + 0.6 * m_direction.slope)
+      return extrapolated(m_system, m_energy, m_u, m_direction, std::move(step));
     return step;
   }
 
   // the squared Newton decrement bounds what a step can gain
   bool is_converged() const
   {
-    return -m_newton.slope() <= 1e-8 * (std::max)(1., m_evaluation.energy);
+    return -m_direction.slope <= 1e-8 * (std::max)(1., m_evaluation.energy);
   }
 
-  Newton& m_newton;
-  Eigen::Matrix3Xd& m_u;
-  const Energy& m_energy;
+  Newton_system_3& m_system;
+  const Cell_energy_3& m_energy;
+  Eigen::Matrix3Xd m_u;
   Energy_evaluation m_evaluation;
+  Newton_direction_3 m_direction;
   double m_step_length = 0;
   Negative_curvature m_negative_curvature;
 };

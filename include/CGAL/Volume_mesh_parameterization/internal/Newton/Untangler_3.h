@@ -12,18 +12,19 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Energy_sum_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <utility>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
@@ -31,20 +32,21 @@ namespace internal {
 
 // Removes inverted cells: minimizes the untangling energy while its epsilon tends to zero
 // (Garanzha et al. 2021, section 4), until no cell is inverted.
-template <typename Newton>
 class Untangler_3
 {
 public:
-  Untangler_3(Newton& newton, Eigen::Matrix3Xd& u, const double theta)
-    : m_newton(newton), m_u(u), m_theta(theta)
+  Untangler_3(Newton_system_3& system, Eigen::Matrix3Xd u, const double theta)
+    : m_system(system), m_u(std::move(u)), m_theta(theta)
   {
-    const double D = m_newton.evaluate(energy(1), m_u).smallest_determinant;
+    const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = std::sqrt(1e-12 + 0.04 * D * D);
-    m_evaluation = m_newton.evaluate(energy(m_epsilon), m_u);
+    m_evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
     m_fewest_inverted_cells = m_evaluation.number_of_inverted_cells;
   }
 
+  const Eigen::Matrix3Xd& positions() const { return m_u; }
   const Energy_evaluation& evaluation() const { return m_evaluation; }
+  const Newton_direction_3& direction() const { return m_direction; } // of the last step
   double step_length() const { return m_step_length; }
 
   Step_status step()
@@ -53,16 +55,17 @@ public:
     if(m_evaluation.is_flip_free())
       return Step_status::DONE;
 
-    const Untangling_energy_3 f = energy(m_epsilon);
-    const Linear_solver_status status
-      = m_newton.compute_direction(f, m_u, 0., solver_tolerance);
-    if(status != Linear_solver_status::SUCCESS && status != Linear_solver_status::TRUNCATED)
+    const Untangling_energy_3 f(m_epsilon, m_theta);
+    const Cell_energy_of<Untangling_energy_3> energy(f);
+    m_direction = m_system.direction(energy, m_u, 0., solver_tolerance);
+    if(!m_direction.is_usable())
       return Step_status::SOLVER_FAILED;
 
-    const typename Newton::Step step = m_newton.line_search(f, m_u, m_evaluation.energy, 1., false);
+    Line_search_step_3 step = line_search_3(m_system, energy, m_u, m_evaluation.energy, m_direction, 1., false);
     m_step_length = step.length;
     if(step.length == 0)
       return Step_status::STUCK;
+    m_u = std::move(step.positions);
     if(step.evaluation.is_flip_free())
     {
       m_evaluation = step.evaluation;
@@ -70,12 +73,15 @@ public:
     }
 
     m_epsilon = next_epsilon(f, step.evaluation);
-    m_evaluation = m_newton.evaluate(energy(m_epsilon), m_u);
+    m_evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
     return is_progressing() ? Step_status::CONTINUE : Step_status::STUCK;
   }
 
 private:
-  Untangling_energy_3 energy(const double epsilon) const { return Untangling_energy_3(epsilon, m_theta); }
+  Energy_evaluation evaluate(const Untangling_energy_3& f) const
+  {
+    return m_system.evaluate(Cell_energy_of<Untangling_energy_3>(f), m_u);
+  }
 
   // the rule of their section 4, which makes the energy tend to infinity at inverted cells
   double next_epsilon(const Untangling_energy_3& f, const Energy_evaluation& after) const
@@ -100,11 +106,12 @@ private:
     return m_steps_without_progress < patience || m_epsilon > small_epsilon;
   }
 
-  Newton& m_newton;
-  Eigen::Matrix3Xd& m_u;
+  Newton_system_3& m_system;
+  Eigen::Matrix3Xd m_u;
   double m_theta;
   double m_epsilon;
   double m_step_length = 0;
+  Newton_direction_3 m_direction;
   Energy_evaluation m_evaluation;
   std::size_t m_fewest_inverted_cells;
   std::size_t m_steps_without_progress = 0;

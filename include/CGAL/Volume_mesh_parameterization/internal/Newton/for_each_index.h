@@ -12,11 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/tags.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#  include <tbb/parallel_for.h>
-#endif
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -25,29 +23,51 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
+// Does this tag ask for threads, and are there any?
+template <typename ConcurrencyTag>
+constexpr bool is_parallel()
+{
+  constexpr bool result = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!result, "Parallel_tag requires TBB: link with CGAL::TBB_support.");
+#endif
+  return result;
+}
+
+// A function of an index, by reference.
+class Index_function
+{
+public:
+  template <typename Function>
+  explicit Index_function(const Function& f)
+    : m_function(&f), m_call([](const void* function, const std::size_t i) { (*static_cast<const Function*>(function))(i); })
+  {}
+
+  void operator()(const std::size_t i) const { m_call(m_function, i); }
+
+private:
+  const void* m_function;
+  void (*m_call)(const void*, std::size_t);
+};
+
+// Defined with the engine, so that only that needs TBB's headers.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, Index_function f);
+
 // Calls f(first), ..., f(last - 1), in parallel if asked for. The calls must be independent; callers
 // that sum keep one partial sum an index and add them in order, so results do not depend on threads.
-template <typename ConcurrencyTag, typename Function>
-void for_each_index(const std::size_t first, const std::size_t last, const Function& f)
+template <typename Function>
+void for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Function& f)
 {
-  if constexpr(std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    tbb::parallel_for(first, last, f);
-#else
-    static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                  "Parallel_tag requires TBB: link with CGAL::TBB_support.");
-#endif
-  }
-  else
-  {
-    for(std::size_t i = first; i < last; ++i)
-      f(i);
-  }
+  call_for_each_index(is_parallel, first, last, Index_function(f));
 }
 
 } // namespace internal
 } // namespace Volume_mesh_parameterization
 } // namespace CGAL
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Engine/call_for_each_index.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_FOR_EACH_INDEX_H

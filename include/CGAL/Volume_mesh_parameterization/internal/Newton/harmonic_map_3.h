@@ -13,36 +13,37 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Distortion_derivatives_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Moves the free vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton
-// step suffices; repeated steps make up for a solver that is not exact.
-template <typename Newton>
-Linear_solver_status harmonic_map_3(Newton& newton, Eigen::Matrix3Xd& u)
+// Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton
+// step suffices; repeated steps make up for a solver that is not exact. Returns the last direction.
+inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& u)
 {
   constexpr int maximal_number_of_steps = 20;
   constexpr double solver_tolerance = 1e-3;
   constexpr double energy_tolerance = 1e-9;
-  const Dirichlet_energy_3 dirichlet;
+  const Dirichlet_energy_3 energy;
+  const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
 
-  Linear_solver_status status = Linear_solver_status::SUCCESS;
+  Newton_direction_3 direction;
   for(int i = 0; i < maximal_number_of_steps; ++i)
   {
-    status = newton.compute_direction(dirichlet, u, 1., solver_tolerance);
-    if(status != Linear_solver_status::SUCCESS)
+    direction = system.direction(dirichlet, u, 0., solver_tolerance);
+    if(!direction.is_usable())
       break;
-    u += newton.direction();
-    if(-newton.slope() <= energy_tolerance * newton.evaluate(dirichlet, u).energy)
+    u += direction.vectors;
+    if(-direction.slope <= energy_tolerance * system.evaluate(dirichlet, u).energy)
       break;
   }
-  return status;
+  return direction;
 }
 
 } // namespace internal

@@ -52,6 +52,7 @@ struct Unit_sphere_3
 // Praun and Hoppe, Spherical parametrization and remeshing (2003): the surface is coarsened to a tetrahedron,
 // which is easy to map; then the vertices come back, each inside the kernel of its ring, and the map is
 // relaxed level by level.
+template <typename Domain = Unit_sphere_3> // compiled only where it is used
 class Spherical_map_3
 {
 public:
@@ -133,7 +134,7 @@ private:
   Vertex_rings_3 m_rings;
   std::vector<Eigen::Vector3d> m_images;
   Unit_sphere_3 m_domain;
-  Radial_map_3<Unit_sphere_3> m_map;
+  Radial_map_3<Domain> m_map;
 };
 
 } // namespace internal

@@ -25,15 +25,17 @@ namespace CGAL {
 namespace Volume_mesh_parameterization {
 namespace internal {
 
-// Maps a closed surface onto the unit sphere, if it is a topological sphere.
-inline Error_code map_to_sphere_3(const Boundary_mesh_3& mesh, std::vector<Eigen::Vector3d>& images)
+// Maps a closed surface onto the unit sphere, if it is a topological sphere. Compiled only where it is used: the header
+// of the entry function includes it.
+template <typename Boundary_mesh>
+Error_code map_to_sphere_3(const Boundary_mesh& mesh, std::vector<Eigen::Vector3d>& images)
 {
   const Error_code status = check_sphere(mesh);
   if(status != OK)
     return status;
 
   const std::vector<Eigen::Vector3d> points = unit_points(mesh);
-  Spherical_map_3 map(points, Vertex_rings_3(mesh));
+  Spherical_map_3<> map(points, Vertex_rings_3(mesh));
   if(!map.run())
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
   images = map.images();

@@ -1,0 +1,88 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
+
+#include <Eigen/Core>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// An energy as the engine knows it: psi and its derivatives by the singular values s, for a pack of cells at a time.
+// This is the seam between energies of any type and an engine that is compiled once.
+class Cell_energy_3
+{
+public:
+  virtual ~Cell_energy_3() = default;
+  virtual void value(const Packed_vector_3& s, Packed_number& psi) const = 0;
+  virtual void gradient(const Packed_vector_3& s, Packed_vector_3& g) const = 0;
+  virtual void derivatives(const Packed_vector_3& s, Packed_vector_3& g, Packed_matrix_3& H) const = 0;
+};
+
+// A model of `DistortionEnergy_3`, as such an energy. It is evaluated with the instructions for which the unit that
+// names the energy is compiled, those of its `Pack`.
+template <typename Energy, typename Pack = internal::Pack>
+class Cell_energy_of final : public Cell_energy_3
+{
+public:
+  explicit Cell_energy_of(const Energy& energy) : m_energy(energy) {}
+
+  void value(const Packed_vector_3& s, Packed_number& psi) const override
+  {
+    for(int first = 0; first < cells_per_pack; first += Pack::size)
+      m_energy.value(load(s, first)).store(psi + first);
+  }
+
+  void gradient(const Packed_vector_3& s, Packed_vector_3& g) const override
+  {
+    for(int first = 0; first < cells_per_pack; first += Pack::size)
+      store(m_energy.gradient(load(s, first)), g, first);
+  }
+
+  void derivatives(const Packed_vector_3& s, Packed_vector_3& g, Packed_matrix_3& H) const override
+  {
+    for(int first = 0; first < cells_per_pack; first += Pack::size)
+    {
+      const Vector v = load(s, first);
+      store(m_energy.gradient(v), g, first);
+      const Eigen::Matrix<Pack, 3, 3> hessian = m_energy.hessian(v);
+      for(int i = 0; i < 9; ++i)
+        hessian(i).store(H[i] + first);
+    }
+  }
+
+private:
+  using Vector = Eigen::Matrix<Pack, 3, 1>;
+
+  static Vector load(const Packed_vector_3& numbers, const int first)
+  {
+    return Vector(Pack::load(numbers[0] + first), Pack::load(numbers[1] + first), Pack::load(numbers[2] + first));
+  }
+
+  static void store(const Vector& v, Packed_vector_3& numbers, const int first)
+  {
+    for(int i = 0; i < 3; ++i)
+      v[i].store(numbers[i] + first);
+  }
+
+  Energy m_energy;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_ENERGY_3_H

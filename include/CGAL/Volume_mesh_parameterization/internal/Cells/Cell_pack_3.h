@@ -1,0 +1,46 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_PACK_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_PACK_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <array>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Numbers of several cells side by side: as many as the longest vector instructions take in two registers.
+constexpr int cells_per_pack = 16;
+using Packed_number = double[cells_per_pack];
+using Packed_vector_3 = double[3][cells_per_pack];
+using Packed_matrix_3 = double[9][cells_per_pack]; // by columns
+
+// Several cells, with all that an evaluation needs of them. A cell that only fills up the last pack repeats another
+// one with weight 0, and none of its vertices is unknown. It begins with a line of the cache.
+struct alignas(64) Cell_pack_3
+{
+  using Indices = std::array<int, cells_per_pack>;
+
+  Packed_matrix_3 inverse_source;   // X^{-1}, times the factor that gives both meshes one volume
+  Packed_number weight;
+  std::array<Indices, 4> vertices;  // sorted by rows, which changes the orientation, but not J
+  std::array<Indices, 4> rows;      // of the matrix; -1 if the vertex is not unknown
+  std::array<Indices, 10> blocks;   // the positions in the matrix of the pairs a <= b; -1 if a vertex is not unknown
+
+  static constexpr int index_of_block(const int a, const int b) { return a * (7 - a) / 2 + b; }
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_PACK_3_H

@@ -1,0 +1,140 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// What is asked for, and with what means: the engine's options, and what depends on the type of the complex.
+template <typename Vertex_handle, typename VertexIsConstrainedMap, typename BoundaryMap>
+struct Complex_problem_3
+{
+  VertexIsConstrainedMap is_constrained;
+  BoundaryMap target;
+  std::vector<Linear_constraint_3<Vertex_handle> > constraints;
+  Map_options_3 options;
+  bool use_volume_weights;
+  bool verbose;
+  const Cell_energy_3& energy;
+  Linear_solver_3& solver;
+  Progress_3& progress;
+};
+
+// A complex with its numbers, and what the check of these has found.
+template <typename C3t3>
+struct Checked_complex_3
+{
+  Numbered_complex_3<C3t3> numbered;
+  Input_check_3 check;
+
+  template <typename Problem>
+  Checked_complex_3(const C3t3& c3t3, const Problem& problem)
+    : Checked_complex_3(c3t3, problem, problem.progress.seconds())
+  {}
+
+  bool allows(const Boundary_mode mode) const
+  {
+    return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED);
+  }
+
+private:
+  template <typename Problem>
+  Checked_complex_3(const C3t3& c3t3, const Problem& problem, const double begin)
+    : numbered(c3t3, problem.is_constrained, problem.target, problem.use_volume_weights),
+      check(engine::check_input(numbered.mesh()))
+  {
+    problem.progress.add_numbering(begin);
+  }
+};
+
+// The stages that are allowed, one after the other.
+template <typename C3t3, typename Problem>
+Found_map_3 find_map_of_complex_3(const Checked_complex_3<C3t3>& complex, const Problem& problem,
+                                  const Approach_start_3& approach)
+{
+  const Numbered_complex_3<C3t3>& numbered = complex.numbered;
+  if(problem.verbose)
+    print(numbered.mesh(), problem.solver);
+  Map_options_3 options = problem.options;
+  options.approach = approach;
+  options.constraints = numbered.constraints(problem.constraints);
+  if(options.do_slide)
+    for(const auto v : numbered.vertices())
+      options.is_held.push_back(get(problem.is_constrained, v));
+  return engine::find_map(numbered.mesh(), complex.check, problem.energy, problem.solver, options, problem.progress);
+}
+
+template <typename C3t3>
+void add_counts(const Numbered_complex_3<C3t3>& numbered, Parameterization_result& result)
+{
+  result.number_of_vertices = numbered.vertices().size();
+  result.number_of_cells = numbered.mesh().cells.size();
+  result.number_of_boundary_vertices = numbered.number_of_boundary_vertices();
+}
+
+// The result where the check does not allow a search.
+template <typename C3t3, typename Problem>
+Parameterization_result refused_result(const Checked_complex_3<C3t3>& complex, const Problem& problem)
+{
+  Parameterization_result result;
+  result.status = complex.check.status;
+  result.message = complex.check.message;
+  result.seconds_numbering = result.seconds_total = problem.progress.seconds();
+  add_counts(complex.numbered, result);
+  return result;
+}
+
+// The result of a search; writes the images of the vertices if they are a map.
+template <typename C3t3, typename Problem, typename VertexUVWMap>
+Parameterization_result written_result(const Checked_complex_3<C3t3>& complex, const Problem& problem,
+                                       const Found_map_3& found, VertexUVWMap uvw_map)
+{
+  Parameterization_result result
+    = engine::make_result(complex.numbered.mesh(), complex.check, found, problem.energy, problem.progress);
+  add_counts(complex.numbered, result);
+  if(result.has_valid_map)
+    complex.numbered.write(found.map.positions, uvw_map);
+  return result;
+}
+
+// From a complex to the images of its vertices.
+template <typename C3t3, typename Problem, typename VertexUVWMap>
+Parameterization_result parameterize_complex_3(const C3t3& c3t3, const Problem& problem, VertexUVWMap uvw_map)
+{
+  const Checked_complex_3<C3t3> complex(c3t3, problem);
+  if(!complex.allows(problem.options.mode))
+    return refused_result(complex, problem);
+  Approach_start_3 approach;
+  approach.patience = 2; // where nothing can be refined, larger weights get a chance
+  return written_result(complex, problem, find_map_of_complex_3(complex, problem, approach), uvw_map);
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H

@@ -1,0 +1,112 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_COMPLEX_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_COMPLEX_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Approach_of_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
+
+#include <CGAL/iterator.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// Inserts vertices into the simplices that the boundary map makes degenerate whatever the map is; returns their number.
+template <typename C3t3, typename VertexIsConstrainedMap, typename BoundaryMap>
+std::size_t remove_degenerate_simplices(C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
+{
+  const Degenerate_simplices_3<typename C3t3::Vertex_handle, BoundaryMap> is_bad(c3t3, is_constrained, target);
+  return Simplex_removal_3(c3t3, is_bad).run(Emptyset_iterator());
+}
+
+// Splits the interior edges of these cells.
+template <typename C3t3>
+std::vector<Inserted_vertex_3<typename C3t3::Vertex_handle> >
+split_edges_of_cells(C3t3& c3t3, const Numbered_complex_3<C3t3>& numbered, const std::vector<std::size_t>& cells)
+{
+  using Vertex_handle = typename C3t3::Vertex_handle;
+  std::vector<std::pair<Vertex_handle, Vertex_handle> > edges;
+  for(const std::size_t c : cells)
+  {
+    const std::array<int, 4>& cell = numbered.mesh().cells[c];
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        edges.emplace_back(numbered.vertices()[cell[i]], numbered.vertices()[cell[j]]);
+  }
+  std::vector<Inserted_vertex_3<Vertex_handle> > inserted;
+  split_edges_3(c3t3, edges, std::back_inserter(inserted));
+  return inserted;
+}
+
+// From a complex to the images of its vertices: refines the complex where the boundary map makes cells degenerate, and
+// then where a search was blocked, and searches again. More new vertices than a tenth would mean that this does not help;
+// a small complex may need many in proportion.
+template <typename C3t3, typename Problem, typename VertexUVWMap>
+Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Problem& problem, VertexUVWMap uvw_map)
+{
+  std::size_t number_of_removals = 0, number_of_splits = 0;
+  Approach_of_complex_3<C3t3> approach;
+  for(bool is_first = true; ; is_first = false)
+  {
+    const Checked_complex_3<C3t3> complex(c3t3, problem);
+    if(is_first && complex.check.allows_soft_boundary())
+    {
+      number_of_removals = remove_degenerate_simplices(c3t3, problem.is_constrained, problem.target);
+      if(number_of_removals > 0)
+        continue;
+    }
+    const std::size_t limit = (std::max)(complex.numbered.vertices().size() / 10, std::size_t(1000));
+    const bool may_split = number_of_splits <= limit;
+
+    Parameterization_result result;
+    if(!complex.allows(problem.options.mode))
+      result = refused_result(complex, problem);
+    else
+    {
+      const Found_map_3 found
+        = find_map_of_complex_3(complex, problem, approach.start(complex.numbered, may_split ? 1 : 2));
+      if(found.is_blocked() && may_split)
+      {
+        const Refinement_plan_3 plan
+          = engine::plan_refinement(complex.numbered.mesh(), found, approach.blocked());
+        const auto inserted = split_edges_of_cells(c3t3, complex.numbered, plan.cells);
+        number_of_splits += inserted.size();
+        approach = Approach_of_complex_3<C3t3>(complex.numbered, found.map.positions, inserted, plan.approach);
+        if(!inserted.empty())
+          continue;
+      }
+      result = written_result(complex, problem, found, uvw_map);
+    }
+    result.number_of_added_vertices = number_of_removals + number_of_splits;
+    return result;
+  }
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_COMPLEX_3_H

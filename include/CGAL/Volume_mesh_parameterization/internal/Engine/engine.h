@@ -1,0 +1,98 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Refinement_plan_3.h>
+
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The engine: all between numbered arrays and positions. It knows no complex, an energy only as `Cell_energy_3`, and a
+// solver only as `Linear_solver_3`; so it is compiled once, with each unit or in a library of its own.
+namespace engine {
+
+// Puts vertices and cells into the order of all that follows: free vertices first, neighbors in space are neighbors in
+// memory. Writes source, cells, user numbers and the number of free vertices; returns the old number of each vertex.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
+                                           const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh);
+
+// Can there be a map?
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input(const Numbered_mesh_3& mesh);
+
+// The stages that are allowed, one after the other.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
+                     Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
+
+// What goes on from a map that meets the boundary: vertices slide, the distortion of angles is bounded.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                 const Map_options_3& options, Progress_3& progress, Found_map_3& found);
+
+// The result but for the counts of the complex.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
+                                    const Cell_energy_3& energy, const Progress_3& progress);
+
+// Which cells to refine where a search was blocked, and what to keep of it.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Refinement_plan_3 plan_refinement(const Numbered_mesh_3& mesh, const Found_map_3& found, const Blocked_approach_3& before);
+
+// Is each cell positive, by exact predicates?
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+bool is_valid(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions);
+
+// The distortions of a map.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image);
+
+} // namespace engine
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+// The default solvers are compiled with the engine.
+extern template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag>;
+#  ifdef CGAL_LINKED_WITH_TBB
+extern template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Parallel_tag>;
+#  endif
+#endif
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
+#endif
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/call_for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+namespace engine {
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
+                                           const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh)
+{
+  const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed);
+  mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
+  mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers);
+  mesh.source.resize(3, points.cols());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    mesh.source.col(i) = points.col(order[i]);
+  return order;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input(const Numbered_mesh_3& mesh)
+{
+  return check_input_3(mesh);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
+                     Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
+{
+  return find_map_3(mesh, check, energy, solver, options, progress);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                 const Map_options_3& options, Progress_3& progress, Found_map_3& found)
+{
+  improve_map_3(mesh, energy, solver, options, progress, found);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
+                                    const Cell_energy_3& energy, const Progress_3& progress)
+{
+  return make_result_3(mesh, check, found, energy, progress);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Refinement_plan_3 plan_refinement(const Numbered_mesh_3& mesh, const Found_map_3& found, const Blocked_approach_3& before)
+{
+  return plan_refinement_3(mesh, found, before);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+bool is_valid(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return inverted_cells(mesh, positions).number == 0;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+{
+  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image));
+}
+
+} // namespace engine
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_IMPL_H

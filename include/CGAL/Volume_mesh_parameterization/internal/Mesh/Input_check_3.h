@@ -1,0 +1,37 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_INPUT_CHECK_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_INPUT_CHECK_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
+#include <string>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// What is wrong with the input, with the data that make it concrete.
+struct Input_check_3
+{
+  Error_code status = OK;
+  std::string message;
+
+  bool allows_fixed_boundary() const { return status == OK; }
+  bool allows_soft_boundary() const { return status == OK || status == ERROR_PRESCRIBED_CELL_INVERTED; }
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_INPUT_CHECK_3_H

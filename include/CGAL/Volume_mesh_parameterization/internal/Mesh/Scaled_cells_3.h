@@ -1,0 +1,57 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SCALED_CELLS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SCALED_CELLS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
+// one volume. The unit is a power of two, so that scaling is exact.
+struct Scaled_cells_3
+{
+  double unit;
+  std::vector<Eigen::Matrix3d> inverse_sources; // X^{-1} of each cell
+  std::vector<double> weights;                  // how much each cell counts; the sum is 1
+};
+
+// The unit gives the cells of the target a volume near 1.
+inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
+{
+  const double target_volume = volume(mesh.target, mesh.cells);
+  const double mean_volume = target_volume / static_cast<double>(mesh.cells.size());
+  const double unit = std::exp2(-std::round(std::log2(mean_volume) / 3));
+  const double factor = std::cbrt(volume(mesh.source, mesh.cells) / target_volume) / unit;
+  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+}
+
+// The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
+inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
+{
+  const double unit = std::exp2(-std::round(std::log2(length)));
+  const double factor = std::cbrt(volume(mesh.source, mesh.cells)) / (unit * length);
+  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SCALED_CELLS_3_H

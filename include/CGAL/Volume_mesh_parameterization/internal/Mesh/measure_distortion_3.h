@@ -1,0 +1,110 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_MEASURE_DISTORTION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_MEASURE_DISTORTION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+inline double angle_distortion(const double largest, const double smallest)
+{
+  return largest / smallest + smallest / largest;
+}
+
+inline void add_cell(Distortion_3& distortion, const double cell_volume, const Eigen::Vector3d& s)
+{
+  const double angle = angle_distortion(s[0], s[2]);
+  const double determinant = s.prod();
+  const double change = determinant + 1 / determinant;
+  distortion.angle_mean += cell_volume * angle;
+  distortion.angle_max = (std::max)(distortion.angle_max, angle);
+  distortion.volume_mean += cell_volume * change;
+  distortion.volume_max = (std::max)(distortion.volume_max, change);
+}
+
+// The distortions that are no numbers: cells may be so flat that rounding leaves no singular value above 0.
+inline void replace_by_infinity(Distortion_3& distortion)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if(std::isnan(distortion.angle_mean))
+    distortion.angle_mean = distortion.angle_max = infinity;
+  if(std::isnan(distortion.volume_mean))
+    distortion.volume_mean = distortion.volume_max = infinity;
+}
+
+// The signed singular values of a map in each cell.
+inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+{
+  std::vector<Eigen::Vector3d> result;
+  result.reserve(mesh.cells.size());
+  for(const std::array<int, 4>& cell : mesh.cells)
+    result.push_back(signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse()));
+  return result;
+}
+
+// The distortions of a map by its singular values in each cell, multiplied by a factor.
+inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
+                                         const double factor = 1)
+{
+  const double source_volume = volume(mesh.source, mesh.cells);
+  Distortion_3 result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    add_cell(result, edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / source_volume, factor * s[c]);
+  replace_by_infinity(result);
+  return result;
+}
+
+inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+{
+  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)).angle_max;
+}
+
+// The mean of psi over the cells, with the singular values multiplied by a factor.
+inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
+                            const Cell_energy_3& energy, const double factor)
+{
+  const std::vector<double> weights = cell_weights(mesh);
+  double result = 0;
+  for(std::size_t first = 0; first < s.size(); first += cells_per_pack)
+  {
+    Packed_vector_3 packed;
+    Packed_number psi;
+    for(std::size_t lane = 0; lane < cells_per_pack; ++lane)
+      for(int i = 0; i < 3; ++i)
+        packed[i][lane] = factor * s[(std::min)(first + lane, s.size() - 1)][i];
+    energy.value(packed, psi);
+    for(std::size_t lane = 0; lane < cells_per_pack && first + lane < s.size(); ++lane)
+      result += weights[first + lane] * psi[lane];
+  }
+  return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_MEASURE_DISTORTION_3_H

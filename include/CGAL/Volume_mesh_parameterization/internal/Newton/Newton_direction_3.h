@@ -1,0 +1,65 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_DIRECTION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_DIRECTION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+
+#include <Eigen/Core>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The solution of a Newton system, and what it is good for.
+struct Newton_direction_3
+{
+  Linear_solver_status status = Linear_solver_status::FAILED;
+  bool is_of_semidefinite_matrix = false;
+  Eigen::Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
+  double gradient_norm = 0;
+  double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
+
+  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
+  bool is_usable() const
+  {
+    return status == Linear_solver_status::SUCCESS
+        || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
+  }
+
+  // Has the solver failed for another reason than an indefinite matrix?
+  bool has_solver_failed() const
+  {
+    return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED;
+  }
+};
+
+// A sentence for the user about a direction that ended a computation.
+inline const char* describe_failure(const Newton_direction_3& direction)
+{
+  switch(direction.status)
+  {
+    case Linear_solver_status::OUT_OF_MEMORY:
+      return "There is not enough memory for the factorization; Conjugate_gradient_solver_traits_3 needs far less.";
+    case Linear_solver_status::NOT_POSITIVE_DEFINITE:
+      return "The matrix is not positive definite, although it should be up to rounding: cells are too flat for the "
+             "precision of the solver.";
+    default:
+      return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
+  }
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_DIRECTION_3_H

@@ -1,0 +1,91 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Energy_evaluation.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// A step along a direction.
+struct Line_search_step_3
+{
+  double length = 0;            // 0 if no step was acceptable
+  Eigen::Matrix3Xd positions;   // after the step, if there is one
+  Energy_evaluation evaluation;
+};
+
+// Backtracking from a first length, until the energy has fallen enough (Armijo's condition) and, if asked for, no cell is
+// inverted and the norm of the gradient is below a bound.
+inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
+                                        const Eigen::Matrix3Xd& u, const double current_energy,
+                                        const Newton_direction_3& direction, const double first_length,
+                                        const bool must_be_flip_free,
+                                        const double gradient_bound = std::numeric_limits<double>::infinity())
+{
+  constexpr double sufficient_decrease = 1e-4;
+  // a step much shorter than the energy alone asks for does not serve the gradient either
+  const double smallest_length = std::isinf(gradient_bound) ? 1e-12 : 1e-3 * first_length;
+  for(double length = first_length; length > smallest_length; length /= 2)
+  {
+    Eigen::Matrix3Xd trial = u + length * direction.vectors;
+    const Energy_evaluation evaluation = system.evaluate(energy, trial);
+    if((!must_be_flip_free || evaluation.is_flip_free())
+       && evaluation.energy <= current_energy + sufficient_decrease * length * direction.slope
+       && (std::isinf(gradient_bound) || system.gradient(energy, trial).norm() < gradient_bound))
+      return { length, std::move(trial), evaluation };
+  }
+  return {};
+}
+
+// Backtracking that never inverts a cell: from a full step, or from near the longest one that inverts none.
+inline Line_search_step_3 safe_line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
+                                             const Eigen::Matrix3Xd& u, const double current_energy,
+                                             const Newton_direction_3& direction,
+                                             const double gradient_bound = std::numeric_limits<double>::infinity())
+{
+  constexpr double safety = 0.9; // stays away from flat cells
+  const double largest = system.largest_step(u, direction.vectors);
+  return line_search_3(system, energy, u, current_energy, direction, largest < 1 ? safety * largest : 1., true,
+                       gradient_bound);
+}
+
+// Doubles a step from u as long as the energy falls and no cell is inverted.
+inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell_energy_3& energy,
+                                       const Eigen::Matrix3Xd& u, const Newton_direction_3& direction,
+                                       Line_search_step_3 step)
+{
+  while(true)
+  {
+    Eigen::Matrix3Xd trial = u + 2 * step.length * direction.vectors;
+    const Energy_evaluation evaluation = system.evaluate(energy, trial);
+    if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy))
+      return step;
+    step = { 2 * step.length, std::move(trial), evaluation };
+  }
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Energy_evaluation.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/for_each_index.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
+// the cells.
+inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy,
+                                         const Eigen::Matrix3Xd& u, const bool is_parallel)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  std::vector<Energy_evaluation> parts(packs.number_of_chunks());
+  for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t chunk)
+  {
+    kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]);
+  });
+  Energy_evaluation result;
+  for(const Energy_evaluation& part : parts)
+    result.add(part);
+  return result;
+}
+
+// Calls f for each chunk of packs, such that its calls may add to the rows of the chunk.
+template <typename Function>
+void for_each_chunk_in_rounds(const Cell_packs_3& packs, const bool is_parallel, const Function& f)
+{
+  for(std::size_t round = 0; round < packs.number_of_rounds(); ++round)
+    for_each_index(is_parallel, packs.round_begin(round), packs.round_begin(round + 1),
+                   [&](const std::size_t i) { f(packs.chunk_of_round(i)); });
+}
+
+// Adds the gradient by the unknown vertices, one column a row.
+inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
+                                const bool is_parallel, Eigen::Matrix3Xd& gradient)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  for_each_chunk_in_rounds(packs, is_parallel, [&](const std::size_t chunk)
+  {
+    kernels.add_gradient(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, gradient.data());
+  });
+}
+
+inline void add_derivatives(const Cell_kernels_3& kernels, Cell_kernels_3::Range first, Cell_kernels_3::Range last,
+                            const double* const u, const Cell_energy_3& energy, const double negative_curvature,
+                            double* const gradient, float* const hessian)
+{
+  kernels.add_derivatives_float(first, last, u, energy, negative_curvature, gradient, hessian);
+}
+
+inline void add_derivatives(const Cell_kernels_3& kernels, Cell_kernels_3::Range first, Cell_kernels_3::Range last,
+                            const double* const u, const Cell_energy_3& energy, const double negative_curvature,
+                            double* const gradient, double* const hessian)
+{
+  kernels.add_derivatives_double(first, last, u, energy, negative_curvature, gradient, hessian);
+}
+
+// The gradient and the Hessian, of which the part `negative_curvature` of negative eigenvalues in each cell is kept.
+template <typename NT>
+void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
+                     const double negative_curvature, const bool is_parallel,
+                     Eigen::Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  gradient.setZero(3, hessian.size());
+  hessian.set_zero();
+  for_each_chunk_in_rounds(packs, is_parallel, [&](const std::size_t chunk)
+  {
+    add_derivatives(kernels, packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
+                    gradient.data(), hessian.values(0));
+  });
+  hessian.copy_upper_to_lower_triangle();
+}
+
+// The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
+inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& d,
+                             const bool is_parallel)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  std::vector<double> parts(packs.number_of_chunks(), 1.);
+  for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t chunk)
+  {
+    parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data());
+  });
+  return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H

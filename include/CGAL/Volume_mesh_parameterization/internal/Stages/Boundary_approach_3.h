@@ -1,0 +1,194 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_BOUNDARY_APPROACH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_BOUNDARY_APPROACH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/similarity_alignment_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Penalty_minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Relaxing_minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// The map with soft boundary (Jin et al., section 4): starts from the source aligned to the target,
+// and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
+// inverted at any time; the targets may be missed. Further constraints may be given, on any vertices.
+class Boundary_approach_3 : public Stage_3
+{
+public:
+  using Constraints = std::vector<Linear_constraint_3<int> >;
+
+  Boundary_approach_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                      const bool is_parallel,
+                      const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
+                      const Constraints& constraints = Constraints(),
+                      const Approach_start_3& start = Approach_start_3())
+    : m_mesh(mesh),
+      m_energy(energy),
+      m_parameters(parameters),
+      m_has_constraints(!constraints.empty()),
+      m_patience(start.patience),
+      m_number_of_raises(start.number_of_raises),
+      m_aligned_source(similarity_alignment_3(mesh)),
+      m_length(std::cbrt(volume(snapped(mesh, m_aligned_source), mesh.cells))),
+      m_scaled(cells_scaled_to_length(mesh, m_length)),
+      m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
+      m_system(mesh, m_scaled, all_vertices(mesh), solver, is_parallel, &m_penalty)
+  {
+    minimize(m_scaled.unit * (start.positions.cols() == 0 ? m_aligned_source : start.positions));
+    if(!m_minimizer->evaluation().is_flip_free())
+      end(ERROR_INVERTED_SOURCE_CELL);
+  }
+
+  void step() override
+  {
+    const Step_status status = m_minimizer->step();
+    report(Phase::MINIMIZATION, *m_minimizer);
+    if(status == Step_status::SOLVER_FAILED)
+      end(ERROR_LINEAR_SOLVER_FAILED, describe_failure(m_minimizer->direction()));
+    else if(can_snap())
+      end(OK);
+    else if(status != Step_status::CONTINUE)
+    {
+      if(residual() <= m_parameters.residual_tolerance)
+        end(status == Step_status::DONE ? OK : ERROR_NOT_CONVERGED);
+      else if(is_blocked() || m_number_of_raises >= m_parameters.maximal_number_of_raises)
+        end(ERROR_BOUNDARY_NOT_REACHED);
+      else
+        raise_weight();
+    }
+  }
+
+  bool is_flip_free() const override { return true; }
+
+  // The images of all vertices; those of the prescribed ones are near their targets.
+  Eigen::Matrix3Xd positions() const override { return m_minimizer->positions() / m_scaled.unit; }
+
+  // The same with the prescribed vertices on their targets.
+  Eigen::Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
+
+  // May the minimization with fixed boundary take over from there?
+  bool can_snap() const
+  {
+    return m_parameters.do_snap && !m_has_constraints && inverted_cells(m_mesh, snapped_positions()).number == 0;
+  }
+
+  // of the energy with the penalty
+  double energy() const { return m_minimizer->evaluation().energy; }
+
+  // |P(u)|_2, where the target has volume 1
+  double residual() const { return m_penalty.residual(m_minimizer->positions()) / (m_scaled.unit * m_length); }
+  double weight() const
+  {
+    return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises));
+  }
+  std::size_t number_of_raises() const { return m_number_of_raises; }
+  bool is_relaxing() const { return m_minimizer->is_relaxing(); }
+
+private:
+  // The constraints, with three more for each prescribed vertex, for the scaled positions.
+  Constraints all_constraints(Constraints constraints) const
+  {
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+      for(int i = 0; i < 3; ++i)
+        constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
+    for(Linear_constraint_3<int>& constraint : constraints)
+      constraint.value *= m_scaled.unit;
+    return constraints;
+  }
+
+  // A weight is meant for lengths where the target has volume 1.
+  double penalty_factor(const double weight) const { return weight / std::pow(m_scaled.unit * m_length, 2); }
+
+  // of the bounding box of the source, where that has volume 1
+  double diameter() const
+  {
+    const Eigen::Vector3d box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
+    return box.norm() / std::cbrt(volume(m_mesh.source, m_mesh.cells));
+  }
+
+  void minimize(const Eigen::Matrix3Xd& u)
+  {
+    m_penalty.set_weight(penalty_factor(weight()));
+    if(m_parameters.maximal_number_of_relaxations > 0)
+      m_minimizer = std::make_unique<Relaxing_minimizer_3>(m_system, m_penalty, m_energy, u, m_parameters, diameter());
+    else
+      m_minimizer = std::make_unique<Penalty_minimizer_3>(m_system, m_penalty, m_energy, u, m_parameters, diameter());
+  }
+
+  void raise_weight()
+  {
+    ++m_number_of_raises;
+    minimize(Eigen::Matrix3Xd(m_minimizer->positions()));
+  }
+
+  // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
+  // for two raises as many cells as before keep vertices from their targets. The first raises only bring the
+  // boundary near.
+  bool is_blocked()
+  {
+    constexpr std::size_t number_of_first_raises = 3;
+    const Eigen::Matrix3Xd at_targets = snapped_positions();
+    m_distances.push_back((at_targets - positions()).colwise().norm().maxCoeff());
+    m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, at_targets).number);
+    const std::size_t n = m_distances.size();
+    const bool is_useless = m_number_of_raises >= number_of_first_raises
+      && ((n > 1 && m_distances[n - 1] > 0.9 * m_distances[n - 2])
+          || (n > 2 && m_numbers_of_blocking_cells[n - 1] >= m_numbers_of_blocking_cells[n - 3]));
+    m_number_of_useless_raises = is_useless ? m_number_of_useless_raises + 1 : 0;
+    return m_number_of_useless_raises >= m_patience;
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  const Cell_energy_3& m_energy;
+  Soft_boundary_parameters m_parameters;
+  bool m_has_constraints; // other than the targets
+  std::size_t m_patience;
+  std::size_t m_number_of_raises;
+  Eigen::Matrix3Xd m_aligned_source;
+  double m_length;        // cube root of the volume of the target
+  Scaled_cells_3 m_scaled;
+  Quadratic_penalty_3 m_penalty;
+  Newton_system_3 m_system;
+  std::unique_ptr<Penalty_minimizer_3> m_minimizer;
+  std::size_t m_number_of_useless_raises = 0;
+  std::vector<double> m_distances;                      // the largest one, for each weight
+  std::vector<std::size_t> m_numbers_of_blocking_cells; // for each weight
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_BOUNDARY_APPROACH_3_H

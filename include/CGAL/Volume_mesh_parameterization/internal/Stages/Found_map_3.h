@@ -1,0 +1,49 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_FOUND_MAP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_FOUND_MAP_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Diagnosis_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// What the stages have come to.
+struct Found_map_3
+{
+  Map_3 map;
+  Error_code status = ERROR_NOT_CONVERGED;
+  std::string reason;                   // for the status; empty if there is nothing to add
+  std::size_t number_of_sliding_vertices = 0;
+  std::size_t number_of_inverted_cells_at_start = 0;
+  std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
+  std::size_t number_of_raises = 0;     // of the weight of the soft boundary
+
+  // Is there a map, but not with the prescribed boundary, although nothing has interrupted the search?
+  bool is_blocked() const
+  {
+    return status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary);
+  }
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_FOUND_MAP_3_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAP_OPTIONS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAP_OPTIONS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+class Cell_energy_3;
+class Linear_solver_3;
+class Progress_3;
+struct Numbered_mesh_3;
+
+// Where the approach of a boundary starts, and how soon it gives up.
+struct Approach_start_3
+{
+  Eigen::Matrix3Xd positions;       // the images of all vertices, which invert no cell; none: the aligned source
+  std::size_t number_of_raises = 0; // of the weight, that have led there
+  // So many raises in a row that have not helped are the end.
+  std::size_t patience = (std::numeric_limits<std::size_t>::max)();
+};
+
+struct Found_map_3;
+struct Map_options_3;
+
+// What goes on from a map that meets the boundary.
+using Improvement_3 = void (*)(const Numbered_mesh_3&, const Cell_energy_3&, Linear_solver_3&, const Map_options_3&,
+                               Progress_3&, Found_map_3&);
+
+// What is asked for, and with what means.
+struct Map_options_3
+{
+  Boundary_mode mode = Boundary_mode::AUTO;
+  Soft_boundary_parameters soft;
+  std::vector<Linear_constraint_3<int> > constraints;
+  Approach_start_3 approach;
+  Improvement_3 improve = nullptr;       // by what follows, if that is wanted; otherwise it need not be compiled
+  bool do_slide = false;
+  std::vector<bool> is_held;             // of each vertex: must it not slide? None if there are no entries
+  double maximal_angle_distortion = std::numeric_limits<double>::infinity();
+  bool is_parallel = false;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAP_OPTIONS_3_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Untangler_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// With the prescribed vertices on their targets: untangles until no cell is inverted.
+class Untangling_3 : public Stage_3
+{
+public:
+  // Starts from the harmonic map.
+  Untangling_3(const Numbered_mesh_3& mesh, Newton_system_3& system)
+    : m_mesh(mesh), m_system(system)
+  {
+    Eigen::Matrix3Xd u = system.unit() * mesh.target;
+    const Newton_direction_3 direction = harmonic_map_3(system, u);
+    start(u);
+    if(!direction.is_usable())
+      end(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction));
+  }
+
+  // Starts from the given images of all vertices.
+  Untangling_3(const Numbered_mesh_3& mesh, Newton_system_3& system, const Eigen::Matrix3Xd& positions)
+    : m_mesh(mesh), m_system(system)
+  {
+    start(system.unit() * positions);
+  }
+
+  void step() override
+  {
+    const Step_status status = m_untangler->step();
+    report(Phase::UNTANGLING, *m_untangler);
+    conclude(status, ERROR_NOT_FLIP_FREE, m_untangler->direction());
+  }
+
+  Eigen::Matrix3Xd positions() const override { return snapped(m_mesh, m_untangler->positions() / m_system.unit()); }
+  bool is_flip_free() const override { return m_untangler->evaluation().is_flip_free(); }
+  std::size_t number_of_inverted_cells_at_start() const { return m_number_of_inverted_cells_at_start; }
+
+private:
+  static constexpr double theta = 0.01; // small, so that the energy hardly depends on scale
+
+  void start(const Eigen::Matrix3Xd& u)
+  {
+    m_untangler.emplace(m_system, u, theta);
+    m_number_of_inverted_cells_at_start = m_untangler->evaluation().number_of_inverted_cells;
+    if(is_flip_free())
+      end(OK);
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  Newton_system_3& m_system;
+  std::optional<Untangler_3> m_untangler;
+  std::size_t m_number_of_inverted_cells_at_start = 0;
+};
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_3_H

@@ -1,0 +1,97 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAKE_RESULT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAKE_RESULT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+namespace internal {
+
+// How it ended, by the exact verdict on the map.
+inline Error_code final_status(const Found_map_3& found)
+{
+  if(found.status == ERROR_INTERRUPTED)
+    return found.status;
+  if(found.map.is_valid())
+    return found.map.meets_boundary ? found.status : ERROR_BOUNDARY_NOT_REACHED;
+  return found.status == ERROR_LINEAR_SOLVER_FAILED ? found.status : ERROR_NOT_FLIP_FREE;
+}
+
+// Why it did not end better: what the last stage says, or the stage with fixed boundary, or the check of the input.
+inline std::string reason_of(const Error_code status, const Found_map_3& found, const Input_check_3& check)
+{
+  if(status == OK || status == ERROR_NOT_CONVERGED)
+    return "";
+  const bool is_reason = found.status == status || found.status == ERROR_LINEAR_SOLVER_FAILED;
+  const std::string reason = is_reason && !found.reason.empty() ? found.reason
+                           : found.diagnosis ? found.diagnosis->message : check.message;
+  return reason.empty() ? "" : " " + reason;
+}
+
+// The result of a search without its counts of the complex: the only place where it is written.
+inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
+                                             const Found_map_3& found, const Cell_energy_3& energy,
+                                             const Progress_3& progress)
+{
+  const double begin = progress.seconds();
+  Parameterization_result result;
+  result.status = final_status(found);
+  result.message = get_error_message(result.status) + reason_of(result.status, found, check);
+  result.has_valid_map = found.map.is_valid();
+  result.number_of_sliding_vertices = found.number_of_sliding_vertices;
+  result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
+  result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
+  result.number_of_inverted_cells = found.map.number_of_inverted_cells;
+  if(result.has_valid_map)
+  {
+    const std::vector<Eigen::Vector3d> s = singular_values_of_cells_3(mesh, found.map.positions);
+    const double to_source_volume
+      = std::cbrt(volume(mesh.source, mesh.cells) / volume(found.map.positions, mesh.cells));
+    result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
+    result.distortion = measure_distortion_3(mesh, s);
+    result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);
+    result.energy = mean_energy_3(mesh, s, energy, to_source_volume);
+  }
+
+  const Effort_3& effort = progress.effort();
+  result.number_of_iterations = effort.number_of_iterations;
+  result.number_of_untangling_iterations = effort.number_of_untangling_iterations;
+  result.seconds_to_flip_free = effort.seconds_to_flip_free;
+  result.seconds_numbering = effort.seconds_numbering;
+  result.seconds_start = effort.seconds_start;
+  result.seconds_untangling = effort.seconds_untangling;
+  result.seconds_minimization = effort.seconds_minimization;
+  result.seconds_check = progress.seconds() - begin;
+  result.seconds_total = progress.seconds();
+  return result;
+}
+
+} // namespace internal
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAKE_RESULT_3_H

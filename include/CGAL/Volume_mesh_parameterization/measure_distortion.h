@@ -1,0 +1,56 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_DISTORTION_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_DISTORTION_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+
+#include <CGAL/property_map.h>
+
+namespace CGAL {
+namespace Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+measures the distortions of any map of a complex that is linear on its cells, as
+`Parameterization_result::distortion` does for the result of a parameterization.
+
+\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+\tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+        `C3t3::Triangulation::Geom_traits::Point_3` as value type
+
+\param c3t3 the complex; its cells must be positive
+\param uvw_map the image of each vertex of a cell
+
+\return the means and maxima over the cells; infinite where a cell is so flat that rounding leaves no number. For inverted
+        cells, distortions are not defined.
+
+The time is O(n log n) for n vertices, linear in the number of cells.
+
+\sa `CGAL::stretch_minimizing_volume_parameterization()`
+*/
+template <typename C3t3, typename VertexUVWMap>
+Distortion_3 measure_distortion(const C3t3& c3t3, const VertexUVWMap uvw_map)
+{
+  // all vertices count as prescribed, so that the map is their target
+  const Static_boolean_property_map<typename C3t3::Vertex_handle, true> is_prescribed;
+  const internal::Numbered_complex_3<C3t3> numbered(c3t3, is_prescribed, uvw_map);
+  return internal::engine::measure_distortion(numbered.mesh(), numbered.mesh().target);
+}
+
+} // namespace Volume_mesh_parameterization
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_DISTORTION_H

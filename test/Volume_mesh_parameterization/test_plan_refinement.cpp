@@ -1,0 +1,279 @@
+// What a search that was blocked leads to: the cells to refine, and whether the approach of the boundary goes on.
+#include "catch.h"
+#include "cube_complex.h"
+#include "cube_mesh.h"
+
+#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Approach_of_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/judged_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
+
+#include <CGAL/property_map.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace internal = CGAL::Volume_mesh_parameterization::internal;
+
+using Complex = Cube_complex<>;
+using Eigen::Matrix3Xd;
+using internal::Blocked_approach_3;
+using internal::Found_map_3;
+using internal::Numbered_mesh_3;
+using internal::Refinement_plan_3;
+using internal::plan_refinement_3;
+
+namespace {
+
+// Two neighbors within a face of the boundary change their places, so that there is no map.
+Numbered_mesh_3 impossible_cube()
+{
+  Numbered_mesh_3 mesh = cube_mesh(3);
+  const auto vertex_at = [&](const Eigen::Vector3d& p)
+  {
+    Eigen::Index v = 0;
+    (mesh.source.colwise() - p).colwise().norm().minCoeff(&v);
+    return v;
+  };
+  mesh.target.col(vertex_at({ 1, 1, 0 })).swap(mesh.target.col(vertex_at({ 2, 1, 0 })));
+  return mesh;
+}
+
+// The boundary has not moved; the weight was raised so many times.
+Found_map_3 blocked_map(const Numbered_mesh_3& mesh, const std::size_t number_of_raises)
+{
+  Found_map_3 found;
+  found.map = judged(mesh, mesh.source);
+  found.status = VMP::ERROR_BOUNDARY_NOT_REACHED;
+  found.number_of_raises = number_of_raises;
+  return found;
+}
+
+// The fixed boundary has left these cells inverted.
+internal::Diagnosis_3 diagnosis(const std::vector<std::size_t>& inverted_cells)
+{
+  internal::Diagnosis_3 result;
+  result.inverted_cells = inverted_cells;
+  return result;
+}
+
+Blocked_approach_3 went_on(const double distance) { return { true, 7, distance }; }
+
+std::vector<std::size_t> user_numbers(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
+{
+  std::vector<std::size_t> result;
+  for(const std::size_t c : cells)
+    result.push_back(mesh.user_number(c));
+  return result;
+}
+
+std::vector<std::size_t> sorted(std::vector<std::size_t> cells)
+{
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+} // namespace
+
+TEST_CASE("The first approach that is blocked goes on, with the cells that block it")
+{
+  const Numbered_mesh_3 mesh = impossible_cube();
+  const Found_map_3 found = blocked_map(mesh, 4);
+  REQUIRE(found.is_blocked());
+  REQUIRE(found.map.distance_to_boundary == Approx(1));
+  const Refinement_plan_3 plan = plan_refinement_3(mesh, found, Blocked_approach_3());
+  CHECK(plan.approach.goes_on);
+  CHECK(plan.approach.distance == found.map.distance_to_boundary);
+  CHECK(!plan.cells.empty());
+  CHECK(plan.cells == sorted(blocking_cells_3(mesh, mesh.source)));
+}
+
+TEST_CASE("An approach that goes on has lost its last raise, which was useless")
+{
+  const Numbered_mesh_3 mesh = impossible_cube();
+  for(const std::size_t raises : { 5, 2, 1 })
+    CHECK(plan_refinement_3(mesh, blocked_map(mesh, raises), {}).approach.number_of_raises == raises - 1);
+  CHECK(plan_refinement_3(mesh, blocked_map(mesh, 0), {}).approach.number_of_raises == 0);
+}
+
+TEST_CASE("An approach goes on if the last refinement has brought it nearer by a tenth, and else starts again")
+{
+  const Numbered_mesh_3 mesh = impossible_cube();
+  const Found_map_3 found = blocked_map(mesh, 4);
+  const double distance = found.map.distance_to_boundary;
+  const auto goes_on = [&](const Blocked_approach_3& before)
+  {
+    return plan_refinement_3(mesh, found, before).approach.goes_on;
+  };
+  CHECK(goes_on(went_on(distance / 0.89)));
+  CHECK(!goes_on(went_on(distance / 0.91)));
+  CHECK(!goes_on(went_on(distance)));
+  CHECK(!goes_on(went_on(distance / 2)));
+  // the search that starts again may be the first of a new approach
+  const Blocked_approach_3 started_again = plan_refinement_3(mesh, found, went_on(distance)).approach;
+  CHECK(goes_on(started_again));
+}
+
+TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the approach, it is tried again")
+{
+  const Numbered_mesh_3 mesh = impossible_cube();
+  Found_map_3 found = blocked_map(mesh, 4);
+  const std::vector<std::size_t> blocking = sorted(blocking_cells_3(mesh, mesh.source));
+  REQUIRE(blocking.size() > 2);
+
+  std::vector<std::size_t> others; // that do not block
+  for(std::size_t c = 0; others.size() < blocking.size(); ++c)
+    if(!std::binary_search(blocking.begin(), blocking.end(), c))
+      others.push_back(c);
+
+  const auto plan = [&](const std::size_t number)
+  {
+    found.diagnosis = diagnosis({ others.begin(), others.begin() + number });
+    return plan_refinement_3(mesh, found, {});
+  };
+  const Refinement_plan_3 fewer = plan(blocking.size() - 1);
+  CHECK(fewer.cells == std::vector<std::size_t>(others.begin(), others.end() - 1));
+  CHECK(!fewer.approach.goes_on);
+  for(const std::size_t number : { blocking.size(), std::size_t(0) }) // as many, or nothing known
+  {
+    CHECK(plan(number).cells == blocking);
+    CHECK(plan(number).approach.goes_on);
+  }
+}
+
+TEST_CASE("The cells to refine come in the order of the user")
+{
+  Numbered_mesh_3 mesh = impossible_cube();
+  mesh.user_numbers.resize(mesh.cells.size());
+  std::iota(mesh.user_numbers.rbegin(), mesh.user_numbers.rend(), std::size_t(0)); // the reverse order
+  Found_map_3 found = blocked_map(mesh, 4);
+  const auto is_in_order = [&](const std::vector<std::size_t>& cells)
+  {
+    const std::vector<std::size_t> numbers = user_numbers(mesh, cells);
+    return numbers.size() > 1 && std::is_sorted(numbers.begin(), numbers.end());
+  };
+  const std::vector<std::size_t> blocking = plan_refinement_3(mesh, found, {}).cells;
+  CHECK(is_in_order(blocking));
+  CHECK(sorted(blocking) == sorted(blocking_cells_3(mesh, mesh.source)));
+
+  found.diagnosis = diagnosis({ 3, 5 });
+  const std::vector<std::size_t> inverted = plan_refinement_3(mesh, found, {}).cells;
+  CHECK(inverted == std::vector<std::size_t>{ 5, 3 });
+}
+
+namespace {
+
+// Four cells around the edge of two vertices, with a ring of four around it.
+struct Four_cells
+{
+  using Numbered_complex = internal::Numbered_complex_3<Complex::C3t3>;
+  using Inserted = std::vector<VMP::Inserted_vertex_3<Complex::Vertex_handle> >;
+
+  Complex complex;
+
+  Four_cells() : complex(mesh()) {}
+
+  static Numbered_mesh_3 mesh()
+  {
+    Numbered_mesh_3 result;
+    result.source.resize(3, 6);
+    result.source << 1, 1, 0, 1, 2, 1,
+                     0, 0, 0, -1, 0, 1,
+                    -1, 1, 0, 0, 0, 0;
+    for(int i = 0; i < 4; ++i)
+      result.cells.push_back({ 0, 1, 2 + i, 2 + (i + 1) % 4 });
+    result.target = result.source;
+    return result;
+  }
+
+  Numbered_complex numbered()
+  {
+    return Numbered_complex(complex.c3t3, CGAL::Static_boolean_property_map<Complex::Vertex_handle, false>(),
+                            complex.boundary_map());
+  }
+
+  // The images of the vertices in the order of the numbered complex, from those in the order of the mesh.
+  Matrix3Xd image(const Numbered_complex& numbers, const Matrix3Xd& positions) const
+  {
+    Matrix3Xd result(3, positions.cols());
+    for(Eigen::Index v = 0; v < positions.cols(); ++v)
+      result.col(numbers.number(complex.vertices[v])) = positions.col(v);
+    return result;
+  }
+
+  Inserted split()
+  {
+    Inserted inserted;
+    internal::split_edges_3(complex.c3t3, { { complex.vertices[0], complex.vertices[1] } },
+                            std::back_inserter(inserted));
+    return inserted;
+  }
+};
+
+} // namespace
+
+TEST_CASE("An approach that goes on has the images of all vertices, with midpoints for new ones")
+{
+  Four_cells cells;
+  const auto before = cells.numbered();
+  const Matrix3Xd image = 2 * cells.image(before, cells.complex.mesh.source);
+  const auto inserted = cells.split();
+  REQUIRE(inserted.size() == 1);
+  internal::Approach_of_complex_3<Complex::C3t3> approach(before, image, inserted, { true, 3, 0.5 });
+
+  const auto after = cells.numbered();
+  REQUIRE(after.vertices().size() == 7);
+  const internal::Approach_start_3 start = approach.start(after, 2);
+  CHECK(start.patience == 2);
+  CHECK(start.number_of_raises == 3);
+  REQUIRE(start.positions.cols() == 7);
+  CHECK(start.positions.col(after.number(inserted[0].vertex)) == Eigen::Vector3d(2, 0, 0));
+  for(int v = 0; v < 6; ++v)
+    CHECK(start.positions.col(after.number(cells.complex.vertices[v])) == 2 * cells.complex.mesh.source.col(v));
+  CHECK(approach.blocked().goes_on);
+  CHECK(approach.blocked().distance == 0.5);
+}
+
+TEST_CASE("Images that rounding has spoilt are given up")
+{
+  Four_cells cells;
+  const auto before = cells.numbered();
+  // the midpoint of the edge is rounded to a vertex of the ring
+  Matrix3Xd positions = cells.complex.mesh.source;
+  positions(0, 1) = std::nextafter(1., 2.);
+  positions(0, 2) = 1;
+  const Matrix3Xd image = cells.image(before, positions);
+  REQUIRE(internal::inverted_cells(before.mesh(), image).number == 0);
+
+  const auto inserted = cells.split();
+  REQUIRE(inserted.size() == 1);
+  internal::Approach_of_complex_3<Complex::C3t3> approach(before, image, inserted, { true, 3, 0.5 });
+  REQUIRE(approach.blocked().goes_on);
+  const internal::Approach_start_3 start = approach.start(cells.numbered(), 2);
+  CHECK(start.positions.cols() == 0);
+  CHECK(start.number_of_raises == 0);
+  CHECK(start.patience == 2);
+  CHECK(!approach.blocked().goes_on); // so that the next approach that is blocked counts as the first one
+}
+
+TEST_CASE("An approach that starts again carries no images")
+{
+  Four_cells cells;
+  const auto before = cells.numbered();
+  const Matrix3Xd image = cells.image(before, cells.complex.mesh.source);
+  internal::Approach_of_complex_3<Complex::C3t3> approach(before, image, cells.split(), { false, 3, 0.5 });
+  const internal::Approach_start_3 start = approach.start(cells.numbered(), 1);
+  CHECK(start.positions.cols() == 0);
+  CHECK(start.number_of_raises == 0);
+  CHECK(!approach.blocked().goes_on);
+}
