@@ -21,8 +21,11 @@ sum of high powers is. It need not be convex.
 All functions are templates of a number type `T`, which is `double`, or a type for several cells at
 a time that is evaluated with the vector instructions of the processor. This type has the arithmetic
 operators, it can be constructed from `double`, and `sqrt`, `abs`, `exp` and `log` are found by
-argument-dependent lookup. So write `T(2)` instead of `2`, say `using std::sqrt;` and call `sqrt(x)`,
-and do not branch on values of type `T`. Functions must not have side effects: they are called from
+argument-dependent lookup. So write `T(2)` instead of `2`, say `using std::sqrt;` and call `sqrt(x)`. Do not branch on
+values of type `T`: comparisons with `<`, `<=`, `>` and `>=` hold a result for each cell, to be passed to
+`CGAL::Volume_mesh_parameterization::select()`; beside it, there are `minimum()` and `maximum()`, of the header
+`CGAL/Volume_mesh_parameterization/select.h`. Say `using CGAL::Volume_mesh_parameterization::select;` and call
+`select(x < T(0), a, b)`. Functions must not have side effects: they are called from
 several threads.
 
 An evaluation should take constant time: all three functions are called for each cell in each Newton step. Models must
