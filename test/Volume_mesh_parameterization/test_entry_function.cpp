@@ -5,6 +5,7 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -227,6 +228,26 @@ TEST_CASE("Distortions of a similarity")
   CHECK(result.distortion.volume_max == Approx(8 + 1. / 8));
   CHECK(result.distortion_at_source_volume.volume_max == Approx(2));
   CHECK(result.energy == Approx(3));
+}
+
+TEST_CASE("The distortions of any map are measured: those of the result, and of a stretch by closed form")
+{
+  Complex complex(twisted_cube(4, 0.1));
+  const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    std::as_const(complex.c3t3), complex.uvw_map(), params::boundary_map(complex.boundary_map()));
+  const VMP::Distortion_3 measured = VMP::measure_distortion(complex.c3t3, complex.uvw_map());
+  CHECK(measured.angle_mean == Approx(result.distortion.angle_mean).epsilon(1e-12));
+  CHECK(measured.angle_max == Approx(result.distortion.angle_max).epsilon(1e-12));
+  CHECK(measured.volume_mean == Approx(result.distortion.volume_mean).epsilon(1e-12));
+  CHECK(measured.volume_max == Approx(result.distortion.volume_max).epsilon(1e-12));
+
+  for(auto& [v, p] : complex.uvw)
+    p = Point_3(2 * v->point().x(), v->point().y(), v->point().z());
+  const VMP::Distortion_3 stretched = VMP::measure_distortion(complex.c3t3, complex.uvw_map());
+  CHECK(stretched.angle_mean == Approx(2 + 1. / 2));
+  CHECK(stretched.angle_max == Approx(2 + 1. / 2));
+  CHECK(stretched.volume_mean == Approx(2 + 1. / 2));
+  CHECK(stretched.volume_max == Approx(2 + 1. / 2));
 }
 
 TEST_CASE("Each named parameter by itself")

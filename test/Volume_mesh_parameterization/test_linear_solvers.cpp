@@ -112,6 +112,35 @@ TEST_CASE("The pattern holds the pairs of free vertices that share a cell")
   CHECK(actual == std::vector<std::pair<int, int> >(expected.begin(), expected.end()));
 }
 
+TEST_CASE("The pattern has the pairs of a group, too, and rows for unknown vertices only")
+{
+  const VMP::internal::Numbered_mesh_3 mesh = cube_mesh(4);
+  const auto is_unknown = [](const int v) { return v % 2 == 0; };
+  const VMP::internal::Unknowns_3 unknowns(mesh.number_of_vertices(), is_unknown);
+  REQUIRE(unknowns.size() == 63);
+  const int last = mesh.number_of_vertices() - 1; // shares no cell with the first vertex
+  std::set<std::pair<int, int> > expected;
+  for(const std::array<int, 4>& cell : mesh.cells)
+    for(const int v : cell)
+      for(const int w : cell)
+        if(is_unknown(v) && is_unknown(w))
+          expected.emplace(v / 2, w / 2);
+  REQUIRE(expected.emplace(0, unknowns.row(last)).second);
+  REQUIRE(expected.emplace(unknowns.row(last), 0).second);
+
+  const VMP::internal::Sparsity_pattern_3 pattern
+    = VMP::internal::sparsity_pattern_3(mesh, unknowns, {{0, 1, last}}); // 1 is not unknown
+  REQUIRE(pattern.row_begin.size() == 64);
+  std::vector<std::pair<int, int> > actual;
+  for(int row = 0; row < unknowns.size(); ++row)
+    for(int k = pattern.row_begin[row]; k < pattern.row_begin[row + 1]; ++k)
+    {
+      actual.emplace_back(row, pattern.columns[k]);
+      CHECK(pattern.position(row, pattern.columns[k]) == k);
+    }
+  CHECK(actual == std::vector<std::pair<int, int> >(expected.begin(), expected.end()));
+}
+
 TEMPLATE_TEST_CASE("Products of a row agree with the dense matrix", "", float, double)
 {
   auto A = pattern<TestType>(cube_mesh(4));
