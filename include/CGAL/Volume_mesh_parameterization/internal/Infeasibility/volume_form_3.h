@@ -33,6 +33,12 @@ std::array<NT, 3> cross_product(const std::array<NT, 3>& a, const std::array<NT,
   return { NT(a[1] * b[2] - a[2] * b[1]), NT(a[2] * b[0] - a[0] * b[2]), NT(a[0] * b[1] - a[1] * b[0]) };
 }
 
+template <typename NT>
+NT dot_product(const std::array<NT, 3>& a, const std::array<NT, 3>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 // Adds a multiple of a vector to the coefficients from `first` on.
 template <typename NT>
 void add_to_form(Volume_form_3<NT>& form, const int first, const int factor, const std::array<NT, 3>& vector)
@@ -73,21 +79,13 @@ Volume_form_3<NT> volume_form_3(const Numbered_mesh_3& mesh, const std::array<in
     add_to_form(form, 7, -sign_of_product, p[0]);
     return form;
   }
-  for(int i = 0; i < 3; ++i)
-  {
-    const std::array<NT, 3> normal = cross_product(p[(i + 1) % 3], p[(i + 2) % 3]);
-    if(free.size() == 1)
+  const std::array<NT, 3> normals[3] = { cross_product(p[1], p[2]), cross_product(p[2], p[0]), cross_product(p[0], p[1]) };
+  form[0] = sign * dot_product(p[0], normals[0]);
+  if(free.size() == 1)
+    for(const std::array<NT, 3>& normal : normals)
       add_to_form(form, begin_of(free[0]), -sign, normal);
-    for(int k = 0; k < 3 && i == 0; ++k)
-      form[0] += sign * p[0][k] * normal[k];
-  }
-  if(free.empty()) // the fourth vertex is another p: det(p - x, q - x, r - x) with the last one for x
-  {
-    for(int i = 0; i < 3; ++i)
-      for(int k = 0; k < 3; ++k)
-        form[0] -= p[3][k] * cross_product(p[(i + 1) % 3], p[(i + 2) % 3])[k];
-    form[0] = -form[0]; // three exchanges bring the last vertex to the front
-  }
+  else // without a free vertex, the last one takes the place of x, for which three exchanges bring it to the front
+    form[0] = dot_product(p[3], normals[0]) + dot_product(p[3], normals[1]) + dot_product(p[3], normals[2]) - form[0];
   return form;
 }
 

@@ -38,7 +38,7 @@ inline std::string describe_angle_distortion(const double reached, const double 
   return message.str();
 }
 
-// Brings the distortion of angles of every cell below a bound that some exceed, by a barrier. It is relaxed, less and less, until no
+// Brings the distortion of angles of every cell below a bound, by a barrier. It is relaxed, less and less, until no
 // cell exceeds the bound, or the excess hardly falls. Once none does, no step does so any more, and the energy is
 // minimized below the bound. `minimize` is a function of the energy that goes on from the map found so far.
 template <typename Minimize>
@@ -47,6 +47,8 @@ void bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Cell_energy_3& 
                               Found_map_3& found)
 {
   double excess = largest_angle_distortion_3(mesh, found.map.positions) - bound;
+  if(excess < 0)
+    return;
   const auto minimize_relaxed = [&](const double relaxation)
   {
     minimize(Bounded_cell_energy_3(bound, energy, relaxation));

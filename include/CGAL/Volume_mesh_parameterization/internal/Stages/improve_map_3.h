@@ -66,7 +66,7 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
   };
   if(sliding)
     minimize(energy);
-  if(found.map.is_solution() && !progress.is_interrupted() && exceeds_bound())
+  if(found.map.is_solution() && !progress.is_interrupted() && std::isfinite(bound))
     bound_angle_distortion_3(mesh, energy, bound, sliding.has_value(), minimize, progress, found);
 }
 
