@@ -20,8 +20,7 @@
 #include <cstddef>
 #include <variant>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 class Any_energy_3
 {
@@ -65,7 +64,6 @@ private:
   Energy m_energy;
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_ANY_ENERGY_3_H

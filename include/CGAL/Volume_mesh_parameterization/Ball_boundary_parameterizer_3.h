@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationBoundary
@@ -75,7 +74,6 @@ public:
   }
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BALL_BOUNDARY_PARAMETERIZER_3_H

@@ -18,8 +18,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
@@ -110,7 +109,6 @@ private:
   double m_beta, m_lambda;
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_BARRIER_ENERGY_3_H

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -34,7 +33,6 @@ struct Distortion_3
   double volume_max = 0;  ///< the largest distortion of volumes, \f$D_{mv}\f$
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_DISTORTION_3_H

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -104,7 +103,6 @@ inline const char* get_error_message(const Error_code code)
   return "Unknown error code.";
 }
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_ERROR_CODE_H

@@ -14,8 +14,7 @@
 
 #include <stdexcept>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -28,7 +27,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INPUT_ERROR_H

@@ -14,8 +14,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -33,7 +32,6 @@ struct Inserted_vertex_3
   std::vector<VertexHandle> simplex; ///< the two, three or four vertices of the edge, facet or cell
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INSERTED_VERTEX_3_H

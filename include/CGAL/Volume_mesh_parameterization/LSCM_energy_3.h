@@ -14,8 +14,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
@@ -73,7 +72,6 @@ private:
   }
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_LSCM_ENERGY_3_H

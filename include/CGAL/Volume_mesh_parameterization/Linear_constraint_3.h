@@ -16,8 +16,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -49,7 +48,6 @@ struct Linear_constraint_3
   double value = 0;        ///< the right-hand side \f$p\f$, in the unit of the target if the coefficients have none
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_LINEAR_CONSTRAINT_3_H

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
@@ -29,7 +28,6 @@ enum class Linear_solver_status
   FAILED                 ///< any other failure of the solver
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_LINEAR_SOLVER_STATUS_H

@@ -20,8 +20,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
@@ -109,7 +108,6 @@ private:
   double m_p;
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_LP_STRETCH_ENERGY_3_H

@@ -19,8 +19,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -66,7 +65,6 @@ struct Parameterization_result
   double seconds_check = 0;        ///< exact check and distortions
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_RESULT_H

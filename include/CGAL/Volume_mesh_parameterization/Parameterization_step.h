@@ -14,8 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationRef
 /// The phases of a parameterization. With soft boundary, all steps are minimization.
@@ -58,7 +57,6 @@ struct Default_visitor
   bool after_step(const Parameterization_step&) { return true; }
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_STEP_H

@@ -14,8 +14,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -93,7 +92,6 @@ inline Soft_boundary_parameters approaching_soft_boundary_parameters()
   return parameters;
 }
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H

@@ -25,8 +25,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationBoundary
@@ -148,7 +147,6 @@ private:
   const TriangleMesh& m_target;
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_BOUNDARY_PARAMETERIZER_3_H

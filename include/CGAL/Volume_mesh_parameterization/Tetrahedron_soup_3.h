@@ -16,8 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -32,7 +31,6 @@ struct Tetrahedron_soup_3
   std::vector<int> facet_references;                 ///< one per facet
 };
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRON_SOUP_3_H

@@ -26,8 +26,7 @@
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
 #endif
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -114,7 +113,6 @@ std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = paramet
   }
 }
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MAKE_PARAMETERIZABLE_H

@@ -18,8 +18,7 @@
 
 #include <CGAL/property_map.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -50,7 +49,6 @@ Distortion_3 measure_distortion(const C3t3& c3t3, const VertexUVWMap uvw_map)
   return internal::engine::measure_distortion(numbered.mesh(), numbered.mesh().target);
 }
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_DISTORTION_H

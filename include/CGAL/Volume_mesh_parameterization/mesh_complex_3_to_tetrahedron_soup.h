@@ -21,8 +21,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
@@ -77,7 +76,6 @@ void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3,
   }
 }
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MESH_COMPLEX_3_TO_TETRAHEDRON_SOUP_H

@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationEnergies
 /// @{
@@ -31,7 +30,6 @@ inline double select(const bool condition, const double a, const double b) { ret
 
 /// @}
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SELECT_H

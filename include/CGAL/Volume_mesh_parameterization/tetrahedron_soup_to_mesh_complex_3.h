@@ -19,8 +19,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -63,7 +62,6 @@ void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup,
   internal::Mesh_complex_3_builder<C3t3>(soup, matching, c3t3, vertices, cells).build(has_negative_cells);
 }
 
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRON_SOUP_TO_MESH_COMPLEX_3_H

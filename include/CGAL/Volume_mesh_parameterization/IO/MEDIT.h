@@ -24,8 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
 template <std::size_t N>
@@ -103,7 +102,6 @@ inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 }
 
 } // namespace IO
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_MEDIT_H

@@ -22,8 +22,7 @@
 #include <ostream>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
@@ -172,7 +171,6 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 }
 
 } // namespace IO
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_VTU_H

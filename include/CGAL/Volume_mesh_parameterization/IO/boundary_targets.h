@@ -27,8 +27,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
+namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
@@ -130,7 +129,6 @@ inline void read_boundary_targets(const std::string& filename,
 }
 
 } // namespace IO
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_BOUNDARY_TARGETS_H

@@ -30,9 +30,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Boundary_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 using Boundary_mesh_3 = Surface_mesh<Boundary_point_3>;
@@ -177,8 +175,6 @@ inline Error_code check_sphere(const Boundary_mesh_3& mesh)
   return OK;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOUNDARY_SURFACE_3_H

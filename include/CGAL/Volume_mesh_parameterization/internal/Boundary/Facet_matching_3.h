@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Finds the two sides of each facet of a soup of cells of equal orientation.
 // The number `4 * c + i` stands for the facet of cell `c` that is opposite to its vertex `i`.
@@ -175,8 +173,6 @@ private:
   std::vector<Side> m_sides;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_FACET_MATCHING_3_H

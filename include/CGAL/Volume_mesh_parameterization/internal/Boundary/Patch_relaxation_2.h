@@ -24,9 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Moves the inner vertices of a plane image of a surface patch such that no triangle is flipped and the distortion is
 // low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
@@ -214,8 +212,6 @@ private:
   double m_epsilon = 1;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_PATCH_RELAXATION_2_H

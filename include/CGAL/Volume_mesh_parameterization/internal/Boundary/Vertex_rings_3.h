@@ -21,9 +21,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A vertex that was collapsed onto the first vertex of its ring.
 struct Removed_vertex
@@ -104,8 +102,6 @@ private:
   std::vector<std::vector<int> > m_rings;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_VERTEX_RINGS_3_H

@@ -16,9 +16,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The six directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
 
@@ -37,8 +35,6 @@ inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
   return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_AXIS_DIRECTION_H

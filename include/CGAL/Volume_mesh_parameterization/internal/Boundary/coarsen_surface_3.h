@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A way to remove a vertex; the cost is the largest squared length of an edge of the triangles that fill the hole.
 struct Collapse
@@ -92,8 +90,6 @@ inline std::vector<std::vector<Removed_vertex> > coarsen_surface_3(Vertex_rings_
   return levels;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_COARSEN_SURFACE_3_H

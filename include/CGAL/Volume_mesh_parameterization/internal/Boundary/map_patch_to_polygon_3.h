@@ -33,9 +33,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Boundary_point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
 
@@ -158,8 +156,6 @@ inline bool map_patch_to_polygon_3(const Surface_patch_3& patch, const int u, co
   return true;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end,
 // which is infinite for vertices that the path may not touch; that of the target does not matter.
@@ -66,8 +64,6 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
   return path;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SHORTEST_VERTEX_PATH_3_H

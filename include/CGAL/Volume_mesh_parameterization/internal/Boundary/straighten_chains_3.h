@@ -23,9 +23,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An edge inside a chart that joins two vertices of a chain around the chart.
 struct Chain_chord_3
@@ -96,8 +94,6 @@ inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_char
   return std::find(has_changed.begin(), has_changed.end(), true) != has_changed.end();
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_STRAIGHTEN_CHAINS_3_H

@@ -17,9 +17,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An energy that is zero: what an adapter adds to it is the adapter alone.
 struct Zero_energy_3
@@ -82,8 +80,6 @@ private:
   Cell_energy_of<Bounded_angle_energy_3<Zero_energy_3> > m_barrier;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_BOUNDED_CELL_ENERGY_3_H

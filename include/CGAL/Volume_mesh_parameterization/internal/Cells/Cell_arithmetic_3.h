@@ -20,9 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/begin_instructions_of_unit.inc>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/cell_arithmetic.inc>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 namespace arithmetic_of_unit = CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS;
 
@@ -63,9 +61,7 @@ inline Rotation_and_stretch_3 rotation_and_stretch_3(const Eigen::Matrix3d& J)
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 

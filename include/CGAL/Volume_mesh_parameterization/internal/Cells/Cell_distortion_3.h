@@ -21,9 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 struct Cell_distortion_3
 {
@@ -58,8 +56,6 @@ inline std::vector<Cell_distortion_3> cell_distortions(const Tetrahedron_soup_3&
   return distortions;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_DISTORTION_3_H

@@ -17,9 +17,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An energy as the engine knows it: psi and its derivatives by the singular values s, for a pack of cells at a time.
 // This is the seam between energies of any type and an engine that is compiled once.
@@ -81,8 +79,6 @@ private:
   Energy m_energy;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_ENERGY_3_H

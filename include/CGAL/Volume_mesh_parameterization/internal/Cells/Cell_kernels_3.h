@@ -21,9 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The passes over the packs of cells, from the first one to the end of a range; `u` and `d` hold three coordinates a
 // vertex, the gradient as many a row. They are described where they are defined, in Kernels/Cell_kernels_3.inc.
@@ -40,9 +38,7 @@ struct Cell_kernels_3
   double (*largest_step)(Range, Range, const double* u, const double* d);
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 // The kernels are compiled for the instructions of this unit, and for longer ones that the processor may have.
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/begin_instructions_of_unit.inc>
@@ -98,9 +94,7 @@ struct Cell_kernels_3
 #  endif
 #endif
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The kernels with the longest instructions of this processor.
 inline const Cell_kernels_3& cell_kernels_3()
@@ -116,8 +110,6 @@ inline const Cell_kernels_3& cell_kernels_3()
   return arithmetic_of_unit::cell_kernels;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_KERNELS_3_H

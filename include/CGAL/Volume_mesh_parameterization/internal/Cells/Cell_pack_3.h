@@ -14,9 +14,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Numbers of several cells side by side: as many as the longest vector instructions take in two registers.
 constexpr int cells_per_pack = 16;
@@ -39,8 +37,6 @@ struct alignas(64) Cell_pack_3
   static constexpr int index_of_block(const int a, const int b) { return a * (7 - a) / 2 + b; }
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_PACK_3_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What one pass over the cells tells.
 struct Energy_evaluation
@@ -37,8 +35,6 @@ struct Energy_evaluation
   }
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_ENERGY_EVALUATION_H

@@ -14,9 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/select.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The function phi(x) = 1 / g(x) - 1 with the spline g(x) = 1 - (1 - x)^3 of Schueller et al., Locally
 // Injective Mappings (CGF 2013), and its derivatives. For x -> 0+ it tends to infinity, from x = 1 on it
@@ -49,8 +47,6 @@ struct Inverse_spline_barrier
   }
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_INVERSE_SPLINE_BARRIER_H

@@ -29,21 +29,15 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/begin_instructions_of_unit.inc>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 inline bool any(const bool condition) { return condition; }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Pack.inc>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 namespace CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS {
 
 // By Eigen's vectorized functions.
@@ -67,9 +61,7 @@ inline Pack log(const Pack& a)
 
 using CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS::Pack;
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 

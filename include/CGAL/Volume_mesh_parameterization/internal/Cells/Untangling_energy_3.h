@@ -18,9 +18,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The regularized energy of Garanzha et al., Foldover-free Maps in 50 Lines of Code (TOG 2021),
 //   f = |J|^2 / chi^(2/3) + theta (D^2 + 1) / chi,   chi(D) = (D + sqrt(D^2 + eps^2)) / 2,   D = det J,
@@ -117,8 +115,6 @@ private:
   double m_theta;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_UNTANGLING_ENERGY_3_H

@@ -16,9 +16,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its
 // first root, less at most the resolution times that root, however small it is. Bisects by de
@@ -39,8 +37,6 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
   return (1 + positive_until({ middle, b123, b23, b[3] }, 2 * resolution)) / 2;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_POSITIVE_UNTIL_H

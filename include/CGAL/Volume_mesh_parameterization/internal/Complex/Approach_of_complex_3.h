@@ -24,9 +24,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is carried over a refinement of a complex, from one attempt to the next: an approach of the boundary that goes on
 // has the images of all vertices.
@@ -79,8 +77,6 @@ private:
   std::unordered_map<Vertex_handle, Eigen::Vector3d> m_images;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_APPROACH_OF_COMPLEX_3_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Builds a complex from a checked soup through the functions of the triangulation data structure.
 template <typename C3t3>
@@ -228,8 +226,6 @@ private:
   std::vector<Cell_handle>& m_cells;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_MESH_COMPLEX_3_BUILDER_H

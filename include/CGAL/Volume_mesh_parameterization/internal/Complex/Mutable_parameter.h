@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The type for a named parameter that will be modified: a copy of what was passed by value, a
 // reference to what was passed by std::ref().
@@ -26,8 +24,6 @@ using Mutable_parameter = std::conditional_t<
   std::remove_const_t<std::remove_reference_t<Reference> >,
   Reference>;
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_MUTABLE_PARAMETER_H

@@ -26,9 +26,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 template <typename Point>
 Eigen::Vector3d to_vector(const Point& p)
@@ -167,8 +165,6 @@ private:
   std::size_t m_number_of_boundary_vertices = 0;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_NUMBERED_COMPLEX_3_H

@@ -24,9 +24,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
@@ -110,8 +108,6 @@ inline bool has_negative_cells(const Tetrahedron_soup_3& soup)
   return first_negative != none;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_CHECK_TETRAHEDRON_SOUP_H

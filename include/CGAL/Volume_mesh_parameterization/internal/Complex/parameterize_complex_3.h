@@ -25,9 +25,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is asked for, and with what means: the engine's options, and what depends on the type of the complex.
 template <typename Vertex_handle, typename VertexIsConstrainedMap, typename BoundaryMap>
@@ -133,8 +131,6 @@ Parameterization_result parameterize_complex_3(const C3t3& c3t3, const Problem& 
   return written_result(complex, problem, find_map_of_complex_3(complex, problem, approach), uvw_map);
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H

@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Inserts vertices into the simplices that the boundary map makes degenerate whatever the map is; returns their number.
 template <typename C3t3, typename VertexIsConstrainedMap, typename BoundaryMap>
@@ -105,8 +103,6 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
   }
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_COMPLEX_3_H

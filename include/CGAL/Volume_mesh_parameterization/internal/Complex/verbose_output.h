@@ -19,9 +19,7 @@
 #include <iomanip>
 #include <iostream>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Says what is going to be solved, and by which linear solver.
 inline void print(const Numbered_mesh_3& mesh, const Linear_solver_3& solver)
@@ -41,8 +39,6 @@ inline void print(const Parameterization_step& step)
             << "  seconds " << step.seconds << std::endl;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_VERBOSE_OUTPUT_H

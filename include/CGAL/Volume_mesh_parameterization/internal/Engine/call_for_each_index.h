@@ -20,9 +20,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Index_function f)
@@ -39,8 +37,6 @@ void call_for_each_index(const bool is_parallel, const std::size_t first, const 
     f(i);
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_CALL_FOR_EACH_INDEX_H

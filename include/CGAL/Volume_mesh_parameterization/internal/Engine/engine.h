@@ -32,9 +32,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The engine: all between numbered arrays and positions. It knows no complex, an energy only as `Cell_energy_3`, and a
 // solver only as `Linear_solver_3`; so it is compiled once, with each unit or in a library of its own.
@@ -79,9 +77,7 @@ Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix
 
 } // namespace engine
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 // The default solvers are compiled with the engine.

@@ -32,9 +32,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 namespace engine {
 
@@ -98,8 +96,6 @@ Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix
 
 } // namespace engine
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_IMPL_H

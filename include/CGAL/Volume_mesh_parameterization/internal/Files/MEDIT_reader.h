@@ -22,9 +22,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Reads the text of an ASCII MEDIT file. A first pass only finds the keywords, so that their order is free.
 class MEDIT_reader
@@ -178,8 +176,6 @@ private:
   std::map<std::string_view, Text_scanner> m_sections;   // each begins behind its keyword
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_MEDIT_READER_H

@@ -22,9 +22,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Cuts a text into words separated by blanks and counts its lines. A `#` hides the rest of its line.
 // A copy is a bookmark.
@@ -120,8 +118,6 @@ private:
   std::size_t m_line = 1;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_TEXT_SCANNER_H

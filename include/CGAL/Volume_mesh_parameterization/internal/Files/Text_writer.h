@@ -18,9 +18,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Writes text and numbers to a stream, whatever its locale and precision. Floating-point numbers get the fewest digits
 // (at most 17) from which reading restores the same bits. A failure is left in the state of the stream.
@@ -75,8 +73,6 @@ private:
   std::string m_buffer;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_TEXT_WRITER_H

@@ -19,9 +19,7 @@
 #include <istream>
 #include <string>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // the rest of a stream as one string
 inline std::string read_text(std::istream& is)
@@ -59,8 +57,6 @@ void read_file(const std::string& filename, const Read& read)
   }
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_FILES_READ_TEXT_H

@@ -24,9 +24,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Proves that no map with the prescribed vertices has only positive cells: the volumes of these cells,
 // times these positive factors, have a sum that does not depend on the free vertices and is not positive.
@@ -78,8 +76,6 @@ inline bool is_valid(const Infeasibility_proof_3& proof, const Numbered_mesh_3& 
   return sum[0] <= 0 && std::all_of(sum.begin() + 1, sum.end(), [](const Exact_rational& x) { return x == 0; });
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_INFEASIBILITY_PROOF_3_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A point of the convex hull of the columns of a matrix, as a combination of affinely independent columns.
 struct Hull_point
@@ -121,8 +119,6 @@ inline std::vector<Eigen::Index> columns_around_origin(const Eigen::MatrixXd& po
   return p.columns;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_COLUMNS_AROUND_ORIGIN_H

@@ -24,9 +24,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The vertices a proof is about: its free vertices, and those that all its cells share.
 // These are the ends of an edge, the vertices of a cell, or a single vertex.
@@ -79,8 +77,6 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
   return message.str();
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_DESCRIBE_INFEASIBILITY_3_H

@@ -24,9 +24,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Looks at the best images that were found, in which some cells are not positive.
 inline Diagnosis_3 diagnose_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
@@ -42,8 +40,6 @@ inline Diagnosis_3 diagnose_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3X
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_DIAGNOSE_3_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A vector that spans the null space of a matrix with exact numbers, given by rows; none if its dimension is not 1.
 inline std::vector<Exact_rational> null_vector(std::vector<std::vector<Exact_rational> > rows, const std::size_t n)
@@ -139,8 +137,6 @@ inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbe
   return exact_proof(mesh, support, support.size() < columns.size());
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_PROVE_CELLS_INFEASIBLE_3_H

@@ -32,9 +32,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Is there a place for the free vertices of this cell that makes it positive?
 inline bool can_be_positive(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
@@ -131,8 +129,6 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
   return Infeasibility_search_3(mesh, positions).proofs();
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_PROVE_INFEASIBILITY_3_H

@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Six times the volume of the image of a cell whose free vertices are among u and v is linear in u, v and u x v: the
 // constant, and the three coefficients of each of them.
@@ -89,8 +87,6 @@ Volume_form_3<NT> volume_form_3(const Numbered_mesh_3& mesh, const std::array<in
   return form;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_VOLUME_FORM_3_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The images of all vertices, with the verdict of exact predicates on them.
 struct Map_3
@@ -33,8 +31,6 @@ struct Map_3
   bool is_solution() const { return is_valid() && meets_boundary; }
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_MAP_3_H

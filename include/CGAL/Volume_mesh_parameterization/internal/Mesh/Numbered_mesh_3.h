@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A tetrahedral mesh as plain arrays, and where its prescribed vertices go, in the units of the user. The free vertices
 // come first: 0, ..., number_of_free_vertices - 1.
@@ -109,8 +107,6 @@ inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_NUMBERED_MESH_3_H

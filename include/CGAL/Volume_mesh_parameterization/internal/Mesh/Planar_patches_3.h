@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A triangulated surface as patches of neighbouring facets that are coplanar: exactly, or nearly, as
 // where coordinates were rounded in a file. A patch is planar if its vertices are within `tolerance` of
@@ -141,8 +139,6 @@ private:
   std::vector<bool> m_is_planar;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_PLANAR_PATCHES_3_H

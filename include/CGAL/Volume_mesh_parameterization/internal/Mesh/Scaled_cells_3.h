@@ -19,9 +19,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
 // one volume. The unit is a power of two, so that scaling is exact.
@@ -50,8 +48,6 @@ inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const 
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SCALED_CELLS_3_H

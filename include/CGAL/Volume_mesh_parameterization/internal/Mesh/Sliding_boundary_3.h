@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Where the vertices of a boundary may go if its planar patches are to cover the same polygons: a vertex
 // inside a patch moves parallel to its plane, one between two patches along their line, and every other
@@ -170,8 +168,6 @@ inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& bound
   return map;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SLIDING_BOUNDARY_3_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The facets that belong to one cell only; where the cells are positive, their normals point outwards.
 inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std::array<int, 4> >& cells)
@@ -46,8 +44,6 @@ inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std:
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_BOUNDARY_FACETS_3_H

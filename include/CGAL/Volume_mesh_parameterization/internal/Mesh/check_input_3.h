@@ -29,9 +29,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 template <typename... Parts>
 Input_check_3 failed_check(const Error_code status, const Parts&... parts)
@@ -164,8 +162,6 @@ inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
   return {};
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_CHECK_INPUT_3_H

@@ -20,9 +20,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Is the cell positively oriented? Decided by exact predicates on the coordinates as they are.
 inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
@@ -58,8 +56,6 @@ inline Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::M
   return inverted_cells(mesh, positions, [](const std::array<int, 4>&) { return true; });
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_EXACT_ORIENTATION_3_H

@@ -18,9 +18,7 @@
 #include <algorithm>
 #include <array>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The point with coordinates in double precision, for which predicates are exact.
 using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -43,8 +41,6 @@ inline bool is_positive_cell(const std::array<Exact_point_3, 4>& p)
     && CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_EXACT_POINT_3_H

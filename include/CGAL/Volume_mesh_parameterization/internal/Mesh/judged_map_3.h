@@ -20,9 +20,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // With the prescribed vertices to be on their targets.
 inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
@@ -35,8 +33,6 @@ inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
   return map;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_JUDGED_MAP_3_H

@@ -26,9 +26,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 inline double angle_distortion(const double largest, const double smallest)
 {
@@ -103,8 +101,6 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_MEASURE_DISTORTION_3_H

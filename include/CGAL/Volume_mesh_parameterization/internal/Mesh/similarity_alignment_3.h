@@ -17,9 +17,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The source, rotated, scaled and translated such that the sum of the squared distances of its
 // prescribed vertices to their targets is minimal. Keeps every orientation: the rotation is proper
@@ -52,8 +50,6 @@ inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SIMILARITY_ALIGNMENT_3_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones
 // only, the others keep their order.
@@ -86,8 +84,6 @@ inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_SPATIAL_ORDER_3_H

@@ -21,9 +21,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The squared singular values of the map between two triangles with edges X and U are the eigenvalues of
 // U^T U relative to X^T X.
@@ -63,8 +61,6 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_UNAVOIDABLE_ANGLE_DISTORTION_3_H

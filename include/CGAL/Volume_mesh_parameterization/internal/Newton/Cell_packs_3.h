@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The packs, in chunks that are the units of parallel work, and the chunks in an order of rounds: those of a round share
 // no unknown vertex (a coloring), so they may add to the same matrix at the same time, and each vertex receives its
@@ -175,8 +173,6 @@ private:
   std::vector<std::size_t> m_round_begin;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CELL_PACKS_3_H

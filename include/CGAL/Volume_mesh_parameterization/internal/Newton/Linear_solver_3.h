@@ -22,9 +22,7 @@
 #include <string>
 #include <variant>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The matrix of a Newton system, with the numbers that the solver wants.
 using Newton_matrix_3 = std::variant<Block_sparse_matrix_3<float>, Block_sparse_matrix_3<double> >;
@@ -64,8 +62,6 @@ private:
   Solver& m_solver;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINEAR_SOLVER_3_H

@@ -23,9 +23,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy by Newton steps that never invert a cell.
 class Minimizer_3
@@ -99,8 +97,6 @@ private:
   Negative_curvature m_negative_curvature;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MINIMIZER_3_H

@@ -14,9 +14,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The part of the negative curvature that a Hessian keeps: between 0, which makes it positive
 // semi-definite and serves far from the optimum, and 1, which makes it the full one and converges
@@ -44,8 +42,6 @@ private:
   double m_growth = 4;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEGATIVE_CURVATURE_H

@@ -16,9 +16,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The solution of a Newton system, and what it is good for.
 struct Newton_direction_3
@@ -58,8 +56,6 @@ inline const char* describe_failure(const Newton_direction_3& direction)
   }
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_DIRECTION_3_H

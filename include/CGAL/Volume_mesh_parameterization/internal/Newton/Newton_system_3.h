@@ -30,9 +30,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An energy of the cells, plus perhaps a penalty, as a function of the unknown vertices: its value and gradient, and the
 // Newton direction, for any energy. The pattern of the Hessian is set and analyzed once; the linear solver belongs
@@ -160,8 +158,6 @@ private:
   bool m_is_parallel;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_SYSTEM_3_H

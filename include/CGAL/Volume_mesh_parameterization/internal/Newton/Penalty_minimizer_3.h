@@ -28,9 +28,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy plus the penalty of the constraints, for one weight, by Newton steps that never invert a cell. Ends
 // by the three criteria of Jin et al., section 4.2: energy, positions or gradient have become stationary.
@@ -136,8 +134,6 @@ private:
   double m_last_energy; // after the last step that has been concluded
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_PENALTY_MINIMIZER_3_H

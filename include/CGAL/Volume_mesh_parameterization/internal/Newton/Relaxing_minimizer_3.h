@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The same with the relaxation of Jin et al., section 4.2: a step must decrease the energy and the norm of its
 // gradient. Where none does, the vertices are relaxed: for some steps, the current positions take the
@@ -80,8 +78,6 @@ private:
   std::size_t m_relaxations_left = 0;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_RELAXING_MINIMIZER_3_H

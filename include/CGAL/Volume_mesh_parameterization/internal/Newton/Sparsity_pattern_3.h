@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Which blocks the Hessian has, in compressed rows as in `Block_sparse_matrix_3`.
 struct Sparsity_pattern_3
@@ -80,8 +78,6 @@ inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const 
   return { std::move(row_begin), std::move(columns) };
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SPARSITY_PATTERN_3_H

@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What one step of the untangler or of the minimizer tells.
 enum class Step_status
@@ -25,8 +23,6 @@ enum class Step_status
   SOLVER_FAILED
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_STEP_STATUS_H

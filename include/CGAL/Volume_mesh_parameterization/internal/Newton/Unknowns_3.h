@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Which vertices a stage may move, each with a row of the Newton system, and perhaps in some directions only. That is a
 // choice of the stage; which vertices are prescribed is a fact of the problem.
@@ -113,8 +111,6 @@ inline Unknowns_3 all_vertices(const Numbered_mesh_3& mesh)
   return Unknowns_3(mesh.number_of_vertices(), [](int) { return true; });
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNKNOWNS_3_H

@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Removes inverted cells: minimizes the untangling energy while its epsilon tends to zero
 // (Garanzha et al. 2021, section 4), until no cell is inverted.
@@ -117,8 +115,6 @@ private:
   std::size_t m_steps_without_progress = 0;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLER_3_H

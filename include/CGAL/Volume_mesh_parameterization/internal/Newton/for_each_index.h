@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Does this tag ask for threads, and are there any?
 template <typename ConcurrencyTag>
@@ -62,9 +60,7 @@ void for_each_index(const bool is_parallel, const std::size_t first, const std::
   call_for_each_index(is_parallel, first, last, Index_function(f));
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  include <CGAL/Volume_mesh_parameterization/internal/Engine/call_for_each_index.h>

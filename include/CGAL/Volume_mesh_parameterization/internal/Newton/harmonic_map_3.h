@@ -19,9 +19,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton
 // step suffices; repeated steps make up for a solver that is not exact. Returns the last direction.
@@ -46,8 +44,6 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3
   return direction;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_HARMONIC_MAP_3_H

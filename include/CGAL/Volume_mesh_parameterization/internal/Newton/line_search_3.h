@@ -22,9 +22,7 @@
 #include <limits>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A step along a direction.
 struct Line_search_step_3
@@ -84,8 +82,6 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
   }
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H

@@ -26,9 +26,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
 // the cells.
@@ -111,8 +109,6 @@ inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& 
   return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H

@@ -20,9 +20,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The vertices of the boundary of a complex, and those that `is_constrained` tells.
 template <typename C3t3, typename VertexIsConstrainedMap>
@@ -98,8 +96,6 @@ private:
   BoundaryMap m_target;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_DEGENERATE_SIMPLICES_3_H

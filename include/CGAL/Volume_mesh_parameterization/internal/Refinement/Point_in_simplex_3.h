@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Finds a point of a simplex that can become a vertex: all cells it makes are positive after rounding.
 template <typename Tr>
@@ -95,8 +93,6 @@ private:
   const std::vector<Cell_handle>& m_cells;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_POINT_IN_SIMPLEX_3_H

@@ -22,9 +22,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Inserts vertices into chosen edges, facets and cells of a complex, and knows where the other chosen ones are then.
 //
@@ -108,8 +106,6 @@ private:
   std::unordered_map<Simplex, Cell_handle, Hash, Has_same_vertices> m_cells;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_REFINEMENT_3_H

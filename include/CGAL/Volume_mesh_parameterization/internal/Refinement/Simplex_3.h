@@ -19,9 +19,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An edge, facet or cell, given by its two, three or four vertices. Those of a cell are in its order.
 template <typename VertexHandle>
@@ -107,8 +105,6 @@ bool is_interior(const C3t3& c3t3,
   });
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_SIMPLEX_3_H

@@ -20,9 +20,7 @@
 #include <queue>
 #include <tuple>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Removes bad interior edges, facets and cells from a complex by the insertion of few vertices.
 //
@@ -127,8 +125,6 @@ private:
   std::size_t m_number_of_candidates = 0;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_SIMPLEX_REMOVAL_3_H

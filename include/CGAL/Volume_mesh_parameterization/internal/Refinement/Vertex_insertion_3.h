@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Makes a vertex of a point of an interior edge, facet or cell of a complex. The new cells, facets and feature
 // edges belong to the complex with the indices of those that contain them, and the new vertex gets the
@@ -157,8 +155,6 @@ private:
   Surface_patch_index m_surface_patch = Surface_patch_index();
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_VERTEX_INSERTION_3_H

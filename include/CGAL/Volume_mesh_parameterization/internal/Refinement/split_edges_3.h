@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Splits the interior edges among the given pairs of vertices, longest first, and writes an `Inserted_vertex_3` for each
 // split. Pairs that are no interior edge are ignored. The time is linear in the number of cells.
@@ -56,8 +54,6 @@ OutputIterator split_edges_3(C3t3& c3t3,
   return out;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_REFINEMENT_SPLIT_EDGES_3_H

@@ -37,9 +37,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The map with soft boundary (Jin et al., section 4): starts from the source aligned to the target,
 // and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
@@ -187,8 +185,6 @@ private:
   std::vector<std::size_t> m_numbers_of_blocking_cells; // for each weight
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_BOUNDARY_APPROACH_3_H

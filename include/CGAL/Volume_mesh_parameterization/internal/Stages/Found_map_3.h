@@ -20,9 +20,7 @@
 #include <optional>
 #include <string>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What the stages have come to.
 struct Found_map_3
@@ -42,8 +40,6 @@ struct Found_map_3
   }
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_FOUND_MAP_3_H

@@ -20,9 +20,7 @@
 
 #include <Eigen/Core>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy from a map on that inverts no cell; vertices that are not unknown stay where they are.
 class Minimization_3 : public Stage_3
@@ -49,8 +47,6 @@ private:
   double m_energy_of_other_cells;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MINIMIZATION_3_H

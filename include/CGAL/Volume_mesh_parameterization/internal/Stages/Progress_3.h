@@ -22,9 +22,7 @@
 #include <functional>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Newton steps and wall-clock seconds of all stages so far, as in `Parameterization_result`.
 struct Effort_3
@@ -107,8 +105,6 @@ private:
   bool m_is_interrupted = false;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_PROGRESS_3_H

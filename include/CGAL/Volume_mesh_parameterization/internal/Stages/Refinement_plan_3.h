@@ -16,9 +16,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What a refinement keeps of the approach that was blocked.
 struct Blocked_approach_3
@@ -34,8 +32,6 @@ struct Refinement_plan_3
   Blocked_approach_3 approach;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_REFINEMENT_PLAN_3_H

@@ -21,9 +21,7 @@
 
 #include <string>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // One stage on the way to a map: ready to step as soon as it is constructed, then a Newton step at a time.
 class Stage_3
@@ -78,8 +76,6 @@ private:
   bool m_is_running = true;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_STAGE_3_H

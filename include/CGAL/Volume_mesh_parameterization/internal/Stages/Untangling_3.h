@@ -25,9 +25,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // With the prescribed vertices on their targets: untangles until no cell is inverted.
 class Untangling_3 : public Stage_3
@@ -79,8 +77,6 @@ private:
   std::size_t m_number_of_inverted_cells_at_start = 0;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_3_H

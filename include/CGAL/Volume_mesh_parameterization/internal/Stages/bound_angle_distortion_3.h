@@ -25,9 +25,7 @@
 #include <sstream>
 #include <string>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 inline std::string describe_angle_distortion(const double reached, const double unavoidable)
 {
@@ -71,8 +69,6 @@ void bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Cell_energy_3& 
   }
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_BOUND_ANGLE_DISTORTION_3_H

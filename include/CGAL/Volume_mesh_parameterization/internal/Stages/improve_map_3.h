@@ -31,9 +31,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Goes on from a map that meets the boundary: vertices of planar patches slide, and the distortion of angles is bounded.
 inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
@@ -70,8 +68,6 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
     bound_angle_distortion_3(mesh, energy, bound, sliding.has_value(), minimize, progress, found);
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_MAP_3_H

@@ -27,9 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // How it ended, by the exact verdict on the map.
 inline Error_code final_status(const Found_map_3& found)
@@ -90,8 +88,6 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   return result;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MAKE_RESULT_3_H

@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The cells that keep the prescribed vertices farthest from their targets away from there: not positive if all prescribed
 // vertices were put on their targets, and with a vertex more than half as far from it as any of these cells has.
@@ -74,8 +72,6 @@ inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Fo
   return plan;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_PLAN_REFINEMENT_3_H

@@ -20,9 +20,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Takes over how a stage ended, and its map with the verdict on it.
 inline void take_over(const Stage_3& stage, const Error_code status, Map_3 map, Found_map_3& found)
@@ -32,8 +30,6 @@ inline void take_over(const Stage_3& stage, const Error_code status, Map_3 map, 
   found.map = std::move(map);
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_TAKE_OVER_3_H

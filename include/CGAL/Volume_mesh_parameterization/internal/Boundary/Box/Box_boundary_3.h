@@ -18,9 +18,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Where the vertices of a surface lie on the boundary of a box around the origin.
 // As a domain of `Radial_map_3` it lets them move in their face or along their edge.
@@ -85,8 +83,6 @@ private:
   Eigen::Vector3d m_half_lengths;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_BOX_BOUNDARY_3_H

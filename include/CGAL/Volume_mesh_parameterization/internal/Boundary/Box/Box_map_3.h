@@ -29,9 +29,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Maps a triangulated topological sphere, of which an image on the unit sphere is known, onto the boundary of a box:
 // twelve paths on the surface become the edges of the box, and the patches between them its faces.
@@ -163,8 +161,6 @@ private:
   Box_boundary_3 m_domain;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_BOX_MAP_3_H

@@ -15,9 +15,7 @@
 #include <array>
 #include <cstddef>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Bit a of the number of a corner of the cube tells on which of the two sides it is along axis a.
 inline int side_of_corner(const int corner, const int axis)
@@ -51,8 +49,6 @@ inline int next_axis_around_corner(const int corner, const int axis)
   return (axis + (is_direct ? 1 : 2)) % 3;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_CUBE_EDGE_3_H

@@ -30,9 +30,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Finds disjoint paths along edges of a triangulated sphere that join eight of its vertices like the edges of a cube.
 //
@@ -216,8 +214,6 @@ private:
   std::vector<bool> m_is_used;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_CUBE_EDGE_ROUTER_3_H

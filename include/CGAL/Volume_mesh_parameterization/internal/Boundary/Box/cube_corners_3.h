@@ -24,9 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The points, moved and scaled such that their bounding box becomes the cube [-1, 1]^3.
 inline std::vector<Eigen::Vector3d> in_bounding_cube(const std::vector<Eigen::Vector3d>& points)
@@ -101,8 +99,6 @@ inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& poi
   return corners;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_CUBE_CORNERS_3_H

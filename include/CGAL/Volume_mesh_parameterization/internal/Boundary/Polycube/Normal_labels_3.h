@@ -27,9 +27,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Labels the faces of a surface with axis directions that are close to their normals and change along short lines, as
 // Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels minimize
@@ -100,8 +98,6 @@ private:
   std::vector<Eigen::Vector3d> m_area_vectors; // normal times area
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_NORMAL_LABELS_3_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Finds the coordinates of the faces of a polycube for valid charts, along their axes: those that minimize
 //   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
@@ -240,8 +238,6 @@ private:
   std::vector<Order> m_orders;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_COORDINATES_3_H

@@ -29,9 +29,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is given such
 // that the longest side of its bounding box is 1, and the polycube made for the box that it had before.
@@ -168,8 +166,6 @@ private:
   std::vector<Face> m_flipped_faces;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_MAP_3_H

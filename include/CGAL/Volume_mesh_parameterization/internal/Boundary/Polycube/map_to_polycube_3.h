@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Maps a surface onto a polycube for given labels.
 inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, const std::vector<std::size_t>& labels,
@@ -69,8 +67,6 @@ inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, std::vector<Eigen::Vec
   return status;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_MAP_TO_POLYCUBE_3_H

@@ -24,9 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The invalid chart of smallest area.
 inline std::size_t smallest_invalid_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
@@ -113,8 +111,6 @@ inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Bound
   return has_changed;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_REPAIR_LABELS_3_H

@@ -17,9 +17,7 @@
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The distortion of a triangle whose image a, b, c is seen from the origin, as a function of a:
 // f = Q (1 + 1 / D^2), with Q the Dirichlet energy of the map of the triangle, and D = det(a, b, c) / (2 weight).
@@ -75,8 +73,6 @@ private:
   double m_constant, m_cotangent_b, m_cotangent_c;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_RADIAL_DISTORTION_3_H

@@ -24,9 +24,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A map of a surface onto a surface around the origin, which sees the image of each triangle from inside.
 //
@@ -160,8 +158,6 @@ private:
   std::vector<Radial_distortion_3> m_triangles; // around the vertex in work
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_RADIAL_MAP_3_H

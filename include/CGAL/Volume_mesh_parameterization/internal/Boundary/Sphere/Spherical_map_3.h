@@ -23,9 +23,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 struct Unit_sphere_3
 {
@@ -137,8 +135,6 @@ private:
   Radial_map_3<Domain> m_map;
 };
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_SPHERICAL_MAP_3_H

@@ -20,9 +20,7 @@
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Is the triangle counterclockwise as seen from outside, the origin being inside? Decided by exact predicates.
 inline Orientation radial_orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
@@ -55,8 +53,6 @@ inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vect
          && std::count_if(triangles.begin(), triangles.end(), is_in_direction) == 1;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_IS_RADIALLY_BIJECTIVE_3_H

@@ -21,9 +21,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Volume_mesh_parameterization {
-namespace internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Maps a closed surface onto the unit sphere, if it is a topological sphere. Compiled only where it is used: the header
 // of the entry function includes it.
@@ -42,8 +40,6 @@ Error_code map_to_sphere_3(const Boundary_mesh& mesh, std::vector<Eigen::Vector3
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 
-} // namespace internal
-} // namespace Volume_mesh_parameterization
-} // namespace CGAL
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_MAP_TO_SPHERE_3_H
