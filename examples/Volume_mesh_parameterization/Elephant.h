@@ -7,20 +7,13 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polyhedral_mesh_domain_3.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/alpha_wrap_3.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/make_mesh_3.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -30,27 +23,8 @@ using Domain = CGAL::Polyhedral_mesh_domain_3<Surface_mesh, K>;
 using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
 using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
 
-// The elephant has three handles, where the trunk and the ears touch the body. A wrap that does not enter gaps below
-// 1/20 of the diagonal closes them, so that the boundary is a topological sphere.
-inline C3t3 mesh_elephant(const std::string& filename)
-{
-  namespace params = CGAL::parameters;
-
-  Surface_mesh surface, wrap;
-  if(!CGAL::IO::read_polygon_mesh(filename, surface))
-    throw std::runtime_error("There is no surface in " + filename);
-  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-  CGAL::alpha_wrap_3(surface, diagonal / 20, diagonal / 600, wrap);
-
-  const double size = diagonal / 40;
-  const Domain domain(wrap);
-  const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = size,
-                                           params::facet_distance = size / 8, params::cell_radius_edge_ratio = 3,
-                                           params::cell_size = size);
-  // a perturbation could make the boundary non-manifold again
-  return CGAL::make_mesh_3<C3t3>(domain, criteria, params::manifold(), params::no_perturb(), params::no_exude());
-}
+// It is compiled once for both programs, as make_mesh_3() takes longer to compile than the rest of each.
+C3t3 mesh_elephant(const std::string& filename);
 
 // Prints the result, writes the map to a file, and returns the exit code of the program.
 template <typename VertexUVWMap>

@@ -1,13 +1,9 @@
 // Turns the interior of a ball against its boundary, with a solver, a visitor and fixed vertices of one's own.
+#include "mesh_body.h"
+
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -19,13 +15,6 @@
 #include <iostream>
 #include <unordered_map>
 #include <unordered_set>
-
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
-using Vertex_handle = C3t3::Vertex_handle;
 
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -53,7 +42,7 @@ int main()
   const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.2,
                                            params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2,
                                            params::cell_size = 0.1);
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+  const C3t3 c3t3 = mesh_body(domain, criteria);
 
   // the vertices of a small ball in the middle are constrained; they turn about the z-axis, the boundary stays
   const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();

@@ -1,13 +1,8 @@
 // Maps a flat ellipsoid onto a cube. Cells whose vertices all go to one face of the cube must be split before.
+#include "mesh_body.h"
+
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -17,13 +12,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <unordered_map>
-
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
-using Vertex_handle = C3t3::Vertex_handle;
 
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -59,7 +47,7 @@ int main()
   const Domain domain = Domain::create_implicit_mesh_domain(ellipsoid, K::Sphere_3(CGAL::ORIGIN, 4.));
   const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_size = 0.1, params::facet_distance = 0.01,
                                            params::cell_radius_edge_ratio = 3, params::cell_size = 0.15);
-  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+  C3t3 c3t3 = mesh_body(domain, criteria);
 
   if(parameterize(c3t3).status != VMP::ERROR_PRESCRIBED_CELL_INVERTED)
     return EXIT_FAILURE;

@@ -1,14 +1,9 @@
 // Maps a blob to the cube twice: with a fixed boundary, and with one that slides in the faces of the cube.
+#include "mesh_body.h"
+
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -19,11 +14,6 @@
 #include <string>
 #include <unordered_map>
 
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
 using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
 
 namespace params = CGAL::parameters;
@@ -72,7 +62,7 @@ int main()
   const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.1,
                                            params::facet_distance = 0.01, params::cell_radius_edge_ratio = 3,
                                            params::cell_size = 0.12);
-  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+  C3t3 c3t3 = mesh_body(domain, criteria);
 
   Point_map target;
   const VMP::Error_code status

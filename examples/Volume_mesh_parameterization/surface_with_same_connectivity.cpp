@@ -1,15 +1,11 @@
 // Meshes a ball, bends its surface, and maps the ball onto what the bent surface encloses.
+#include "mesh_body.h"
+
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -17,12 +13,7 @@
 #include <iostream>
 #include <unordered_map>
 
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
 using Surface_mesh = CGAL::Surface_mesh<Point_3>;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
 using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
 
 namespace params = CGAL::parameters;
@@ -35,7 +26,7 @@ int main()
   const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.2,
                                            params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2,
                                            params::cell_size = 0.2);
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+  const C3t3 c3t3 = mesh_body(domain, criteria);
 
   // any program that moves vertices and keeps faces will do, for instance one that fairs or deforms surfaces
   Surface_mesh boundary;

@@ -1,14 +1,8 @@
 // The boundary of a ball meshed by Mesh_3, whose triangulation has weighted points and cells outside the complex.
 #include "catch.h"
+#include "mesh_body.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -19,12 +13,6 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
 
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
-using Vertex_handle = C3t3::Vertex_handle;
 using Cell_handle = C3t3::Cell_handle;
 
 namespace {
@@ -34,7 +22,7 @@ C3t3 ball_of_radius_3()
   const Domain domain = Domain::create_implicit_mesh_domain(
     [](const Point_3& p) { return CGAL::squared_distance(p, Point_3(1, 1, 1)) - 9; },
     K::Sphere_3(Point_3(1, 1, 1), 16));
-  return CGAL::make_mesh_3<C3t3>(domain, CGAL::Mesh_criteria_3<Tr>(
+  return mesh_body(domain, CGAL::Mesh_criteria_3<Tr>(
     params::facet_angle = 25, params::facet_size = 0.7, params::facet_distance = 0.05,
     params::facet_topology = CGAL::MANIFOLD, params::cell_radius_edge_ratio = 3, params::cell_size = 1));
 }

@@ -2,15 +2,12 @@
 #include "catch.h"
 #include "code_of_readme.h"
 #include "cube_complex.h"
+#include "mesh_body.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -192,20 +189,14 @@ TEST_CASE("A single tetrahedron")
 
 TEST_CASE("A ball meshed by Mesh_3")
 {
-  using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Point_3 = K::Point_3;
-  using Domain = CGAL::Labeled_mesh_domain_3<K>;
-  using Tr = CGAL::Mesh_triangulation_3<Domain>::type; // its points are weighted
-  using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
-  using Vertex_handle = C3t3::Vertex_handle;
-
   const auto ball = [](const Point_3& p) { return CGAL::squared_distance(p, Point_3(CGAL::ORIGIN)) - 1; };
   Domain domain = Domain::create_implicit_mesh_domain(ball, K::Sphere_3(CGAL::ORIGIN, 2.));
   const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.3,
                                            params::facet_distance = 0.03, params::cell_radius_edge_ratio = 2,
                                            params::cell_size = 0.3);
-  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
-  c3t3.triangulation().insert(Tr::Point(Point_3(1.9, 0, 0))); // outside the complex
+  C3t3 c3t3 = mesh_body(domain, criteria);
+  // its points are weighted; this one is outside the complex
+  c3t3.triangulation().insert(Tr::Point(Point_3(1.9, 0, 0)));
   c3t3.rescan_after_load_of_triangulation();
 
   const auto bend = [](const Vertex_handle v) // preserves volume

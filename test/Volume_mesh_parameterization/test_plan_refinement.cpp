@@ -6,8 +6,8 @@
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Approach_of_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/judged_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 

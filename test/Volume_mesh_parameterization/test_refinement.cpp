@@ -1,17 +1,13 @@
 // Refinement of a complex: what must stay as it is, and what must be gone.
 #include "catch.h"
+#include "mesh_body.h"
 
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
+#include <CGAL/centroid.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -32,12 +28,9 @@
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
 using Soup = VMP::Tetrahedron_soup_3;
 using Remeshing_C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K> >;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Mesh_3_C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Mesh_triangulation_3<Domain>::type>;
+using Mesh_3_C3t3 = C3t3;
 
 namespace {
 
@@ -305,7 +298,7 @@ Mesh_3_C3t3 two_halves()
   const CGAL::Mesh_criteria_3<Mesh_3_C3t3::Triangulation> criteria(params::facet_size = 0.2, params::facet_distance = 0.05,
                                                                    params::cell_radius_edge_ratio = 3,
                                                                    params::cell_size = 0.3);
-  return CGAL::make_mesh_3<Mesh_3_C3t3>(domain, criteria);
+  return mesh_body(domain, criteria);
 }
 
 Soup soup_of(const Mesh_3_C3t3& c3t3)

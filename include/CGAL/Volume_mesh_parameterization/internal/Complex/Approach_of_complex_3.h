@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Refinement_plan_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 
 #include <Eigen/Core>
 

@@ -20,6 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 
 #include <CGAL/iterator.h>
 
@@ -89,7 +90,7 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
       if(found.is_blocked() && may_split)
       {
         const Refinement_plan_3 plan
-          = engine::plan_refinement(complex.numbered.mesh(), found, approach.blocked());
+          = plan_refinement_3(complex.numbered.mesh(), found, approach.blocked());
         const auto inserted = split_edges_of_cells(c3t3, complex.numbered, plan.cells);
         number_of_splits += inserted.size();
         approach = Approach_of_complex_3<C3t3>(complex.numbered, found.map.positions, inserted, plan.approach);

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/parallel_for.h>

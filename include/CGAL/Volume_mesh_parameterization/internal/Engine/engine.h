@@ -22,7 +22,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Refinement_plan_3.h>
 
 #include <CGAL/tags.h>
 
@@ -62,10 +61,6 @@ void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linea
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
                                     const Cell_energy_3& energy, const Progress_3& progress);
-
-// Which cells to refine where a search was blocked, and what to keep of it.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Refinement_plan_3 plan_refinement(const Numbered_mesh_3& mesh, const Found_map_3& found, const Blocked_approach_3& before);
 
 // Is each cell positive, by exact predicates?
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

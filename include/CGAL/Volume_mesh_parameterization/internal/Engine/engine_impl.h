@@ -23,7 +23,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 
 #include <Eigen/Core>
 
@@ -74,12 +73,6 @@ Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_che
                                     const Cell_energy_3& energy, const Progress_3& progress)
 {
   return make_result_3(mesh, check, found, energy, progress);
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Refinement_plan_3 plan_refinement(const Numbered_mesh_3& mesh, const Found_map_3& found, const Blocked_approach_3& before)
-{
-  return plan_refinement_3(mesh, found, before);
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -12,10 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -30,6 +34,17 @@ struct Map_3
   bool is_valid() const { return number_of_inverted_cells == 0; }
   bool is_solution() const { return is_valid() && meets_boundary; }
 };
+
+// With the prescribed vertices to be on their targets.
+inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+{
+  Map_3 map;
+  map.number_of_inverted_cells = inverted_cells(mesh, positions).number;
+  map.meets_boundary = is_on_target(mesh, positions);
+  map.distance_to_boundary = largest_distance_to_target(mesh, positions);
+  map.positions = std::move(positions);
+  return map;
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -15,7 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Penalty_minimizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -14,12 +14,15 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 
 #include <Eigen/Core>
 
 #include <string>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -75,6 +78,14 @@ private:
   std::string m_reason;
   bool m_is_running = true;
 };
+
+// Takes over how a stage ended, and its map with the verdict on it.
+inline void take_over(const Stage_3& stage, const Error_code status, Map_3 map, Found_map_3& found)
+{
+  found.status = status;
+  found.reason = status == stage.status() ? stage.reason() : std::string();
+  found.map = std::move(map);
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -15,15 +15,29 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Refinement_plan_3.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What a refinement keeps of the approach that was blocked.
+struct Blocked_approach_3
+{
+  bool goes_on = false;             // from the map reached; otherwise, all starts again with the refined complex
+  std::size_t number_of_raises = 0; // of the weight of the soft boundary
+  double distance = std::numeric_limits<double>::infinity(); // the largest one to a target
+};
+
+struct Refinement_plan_3
+{
+  std::vector<std::size_t> cells; // whose interior edges are to be split, in the order of the user
+  Blocked_approach_3 approach;
+};
 
 // The cells that keep the prescribed vertices farthest from their targets away from there: not positive if all prescribed
 // vertices were put on their targets, and with a vertex more than half as far from it as any of these cells has.

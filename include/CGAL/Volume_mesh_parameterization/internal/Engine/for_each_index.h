@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_FOR_EACH_INDEX_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_FOR_EACH_INDEX_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_FOR_EACH_INDEX_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_FOR_EACH_INDEX_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -66,4 +66,4 @@ void for_each_index(const bool is_parallel, const std::size_t first, const std::
 #  include <CGAL/Volume_mesh_parameterization/internal/Engine/call_for_each_index.h>
 #endif
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_FOR_EACH_INDEX_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_FOR_EACH_INDEX_H

@@ -1,0 +1,8 @@
+#include "mesh_body.h"
+
+#include <CGAL/make_mesh_3.h>
+
+C3t3 mesh_body(const Domain& domain, const CGAL::Mesh_criteria_3<Tr>& criteria)
+{
+  return CGAL::make_mesh_3<C3t3>(domain, criteria);
+}
