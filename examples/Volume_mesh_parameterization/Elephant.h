@@ -1,30 +1,16 @@
-// A tetrahedral mesh of CGAL's elephant, and what is told of a map of it.
+// What the programs that map CGAL's elephant share.
 #ifndef ELEPHANT_H
 #define ELEPHANT_H
 
+#include "mesh_surface.h"
+
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/Polyhedral_mesh_domain_3.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>
-
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
-using Surface_mesh = CGAL::Surface_mesh<Point_3>;
-using Domain = CGAL::Polyhedral_mesh_domain_3<Surface_mesh, K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
-
-// It is compiled once for both programs, as make_mesh_3() takes longer to compile than the rest of each.
-C3t3 mesh_elephant(const std::string& filename);
 
 // Prints the result, writes the map to a file, and returns the exit code of the program.
 template <typename VertexUVWMap>

@@ -1,4 +1,4 @@
-#include "Elephant.h"
+#include "mesh_surface.h"
 
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -6,16 +6,17 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/make_mesh_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+
+namespace params = CGAL::parameters;
 
 // The elephant has three handles, where the trunk and the ears touch the body. A wrap that does not enter gaps below
 // 1/20 of the diagonal closes them, so that the boundary is a topological sphere.
 C3t3 mesh_elephant(const std::string& filename)
 {
-  namespace params = CGAL::parameters;
-
   Surface_mesh surface, wrap;
   if(!CGAL::IO::read_polygon_mesh(filename, surface))
     throw std::runtime_error("There is no surface in " + filename);
@@ -30,4 +31,17 @@ C3t3 mesh_elephant(const std::string& filename)
                                            params::cell_size = size);
   // a perturbation could make the boundary non-manifold again
   return CGAL::make_mesh_3<C3t3>(domain, criteria, params::manifold(), params::no_perturb(), params::no_exude());
+}
+
+C3t3 mesh_mechanical_part(const Surface_mesh& surface)
+{
+  Domain domain(surface);
+  domain.detect_features(40); // dihedral angles that deviate from a flat one by more degrees are sharp edges
+  const CGAL::Bbox_3 box = domain.bbox();
+  const double size = 0.05 * (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+  const CGAL::Mesh_criteria_3<Tr> criteria(params::edge_size = size, params::facet_angle = 25,
+                                           params::facet_size = size, params::facet_distance = 0.1 * size,
+                                           params::facet_topology = CGAL::MANIFOLD,
+                                           params::cell_radius_edge_ratio = 3, params::cell_size = size);
+  return CGAL::make_mesh_3<C3t3>(domain, criteria);
 }
