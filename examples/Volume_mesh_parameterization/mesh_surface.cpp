@@ -2,7 +2,6 @@
 
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/alpha_wrap_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/make_mesh_3.h>
 
@@ -17,12 +16,12 @@ namespace params = CGAL::parameters;
 // 1/20 of the diagonal closes them, so that the boundary is a topological sphere.
 C3t3 mesh_elephant(const std::string& filename)
 {
-  Surface_mesh surface, wrap;
+  Surface_mesh surface;
   if(!CGAL::IO::read_polygon_mesh(filename, surface))
     throw std::runtime_error("There is no surface in " + filename);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
   const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-  CGAL::alpha_wrap_3(surface, diagonal / 20, diagonal / 600, wrap);
+  const Surface_mesh wrap = close_gaps(surface, diagonal / 20, diagonal / 600);
 
   const double size = diagonal / 40;
   const Domain domain(wrap);
