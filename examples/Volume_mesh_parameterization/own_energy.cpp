@@ -20,7 +20,6 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 // A symmetric function of the singular values s, with its derivatives, for one cell (T is double) or several at once.
 struct Stretch_and_Dirichlet_energy_3
 {
-  static constexpr bool has_barrier = true; // is infinite for flat cells
   double weight;
   VMP::Stretch_energy_3 stretch = {};
   VMP::Dirichlet_energy_3 dirichlet = {};

@@ -31,7 +31,6 @@ class Any_energy_3
 
 public:
   static constexpr std::size_t number_of_energies = std::variant_size_v<Energy>;
-  static constexpr bool has_barrier = false;
 
   explicit Any_energy_3(const std::size_t index)
   {

@@ -57,6 +57,9 @@ const std::vector<Vector3d> samples = {
 template <typename Energy>
 double value(const Energy& energy, const Vector3d& s) { return energy.value(s); }
 
+template <typename Energy>
+bool is_infinite_for_flat_cells(const Energy& energy) { return value(energy, Vector3d(1, 1, 1e-9)) > 1e6; }
+
 // A matrix with the singular values s; the rotations are of no special kind.
 Matrix3d matrix(const Vector3d& s)
 {
@@ -148,7 +151,7 @@ TEMPLATE_LIST_TEST_CASE("Gradient and Hessian are the derivatives", "[energies]"
   {
     CAPTURE(s.transpose());
     check_derivatives(energy, s);
-    if(!TestType::has_barrier)
+    if(!is_infinite_for_flat_cells(energy))
       check_derivatives(energy, Vector3d(s[0], s[1], -0.3 * s[2]));
   }
 }
@@ -235,7 +238,7 @@ TEMPLATE_TEST_CASE("A barrier rises without bound while a cell becomes flat", "[
                    Symmetric_Dirichlet, Lp_stretch, Barrier<ARAP>, Barrier<LSCM>, Power<Stretch>, Bounded_Dirichlet)
 {
   const TestType energy{};
-  STATIC_REQUIRE(TestType::has_barrier);
+  CHECK(is_infinite_for_flat_cells(energy));
   double last = value(energy, Vector3d(1, 1, 1e-4));
   for(double s = 1e-5; s > 1e-9; s /= 10)
   {

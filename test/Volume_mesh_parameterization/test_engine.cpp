@@ -295,7 +295,7 @@ TEMPLATE_TEST_CASE("The energy never rises, and no cell is ever inverted", "",
       CHECK(number_of_inverted_cells(mesh, search.positions()) == 0);
       previous = search.last_step().energy;
     }
-    if(TestType::has_barrier)
+    if(energy.value(Vector3d(1, 1, 1e-9)) > 1e6) // a barrier against flat cells
       CHECK(search.status() == VMP::OK);
     CHECK(previous == Approx(mean_energy(energy, mesh, search.positions())).epsilon(1e-9));
     CHECK(has_target_boundary(mesh, search.positions()));

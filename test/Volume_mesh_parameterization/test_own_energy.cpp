@@ -36,8 +36,6 @@ namespace {
 class Own_energy
 {
 public:
-  static constexpr bool has_barrier = true;
-
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {

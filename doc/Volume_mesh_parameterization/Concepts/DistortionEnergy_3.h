@@ -50,20 +50,11 @@ be copy constructible; objects are copied, and should be small.
 class DistortionEnergy_3
 {
 public:
-  /// \name Constants
-  /// @{
-
-  /// tells whether \f$\psi\f$ tends to infinity when a cell becomes flat, that is, when
-  /// \f$\sigma_3\f$ tends to 0 from above and \f$\sigma_1\f$ does not. Without such a barrier, cells
-  /// become flat during the minimization and keep it from going on, although no cell is ever inverted.
-  /// It is a statement for users and for adapters such as `Power_energy_3`; the minimization itself does not read it.
-  static constexpr bool has_barrier;
-
-  /// @}
-
   /// \name Operations
   /// The vector `s` holds \f$\sigma_1, \sigma_2, \sigma_3\f$. For \f$\sigma_1\sigma_2\sigma_3 \le 0\f$ nothing is
-  /// required of the results: no such map is accepted, whatever its energy.
+  /// required of the results: no such map is accepted, whatever its energy. Unless \f$\psi\f$ tends to infinity where a
+  /// cell becomes flat (\f$\sigma_3\f$ tends to 0 and \f$\sigma_1\f$ does not), cells become flat during the minimization
+  /// and keep it from going on; `Barrier_energy_3` adds such a barrier.
   /// @{
 
   /// returns \f$\psi\f$.

@@ -34,8 +34,6 @@ To be used for deformations that are close to rigid.
 */
 struct ARAP_energy_3
 {
-  static constexpr bool has_barrier = false; ///< false: the energy of a flat cell is finite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

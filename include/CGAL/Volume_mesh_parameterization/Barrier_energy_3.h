@@ -46,8 +46,6 @@ template <typename Energy>
 class Barrier_energy_3
 {
 public:
-  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
-
   /// constructs the sum.
   ///
   /// \param energy the energy \f$\psi_0\f$

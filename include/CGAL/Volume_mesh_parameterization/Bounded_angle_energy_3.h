@@ -54,8 +54,6 @@ template <typename Energy>
 class Bounded_angle_energy_3
 {
 public:
-  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
-
   /// constructs the sum.
   ///
   /// \param bound the number \f$K\f$

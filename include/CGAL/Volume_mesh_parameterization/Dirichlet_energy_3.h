@@ -31,8 +31,6 @@ To be used for smooth maps where the distortion does not matter much, and as a p
 */
 struct Dirichlet_energy_3
 {
-  static constexpr bool has_barrier = false; ///< false: the energy of a flat cell is finite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

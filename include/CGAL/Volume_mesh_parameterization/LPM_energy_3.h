@@ -33,8 +33,6 @@ To be used where lengths must not grow: unlike `ARAP_energy_3` it grows with the
 */
 struct LPM_energy_3
 {
-  static constexpr bool has_barrier = false; ///< false: the energy of a flat cell is finite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

@@ -34,8 +34,6 @@ To be used for comparisons; for maps that preserve angles, `MIPS_energy_3` does 
 */
 struct LSCM_energy_3
 {
-  static constexpr bool has_barrier = false; ///< false: the energy of a flat cell is finite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

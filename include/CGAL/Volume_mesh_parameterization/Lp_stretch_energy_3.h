@@ -46,8 +46,6 @@ steps are needed.
 class Lp_stretch_energy_3
 {
 public:
-  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
-
   /// constructs the energy for this \f$p\f$.
   /// \pre `p >= 2`
   explicit Lp_stretch_energy_3(const double p = 8) : m_p(p) { CGAL_precondition(p >= 2); }

@@ -39,8 +39,6 @@ To be used for maps that preserve angles; volumes may change by any factor.
 */
 struct MIPS_energy_3
 {
-  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

@@ -42,8 +42,6 @@ template <typename Energy>
 class Power_energy_3
 {
 public:
-  static constexpr bool has_barrier = Energy::has_barrier; ///< as that of `Energy`
-
   /// constructs the power.
   ///
   /// \param exponent the number \f$p\f$

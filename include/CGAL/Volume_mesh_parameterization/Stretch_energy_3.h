@@ -31,8 +31,6 @@ To be used where no direction may be compressed too much: the default, a comprom
 */
 struct Stretch_energy_3
 {
-  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

@@ -33,8 +33,6 @@ To be used for maps that are as isometric as possible in both directions.
 */
 struct Symmetric_Dirichlet_energy_3
 {
-  static constexpr bool has_barrier = true; ///< true: the energy of a flat cell is infinite
-
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const

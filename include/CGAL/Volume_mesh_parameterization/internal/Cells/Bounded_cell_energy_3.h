@@ -22,8 +22,6 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // An energy that is zero: what an adapter adds to it is the adapter alone.
 struct Zero_energy_3
 {
-  static constexpr bool has_barrier = false;
-
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>&) const { return T(0); }
   template <typename T>
