@@ -10,6 +10,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_3.h>
 
@@ -40,12 +41,23 @@ struct Problem
   Problem(const Problem&) = delete; // the system refers to the other members
 };
 
+// The images from which untangling starts.
+inline Eigen::Matrix3Xd harmonic_start(const internal::Numbered_mesh_3& mesh, internal::Newton_system_3& system)
+{
+  Eigen::Matrix3Xd u = system.unit() * mesh.target;
+  harmonic_map_3(system, u);
+  return snapped(mesh, u / system.unit());
+}
+
+constexpr double theta = 0.01;
+
 template <typename Energy, typename Solver>
 class Search
 {
 public:
   Search(const internal::Numbered_mesh_3& mesh, const Energy& energy, Solver& solver, const bool is_parallel = false)
-    : m_problem(mesh, energy, solver, is_parallel), m_untangling(mesh, m_problem.system)
+    : m_problem(mesh, energy, solver, is_parallel),
+      m_untangling(mesh, m_problem.system, harmonic_start(mesh, m_problem.system), theta)
   {
     minimize_if_untangled();
   }

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Patch_untangling_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
@@ -322,9 +323,9 @@ TEST_CASE("A map with inverted cells is untangled")
   const Numbered_mesh_3 mesh = ring(8);
   Solver<> solver;
   fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
-  VMP::internal::Untangling_3 untangling(mesh, problem.system);
-  CHECK(untangling.number_of_inverted_cells_at_start() > 100);
-  CHECK(untangling.number_of_inverted_cells_at_start() == number_of_inverted_cells(mesh, untangling.positions()));
+  const Matrix3Xd start = fixed_boundary::harmonic_start(mesh, problem.system);
+  CHECK(number_of_inverted_cells(mesh, start) > 100);
+  VMP::internal::Untangling_3 untangling(mesh, problem.system, start, fixed_boundary::theta);
   REQUIRE(!untangling.is_flip_free());
   REQUIRE(untangling.is_running());
   while(untangling.is_running())
@@ -337,6 +338,110 @@ TEST_CASE("A map with inverted cells is untangled")
   CHECK(untangling.status() == VMP::OK);
   CHECK(untangling.is_flip_free());
   CHECK(number_of_inverted_cells(mesh, untangling.positions()) == 0);
+}
+
+TEST_CASE("A patch puts back a vertex that was drawn out of its ring, and moves no other vertex but its neighbors")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(8);
+  Eigen::Index v = 0, far = 0; // near the middle, and in a corner
+  const Matrix3Xd inside = mesh.source.leftCols(mesh.number_of_free_vertices);
+  const Vector3d center = inside.rowwise().mean();
+  (inside.colwise() - center).colwise().norm().minCoeff(&v);
+  (inside.colwise() - center).colwise().norm().maxCoeff(&far);
+  Matrix3Xd start = mesh.source;
+  start.col(v) += Vector3d(1.7, 0.3, 0.2);
+  const std::size_t inverted = number_of_inverted_cells(mesh, start);
+  REQUIRE(inverted > 0);
+
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  VMP::internal::Patch_untangling_3 patches(mesh, linear_solver, start);
+  CHECK(!patches.is_flip_free());
+  while(patches.is_running())
+  {
+    patches.step();
+    CHECK(patches.last_step().number_of_inverted_cells == number_of_inverted_cells(mesh, patches.positions()));
+    CHECK(number_of_inverted_cells(mesh, patches.positions()) <= inverted);
+  }
+  CHECK(patches.status() == VMP::OK);
+  CHECK(patches.is_flip_free());
+  CHECK(number_of_inverted_cells(mesh, patches.positions()) == 0);
+  CHECK(patches.positions().col(far) == start.col(far));
+  CHECK(has_target_boundary(mesh, patches.positions()));
+}
+
+TEST_CASE("Patches leave a map without inverted cells as it is, and end where there is none")
+{
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  Numbered_mesh_3 mesh = cube_mesh(3);
+  const VMP::internal::Patch_untangling_3 done(mesh, linear_solver, mesh.source);
+  CHECK(done.status() == VMP::OK);
+  CHECK(!done.is_running());
+  CHECK(done.positions() == mesh.source);
+
+  // two neighbors within a face of the boundary change their places
+  const auto vertex_at = [&](const Vector3d& p)
+  {
+    Eigen::Index v = 0;
+    (mesh.source.colwise() - p).colwise().norm().minCoeff(&v);
+    return v;
+  };
+  mesh.target.col(vertex_at({ 1, 1, 0 })).swap(mesh.target.col(vertex_at({ 2, 1, 0 })));
+  const Matrix3Xd start = snapped(mesh, mesh.source);
+  VMP::internal::Patch_untangling_3 stuck(mesh, linear_solver, start);
+  while(stuck.is_running())
+    stuck.step();
+  CHECK(stuck.status() == VMP::ERROR_NOT_FLIP_FREE);
+  CHECK(number_of_inverted_cells(mesh, stuck.positions()) > 0);
+  CHECK(number_of_inverted_cells(mesh, stuck.positions()) <= number_of_inverted_cells(mesh, start));
+}
+
+TEST_CASE("Untangling with regular cells does not depend on slivers of the source")
+{
+  // the same problem, with a source that is flattened to slivers in a place of each vertex
+  Numbered_mesh_3 mesh = ring(6);
+  const auto untangled = [&]()
+  {
+    Solver<> solver;
+    fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
+    problem.system.set_references(mesh, regular_cells_scaled_to_target(mesh));
+    VMP::internal::Untangling_3 untangling(mesh, problem.system, mesh.target, 0.5);
+    while(untangling.is_running())
+      untangling.step();
+    CHECK(untangling.status() == VMP::OK);
+    return Matrix3Xd(untangling.positions());
+  };
+  const Matrix3Xd positions = untangled();
+  mesh.source.row(2) *= 0.01;
+  CHECK((untangled() - positions).cwiseAbs().maxCoeff() == 0);
+}
+
+TEST_CASE("The reference cells of a system can be exchanged")
+{
+  const Numbered_mesh_3 mesh = twisted_cube(3, 0.15);
+  const VMP::Stretch_energy_3 stretch;
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  const VMP::internal::Scaled_cells_3 source = cells_scaled_to_target(mesh), regular = regular_cells_scaled_to_target(mesh);
+  CHECK(source.unit == regular.unit);
+  VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver, false);
+  exchanged.set_references(mesh, regular);
+  const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver, false);
+  const Matrix3Xd u = source.unit * mesh.source;
+  CHECK(exchanged.evaluate(energy, u).energy == system.evaluate(energy, u).energy);
+  exchanged.set_references(mesh, source);
+  CHECK(exchanged.evaluate(energy, u).energy != system.evaluate(energy, u).energy);
+  // all edges of a regular cell are equally long, and all cells together fill the target
+  const Eigen::Matrix3d edges = regular.inverse_sources[0].inverse();
+  for(int i = 0; i < 3; ++i)
+  {
+    CHECK(edges.col(i).norm() == Approx(edges.col(0).norm()));
+    CHECK((edges.col(i) - edges.col((i + 1) % 3)).norm() == Approx(edges.col(0).norm()));
+  }
+  CHECK(edges.determinant() / 6 * mesh.cells.size()
+        == Approx(std::pow(regular.unit, 3) * VMP::internal::volume(mesh.target, mesh.cells)));
 }
 
 TEST_CASE("Untangling ends without success where there is no map")

@@ -4,7 +4,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Approach_of_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
@@ -16,10 +16,12 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -32,6 +34,7 @@ using internal::Found_map_3;
 using internal::Numbered_mesh_3;
 using internal::Refinement_plan_3;
 using internal::plan_refinement_3;
+using Edge = std::array<int, 2>;
 
 namespace {
 
@@ -69,14 +72,6 @@ internal::Diagnosis_3 diagnosis(const std::vector<std::size_t>& inverted_cells)
 
 Blocked_approach_3 went_on(const double distance) { return { true, 7, distance }; }
 
-std::vector<std::size_t> user_numbers(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
-{
-  std::vector<std::size_t> result;
-  for(const std::size_t c : cells)
-    result.push_back(mesh.user_number(c));
-  return result;
-}
-
 std::vector<std::size_t> sorted(std::vector<std::size_t> cells)
 {
   std::sort(cells.begin(), cells.end());
@@ -91,19 +86,19 @@ TEST_CASE("The first approach that is blocked goes on, with the cells that block
   const Found_map_3 found = blocked_map(mesh, 4);
   REQUIRE(found.is_blocked());
   REQUIRE(found.map.distance_to_boundary == Approx(1));
-  const Refinement_plan_3 plan = plan_refinement_3(mesh, found, Blocked_approach_3());
+  const Refinement_plan_3 plan = plan_refinement_3(mesh, found, Blocked_approach_3(), {});
   CHECK(plan.approach.goes_on);
   CHECK(plan.approach.distance == found.map.distance_to_boundary);
-  CHECK(!plan.cells.empty());
-  CHECK(plan.cells == sorted(blocking_cells_3(mesh, mesh.source)));
+  CHECK(!plan.edges.empty());
+  CHECK(plan.edges == edges_of_cells(mesh, sorted(blocking_cells_3(mesh, mesh.source))));
 }
 
 TEST_CASE("An approach that goes on has lost its last raise, which was useless")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   for(const std::size_t raises : { 5, 2, 1 })
-    CHECK(plan_refinement_3(mesh, blocked_map(mesh, raises), {}).approach.number_of_raises == raises - 1);
-  CHECK(plan_refinement_3(mesh, blocked_map(mesh, 0), {}).approach.number_of_raises == 0);
+    CHECK(plan_refinement_3(mesh, blocked_map(mesh, raises), {}, {}).approach.number_of_raises == raises - 1);
+  CHECK(plan_refinement_3(mesh, blocked_map(mesh, 0), {}, {}).approach.number_of_raises == 0);
 }
 
 TEST_CASE("An approach goes on if the last refinement has brought it nearer by a tenth, and else starts again")
@@ -113,14 +108,14 @@ TEST_CASE("An approach goes on if the last refinement has brought it nearer by a
   const double distance = found.map.distance_to_boundary;
   const auto goes_on = [&](const Blocked_approach_3& before)
   {
-    return plan_refinement_3(mesh, found, before).approach.goes_on;
+    return plan_refinement_3(mesh, found, before, {}).approach.goes_on;
   };
   CHECK(goes_on(went_on(distance / 0.89)));
   CHECK(!goes_on(went_on(distance / 0.91)));
   CHECK(!goes_on(went_on(distance)));
   CHECK(!goes_on(went_on(distance / 2)));
   // the search that starts again may be the first of a new approach
-  const Blocked_approach_3 started_again = plan_refinement_3(mesh, found, went_on(distance)).approach;
+  const Blocked_approach_3 started_again = plan_refinement_3(mesh, found, went_on(distance), {}).approach;
   CHECK(goes_on(started_again));
 }
 
@@ -139,14 +134,19 @@ TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the a
   const auto plan = [&](const std::size_t number)
   {
     found.diagnosis = diagnosis({ others.begin(), others.begin() + number });
-    return plan_refinement_3(mesh, found, {});
+    return plan_refinement_3(mesh, found, {}, {});
   };
   const Refinement_plan_3 fewer = plan(blocking.size() - 1);
-  CHECK(fewer.cells == std::vector<std::size_t>(others.begin(), others.end() - 1));
+  CHECK(fewer.edges == edges_of_cells(mesh, { others.begin(), others.end() - 1 }));
   CHECK(!fewer.approach.goes_on);
+  found.diagnosis = diagnosis({ others[0] });
+  internal::Stuck_untangling_3 given_up;
+  given_up.has_given_up = true;
+  CHECK(plan_refinement_3(mesh, found, {}, given_up).edges == edges_of_cells(mesh, blocking));
+  CHECK(plan_refinement_3(mesh, found, {}, given_up).approach.goes_on);
   for(const std::size_t number : { blocking.size(), std::size_t(0) }) // as many, or nothing known
   {
-    CHECK(plan(number).cells == blocking);
+    CHECK(plan(number).edges == edges_of_cells(mesh, blocking));
     CHECK(plan(number).approach.goes_on);
   }
 }
@@ -157,21 +157,119 @@ TEST_CASE("The cells to refine come in the order of the user")
   mesh.user_numbers.resize(mesh.cells.size());
   std::iota(mesh.user_numbers.rbegin(), mesh.user_numbers.rend(), std::size_t(0)); // the reverse order
   Found_map_3 found = blocked_map(mesh, 4);
-  const auto is_in_order = [&](const std::vector<std::size_t>& cells)
-  {
-    const std::vector<std::size_t> numbers = user_numbers(mesh, cells);
-    return numbers.size() > 1 && std::is_sorted(numbers.begin(), numbers.end());
-  };
-  const std::vector<std::size_t> blocking = plan_refinement_3(mesh, found, {}).cells;
-  CHECK(is_in_order(blocking));
-  CHECK(sorted(blocking) == sorted(blocking_cells_3(mesh, mesh.source)));
+  std::vector<std::size_t> blocking = sorted(blocking_cells_3(mesh, mesh.source));
+  REQUIRE(blocking.size() > 1);
+  std::reverse(blocking.begin(), blocking.end());
+  CHECK(plan_refinement_3(mesh, found, {}, {}).edges == edges_of_cells(mesh, blocking));
 
   found.diagnosis = diagnosis({ 3, 5 });
-  const std::vector<std::size_t> inverted = plan_refinement_3(mesh, found, {}).cells;
-  CHECK(inverted == std::vector<std::size_t>{ 5, 3 });
+  CHECK(plan_refinement_3(mesh, found, {}, {}).edges == edges_of_cells(mesh, { 5, 3 }));
+}
+
+TEST_CASE("A cell has six edges")
+{
+  Numbered_mesh_3 mesh;
+  mesh.cells = { { 7, 2, 5, 3 } };
+  std::set<std::set<int> > edges;
+  for(const Edge& edge : edges_of_cells(mesh, { 0 }))
+    edges.insert({ edge[0], edge[1] });
+  CHECK(edges == std::set<std::set<int> >{ { 7, 2 }, { 7, 5 }, { 7, 3 }, { 2, 5 }, { 2, 3 }, { 5, 3 } });
+}
+
+TEST_CASE("One edge of a cell is split: the longest one with one prescribed end")
+{
+  Numbered_mesh_3 mesh; // a long edge between two free vertices, and a longer one between two prescribed ones
+  mesh.source.resize(3, 4);
+  mesh.source << 0, 4, 0, 5,
+                 0, 0, 1, 1,
+                 0, 0, 0, 1;
+  mesh.cells = { { 0, 1, 2, 3 } };
+  const auto split = [&](const int number_of_free_vertices)
+  {
+    mesh.number_of_free_vertices = number_of_free_vertices;
+    const std::vector<Edge> edges = one_edge_of_each_cell(mesh, { 0 });
+    REQUIRE(edges.size() == 1);
+    return edges[0];
+  };
+  CHECK(split(2) == Edge{ 0, 3 });
+  CHECK(split(1) == Edge{ 0, 3 });
+  CHECK(split(3) == Edge{ 0, 3 });
+  CHECK(split(4) == Edge{ 0, 3 }); // the longest of all
+  mesh.source.col(3) << 5, 0, 0.1;
+  CHECK(split(2) == Edge{ 0, 3 });
+  mesh.source.col(3) << 1, 1, 1;
+  CHECK(split(2) == Edge{ 1, 2 }); // although that from 0 to 1 is free, and nearly as long
 }
 
 namespace {
+
+// A cube whose image has one inverted cell, or two.
+Found_map_3 stuck_map(const Numbered_mesh_3& mesh, const std::size_t number_of_inverted_cells)
+{
+  Found_map_3 found;
+  found.is_stuck = true;
+  Matrix3Xd positions = mesh.source;
+  for(std::size_t c = 0; c < number_of_inverted_cells; ++c) // the cells are apart
+    positions.col(mesh.cells[c][0]).swap(positions.col(mesh.cells[c][1]));
+  found.map = judged(mesh, positions);
+  REQUIRE(found.map.number_of_inverted_cells == number_of_inverted_cells);
+  return found;
+}
+
+// Cells without common vertices, each with one prescribed vertex.
+Numbered_mesh_3 three_cells()
+{
+  Numbered_mesh_3 mesh;
+  mesh.number_of_free_vertices = 9;
+  mesh.source.resize(3, 12);
+  for(int c = 0; c < 3; ++c)
+  {
+    mesh.cells.push_back({ 3 * c, 3 * c + 1, 3 * c + 2, 9 + c });
+    for(int i = 0; i < 4; ++i)
+      mesh.source.col(mesh.cells[c][i]) = Eigen::Vector3d(5 * c, 0, 0)
+                                        + (i == 0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(Eigen::Vector3d::Unit(i - 1)));
+  }
+  mesh.target = mesh.source;
+  return mesh;
+}
+
+} // namespace
+
+TEST_CASE("Untangling that was stuck goes on while splits make inverted cells fewer")
+{
+  const Numbered_mesh_3 mesh = three_cells();
+  internal::Stuck_untangling_3 state;
+  for(const std::size_t number : { 3, 2, 1 })
+  {
+    const Refinement_plan_3 plan = plan_splits_3(mesh, stuck_map(mesh, number), state);
+    CHECK(plan.untangling.goes_on);
+    CHECK(plan.untangling.number_of_vain_rounds == 0);
+    CHECK(plan.untangling.fewest_inverted_cells == number);
+    CHECK(plan.edges.size() == number);
+    CHECK(!plan.approach.goes_on);
+    state = plan.untangling;
+  }
+}
+
+TEST_CASE("After two rounds of splits in vain, untangling is given up")
+{
+  const Numbered_mesh_3 mesh = three_cells();
+  const Found_map_3 found = stuck_map(mesh, 2);
+  internal::Stuck_untangling_3 state;
+  for(const std::size_t vain_rounds : { 0, 1, 2 })
+  {
+    const Refinement_plan_3 plan = plan_splits_3(mesh, found, state);
+    CHECK(plan.untangling.goes_on == (vain_rounds < 2));
+    CHECK(plan.untangling.has_given_up == (vain_rounds == 2));
+    CHECK(plan.untangling.number_of_vain_rounds == vain_rounds);
+    CHECK(plan.edges.size() == (vain_rounds < 2 ? 2 : 0));
+    state = plan.untangling;
+  }
+}
+
+namespace {
+
+Refinement_plan_3 plan_of(const Blocked_approach_3& approach) { return { {}, approach, {} }; }
 
 // Four cells around the edge of two vertices, with a ring of four around it.
 struct Four_cells
@@ -229,19 +327,19 @@ TEST_CASE("An approach that goes on has the images of all vertices, with midpoin
   const Matrix3Xd image = 2 * cells.image(before, cells.complex.mesh.source);
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  internal::Approach_of_complex_3<Complex::C3t3> approach(before, image, inserted, { true, 3, 0.5 });
+  internal::Carried_search_3<Complex::C3t3> carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
 
   const auto after = cells.numbered();
   REQUIRE(after.vertices().size() == 7);
-  const internal::Approach_start_3 start = approach.start(after, 2);
+  const internal::Approach_start_3 start = carried.approach_start(after, 2);
   CHECK(start.patience == 2);
   CHECK(start.number_of_raises == 3);
   REQUIRE(start.positions.cols() == 7);
   CHECK(start.positions.col(after.number(inserted[0].vertex)) == Eigen::Vector3d(2, 0, 0));
   for(int v = 0; v < 6; ++v)
     CHECK(start.positions.col(after.number(cells.complex.vertices[v])) == 2 * cells.complex.mesh.source.col(v));
-  CHECK(approach.blocked().goes_on);
-  CHECK(approach.blocked().distance == 0.5);
+  CHECK(carried.blocked().goes_on);
+  CHECK(carried.blocked().distance == 0.5);
 }
 
 TEST_CASE("Images that rounding has spoilt are given up")
@@ -257,13 +355,13 @@ TEST_CASE("Images that rounding has spoilt are given up")
 
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  internal::Approach_of_complex_3<Complex::C3t3> approach(before, image, inserted, { true, 3, 0.5 });
-  REQUIRE(approach.blocked().goes_on);
-  const internal::Approach_start_3 start = approach.start(cells.numbered(), 2);
+  internal::Carried_search_3<Complex::C3t3> carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
+  REQUIRE(carried.blocked().goes_on);
+  const internal::Approach_start_3 start = carried.approach_start(cells.numbered(), 2);
   CHECK(start.positions.cols() == 0);
   CHECK(start.number_of_raises == 0);
   CHECK(start.patience == 2);
-  CHECK(!approach.blocked().goes_on); // so that the next approach that is blocked counts as the first one
+  CHECK(!carried.blocked().goes_on); // so that the next approach that is blocked counts as the first one
 }
 
 TEST_CASE("An approach that starts again carries no images")
@@ -271,9 +369,38 @@ TEST_CASE("An approach that starts again carries no images")
   Four_cells cells;
   const auto before = cells.numbered();
   const Matrix3Xd image = cells.image(before, cells.complex.mesh.source);
-  internal::Approach_of_complex_3<Complex::C3t3> approach(before, image, cells.split(), { false, 3, 0.5 });
-  const internal::Approach_start_3 start = approach.start(cells.numbered(), 1);
+  internal::Carried_search_3<Complex::C3t3> carried(before, image, cells.split(), plan_of({ false, 3, 0.5 }));
+  const internal::Approach_start_3 start = carried.approach_start(cells.numbered(), 1);
   CHECK(start.positions.cols() == 0);
   CHECK(start.number_of_raises == 0);
-  CHECK(!approach.blocked().goes_on);
+  CHECK(!carried.blocked().goes_on);
+}
+
+TEST_CASE("Untangling that goes on has the images of all vertices, although they invert cells")
+{
+  Four_cells cells;
+  const auto before = cells.numbered();
+  const Matrix3Xd image = -cells.image(before, cells.complex.mesh.source);
+  Refinement_plan_3 plan;
+  plan.untangling.goes_on = true;
+  const auto inserted = cells.split();
+  REQUIRE(inserted.size() == 1);
+  const internal::Carried_search_3<Complex::C3t3> carried(before, image, inserted, plan);
+  const auto after = cells.numbered();
+  const internal::Untangling_start_3 start = carried.untangling_start(after, true);
+  REQUIRE(start.positions.cols() == 7);
+  CHECK(start.positions.col(after.number(inserted[0].vertex)) == Eigen::Vector3d(-1, 0, 0));
+  CHECK(start.most_inverted_cells_to_split > 0);
+  CHECK(carried.untangling_start(after, false).most_inverted_cells_to_split == 0);
+}
+
+TEST_CASE("A search that has given up splitting leaves inverted cells to the soft boundary")
+{
+  Four_cells cells;
+  const auto before = cells.numbered();
+  Refinement_plan_3 plan;
+  plan.untangling.has_given_up = true;
+  const internal::Carried_search_3<Complex::C3t3> carried(before, cells.complex.mesh.source, {}, plan);
+  CHECK(carried.untangling_start(before, true).most_inverted_cells_to_split == 0);
+  CHECK(carried.untangling_start(before, true).positions.cols() == 0);
 }

@@ -72,12 +72,13 @@ private:
 // The stages that are allowed, one after the other.
 template <typename C3t3, typename Problem>
 Found_map_3 find_map_of_complex_3(const Checked_complex_3<C3t3>& complex, const Problem& problem,
-                                  const Approach_start_3& approach)
+                                  const Untangling_start_3& untangling, const Approach_start_3& approach)
 {
   const Numbered_complex_3<C3t3>& numbered = complex.numbered;
   if(problem.verbose)
     print(numbered.mesh(), problem.solver);
   Map_options_3 options = problem.options;
+  options.untangling = untangling;
   options.approach = approach;
   options.constraints = numbered.constraints(problem.constraints);
   if(options.do_slide)
@@ -128,7 +129,7 @@ Parameterization_result parameterize_complex_3(const C3t3& c3t3, const Problem& 
     return refused_result(complex, problem);
   Approach_start_3 approach;
   approach.patience = 2; // where nothing can be refined, larger weights get a chance
-  return written_result(complex, problem, find_map_of_complex_3(complex, problem, approach), uvw_map);
+  return written_result(complex, problem, find_map_of_complex_3(complex, problem, Untangling_start_3(), approach), uvw_map);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Approach_of_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
@@ -41,22 +41,17 @@ std::size_t remove_degenerate_simplices(C3t3& c3t3, const VertexIsConstrainedMap
   return Simplex_removal_3(c3t3, is_bad).run(Emptyset_iterator());
 }
 
-// Splits the interior edges of these cells.
+// Splits those of the edges that are interior ones.
 template <typename C3t3>
 std::vector<Inserted_vertex_3<typename C3t3::Vertex_handle> >
-split_edges_of_cells(C3t3& c3t3, const Numbered_complex_3<C3t3>& numbered, const std::vector<std::size_t>& cells)
+split_edges(C3t3& c3t3, const Numbered_complex_3<C3t3>& numbered, const std::vector<std::array<int, 2> >& edges)
 {
   using Vertex_handle = typename C3t3::Vertex_handle;
-  std::vector<std::pair<Vertex_handle, Vertex_handle> > edges;
-  for(const std::size_t c : cells)
-  {
-    const std::array<int, 4>& cell = numbered.mesh().cells[c];
-    for(int i = 0; i < 4; ++i)
-      for(int j = i + 1; j < 4; ++j)
-        edges.emplace_back(numbered.vertices()[cell[i]], numbered.vertices()[cell[j]]);
-  }
+  std::vector<std::pair<Vertex_handle, Vertex_handle> > handles;
+  for(const std::array<int, 2>& edge : edges)
+    handles.emplace_back(numbered.vertices()[edge[0]], numbered.vertices()[edge[1]]);
   std::vector<Inserted_vertex_3<Vertex_handle> > inserted;
-  split_edges_3(c3t3, edges, std::back_inserter(inserted));
+  split_edges_3(c3t3, handles, std::back_inserter(inserted));
   return inserted;
 }
 
@@ -67,7 +62,7 @@ template <typename C3t3, typename Problem, typename VertexUVWMap>
 Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Problem& problem, VertexUVWMap uvw_map)
 {
   std::size_t number_of_removals = 0, number_of_splits = 0;
-  Approach_of_complex_3<C3t3> approach;
+  Carried_search_3<C3t3> carried;
   for(bool is_first = true; ; is_first = false)
   {
     const Checked_complex_3<C3t3> complex(c3t3, problem);
@@ -85,16 +80,15 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
       result = refused_result(complex, problem);
     else
     {
-      const Found_map_3 found
-        = find_map_of_complex_3(complex, problem, approach.start(complex.numbered, may_split ? 1 : 2));
+      const Found_map_3 found = find_map_of_complex_3(complex, problem, carried.untangling_start(complex.numbered, may_split),
+                                                      carried.approach_start(complex.numbered, may_split ? 1 : 2));
       if(found.is_blocked() && may_split)
       {
-        const Refinement_plan_3 plan
-          = plan_refinement_3(complex.numbered.mesh(), found, approach.blocked());
-        const auto inserted = split_edges_of_cells(c3t3, complex.numbered, plan.cells);
+        const Refinement_plan_3 plan = carried.plan(complex.numbered.mesh(), found);
+        const auto inserted = split_edges(c3t3, complex.numbered, plan.edges);
         number_of_splits += inserted.size();
-        approach = Approach_of_complex_3<C3t3>(complex.numbered, found.map.positions, inserted, plan.approach);
-        if(!inserted.empty())
+        carried = Carried_search_3<C3t3>(complex.numbered, found.map.positions, inserted, plan);
+        if(!inserted.empty() || found.is_stuck)
           continue;
       }
       result = written_result(complex, problem, found, uvw_map);

@@ -40,6 +40,18 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
+// The same, with regular cells of one size in place of the source: where only some map without inverted cells is looked
+// for, slivers of the source must not stiffen it.
+inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
+{
+  const double mean_volume = volume(mesh.target, mesh.cells) / static_cast<double>(mesh.cells.size());
+  const double unit = std::exp2(-std::round(std::log2(mean_volume) / 3));
+  Eigen::Matrix3d edges; // of a cell with volume 1/3
+  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
+  const Eigen::Matrix3d inverse = edges.inverse() / (std::cbrt(3 * mean_volume) * unit);
+  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+}
+
 // The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
 inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
 {

@@ -47,9 +47,21 @@ public:
       (lowest < unknowns.size() ? cells : others).emplace_back(lowest, static_cast<int>(c));
     }
     std::sort(cells.begin(), cells.end());
-    m_packs = packed(cells, mesh, scaled, unknowns, pattern);
-    m_others = packed(others, mesh, scaled, unknowns, pattern);
+    m_packs = packed(cells, mesh, unknowns, pattern);
+    m_others = packed(others, mesh, unknowns, pattern);
+    for(const auto& [lowest, c] : cells)
+      m_cells.push_back(c);
+    for(const auto& [lowest, c] : others)
+      m_other_cells.push_back(c);
+    set_references(mesh, scaled, unknowns);
     distribute_to_rounds(unknowns.size());
+  }
+
+  // Takes these reference cells and weights from now on.
+  void set_references(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns)
+  {
+    set_references(m_cells, mesh, scaled, unknowns, m_packs);
+    set_references(m_other_cells, mesh, scaled, unknowns, m_others);
   }
 
   std::size_t number_of_packs() const { return m_packs.size(); }
@@ -77,28 +89,16 @@ private:
   }
 
   static std::vector<Cell_pack_3> packed(const std::vector<std::pair<int, int> >& cells, const Numbered_mesh_3& mesh,
-                                         const Scaled_cells_3& scaled, const Unknowns_3& unknowns,
-                                         const Sparsity_pattern_3& pattern)
+                                         const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
   {
     std::vector<Cell_pack_3> packs((cells.size() + cells_per_pack - 1) / cells_per_pack);
-    for(std::size_t p = 0; p < packs.size(); ++p)
-      fill(packs[p], p * cells_per_pack, cells, mesh, scaled, unknowns, pattern);
-    return packs;
-  }
-
-  static void fill(Cell_pack_3& pack, const std::size_t first, const std::vector<std::pair<int, int> >& cells,
-                   const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns,
-                   const Sparsity_pattern_3& pattern)
-  {
-    for(int lane = 0; lane < cells_per_pack; ++lane)
+    for(std::size_t i = 0; i < cells_per_pack * packs.size(); ++i)
     {
-      const bool is_padding = first + lane >= cells.size();
-      const int c = (is_padding ? cells.back() : cells[first + lane]).second;
-      pack.weight[lane] = is_padding ? 0 : scaled.weights[c];
-      std::array<int, 4> cell = mesh.cells[c];
-      const Eigen::Matrix3d inverse_source = sort_vertices(unknowns, cell, scaled.inverse_sources[c]);
-      for(int i = 0; i < 9; ++i)
-        pack.inverse_source[i][lane] = inverse_source(i);
+      Cell_pack_3& pack = packs[i / cells_per_pack];
+      const int lane = static_cast<int>(i % cells_per_pack);
+      const bool is_padding = i >= cells.size();
+      std::array<int, 4> cell = mesh.cells[(is_padding ? cells.back() : cells[i]).second];
+      std::sort(cell.begin(), cell.end(), [&](const int v, const int w) { return order(unknowns, v) < order(unknowns, w); });
       for(int a = 0; a < 4; ++a)
       {
         pack.vertices[a][lane] = cell[a];
@@ -108,25 +108,38 @@ private:
             ? pattern.position(unknowns.row(cell[a]), unknowns.row(cell[b])) : -1;
       }
     }
+    return packs;
   }
 
-  // Sorts the vertices of a cell, and returns X^{-1} for the new order: its rows belong to the last
-  // three vertices, and that of the first one is minus their sum.
-  static Eigen::Matrix3d sort_vertices(const Unknowns_3& unknowns, std::array<int, 4>& cell,
-                                       const Eigen::Matrix3d& inverse_source)
+  static void set_references(const std::vector<int>& cells, const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled,
+                             const Unknowns_3& unknowns, std::vector<Cell_pack_3>& packs)
+  {
+    for(std::size_t i = 0; i < cells_per_pack * packs.size(); ++i)
+    {
+      Cell_pack_3& pack = packs[i / cells_per_pack];
+      const int lane = static_cast<int>(i % cells_per_pack);
+      const bool is_padding = i >= cells.size();
+      const int c = is_padding ? cells.back() : cells[i];
+      pack.weight[lane] = is_padding ? 0 : scaled.weights[c];
+      const Eigen::Matrix3d inverse_source = for_sorted_vertices(unknowns, mesh.cells[c], scaled.inverse_sources[c]);
+      for(int k = 0; k < 9; ++k)
+        pack.inverse_source[k][lane] = inverse_source(k);
+    }
+  }
+
+  // X^{-1} of a cell whose vertices are sorted: its rows belong to the last three vertices, and that of the first one is
+  // minus their sum.
+  static Eigen::Matrix3d for_sorted_vertices(const Unknowns_3& unknowns, const std::array<int, 4>& cell,
+                                             const Eigen::Matrix3d& inverse_source)
   {
     std::array<int, 4> sorted = { 0, 1, 2, 3 };
     std::sort(sorted.begin(), sorted.end(),
               [&](const int i, const int j) { return order(unknowns, cell[i]) < order(unknowns, cell[j]); });
-    const std::array<int, 4> unsorted = cell;
     Eigen::Matrix3d result;
-    for(int i = 0; i < 4; ++i)
-    {
-      cell[i] = unsorted[sorted[i]];
-      for(int k = 0; k < 3 && i > 0; ++k)
+    for(int i = 1; i < 4; ++i)
+      for(int k = 0; k < 3; ++k)
         result(i - 1, k) = sorted[i] > 0 ? inverse_source(sorted[i] - 1, k)
                                          : -(inverse_source(0, k) + (inverse_source(1, k) + inverse_source(2, k)));
-    }
     return result;
   }
 
@@ -169,6 +182,7 @@ private:
   }
 
   std::vector<Cell_pack_3> m_packs, m_others;
+  std::vector<int> m_cells, m_other_cells; // in the order of the packs
   std::vector<std::size_t> m_chunks;
   std::vector<std::size_t> m_round_begin;
 };

@@ -54,10 +54,19 @@ public:
   {
     std::visit([&](auto& hessian) { hessian.set_pattern(std::move(m_pattern.row_begin), std::move(m_pattern.columns)); },
                m_hessian);
-    m_solver.analyze_pattern(m_hessian);
+    claim_solver();
   }
 
   double unit() const { return m_unit; } // by which positions are multiplied
+
+  // Takes these reference cells, of the same mesh and with the same unit, from now on.
+  void set_references(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled)
+  {
+    m_packs.set_references(mesh, scaled, m_unknowns);
+  }
+
+  // Takes the linear solver back, after another system has used it.
+  void claim_solver() { m_solver.analyze_pattern(m_hessian); }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {

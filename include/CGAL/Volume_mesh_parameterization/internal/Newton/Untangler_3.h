@@ -38,10 +38,11 @@ public:
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = std::sqrt(1e-12 + 0.04 * D * D);
     m_evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
+    m_best = m_u;
     m_fewest_inverted_cells = m_evaluation.number_of_inverted_cells;
   }
 
-  const Eigen::Matrix3Xd& positions() const { return m_u; }
+  const Eigen::Matrix3Xd& positions() const { return m_best; } // with the fewest inverted cells so far
   const Energy_evaluation& evaluation() const { return m_evaluation; }
   const Newton_direction_3& direction() const { return m_direction; } // of the last step
   double step_length() const { return m_step_length; }
@@ -63,6 +64,7 @@ public:
     if(step.length == 0)
       return Step_status::STUCK;
     m_u = std::move(step.positions);
+    keep_best(step.evaluation);
     if(step.evaluation.is_flip_free())
     {
       m_evaluation = step.evaluation;
@@ -89,22 +91,26 @@ private:
     return D < mu ? 2 * std::sqrt(mu * (mu - D)) : 1e-10;
   }
 
-  bool is_progressing()
+  void keep_best(const Energy_evaluation& evaluation)
   {
-    constexpr std::size_t patience = 30;
-    constexpr double small_epsilon = 1e-7;
-    if(m_evaluation.number_of_inverted_cells < m_fewest_inverted_cells)
-    {
-      m_fewest_inverted_cells = m_evaluation.number_of_inverted_cells;
-      m_steps_without_progress = 0;
-    }
-    else
-      ++m_steps_without_progress;
-    return m_steps_without_progress < patience || m_epsilon > small_epsilon;
+    ++m_steps_without_progress;
+    if(evaluation.number_of_inverted_cells >= m_fewest_inverted_cells)
+      return;
+    m_fewest_inverted_cells = evaluation.number_of_inverted_cells;
+    m_best = m_u;
+    m_steps_without_progress = 0;
+  }
+
+  // A small epsilon no longer changes what the energy is.
+  bool is_progressing() const
+  {
+    constexpr std::size_t patience = 15;
+    constexpr double small_epsilon = 1e-6;
+    return m_steps_without_progress < (m_epsilon < small_epsilon ? patience : 2 * patience);
   }
 
   Newton_system_3& m_system;
-  Eigen::Matrix3Xd m_u;
+  Eigen::Matrix3Xd m_u, m_best;
   double m_theta;
   double m_epsilon;
   double m_step_length = 0;

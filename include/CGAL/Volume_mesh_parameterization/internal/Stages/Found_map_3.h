@@ -30,13 +30,14 @@ struct Found_map_3
   std::string reason;                   // for the status; empty if there is nothing to add
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
+  bool is_stuck = false;                // with so few inverted cells that they are to be split
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
 
   // Is there a map, but not with the prescribed boundary, although nothing has interrupted the search?
   bool is_blocked() const
   {
-    return status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary);
+    return is_stuck || status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary);
   }
 };
 

@@ -38,6 +38,13 @@ struct Approach_start_3
   std::size_t patience = (std::numeric_limits<std::size_t>::max)();
 };
 
+// Where untangling starts, and when it is left to a refinement to go on.
+struct Untangling_start_3
+{
+  Eigen::Matrix3Xd positions;                 // the images of all vertices; none: the harmonic map
+  std::size_t most_inverted_cells_to_split = 0; // if so many at most are left
+};
+
 struct Found_map_3;
 struct Map_options_3;
 
@@ -51,6 +58,7 @@ struct Map_options_3
   Boundary_mode mode = Boundary_mode::AUTO;
   Soft_boundary_parameters soft;
   std::vector<Linear_constraint_3<int> > constraints;
+  Untangling_start_3 untangling;
   Approach_start_3 approach;
   Improvement_3 improve = nullptr;       // by what follows, if that is wanted; otherwise it need not be compiled
   bool do_slide = false;

@@ -64,12 +64,19 @@ protected:
   template <typename Method>
   void report(const Phase phase, const Method& method, const double energy_of_other_cells = 0)
   {
+    Parameterization_step& step = next_step(phase);
+    step.energy = method.evaluation().energy + energy_of_other_cells;
+    step.number_of_inverted_cells = method.evaluation().number_of_inverted_cells;
+    step.gradient_norm = method.direction().gradient_norm;
+    step.step_length = method.step_length();
+  }
+
+  // To be filled.
+  Parameterization_step& next_step(const Phase phase)
+  {
     ++m_step.iteration;
     m_step.phase = phase;
-    m_step.energy = method.evaluation().energy + energy_of_other_cells;
-    m_step.number_of_inverted_cells = method.evaluation().number_of_inverted_cells;
-    m_step.gradient_norm = method.direction().gradient_norm;
-    m_step.step_length = method.step_length();
+    return m_step;
   }
 
 private:

@@ -31,50 +31,29 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangling_3 : public Stage_3
 {
 public:
-  // Starts from the harmonic map.
-  Untangling_3(const Numbered_mesh_3& mesh, Newton_system_3& system)
-    : m_mesh(mesh), m_system(system)
+  // Starts from these images of all vertices, in the units of the target.
+  Untangling_3(const Numbered_mesh_3& mesh, Newton_system_3& system, const Eigen::Matrix3Xd& start, const double theta)
+    : m_mesh(mesh), m_unit(system.unit()), m_untangler(system, m_unit * start, theta)
   {
-    Eigen::Matrix3Xd u = system.unit() * mesh.target;
-    const Newton_direction_3 direction = harmonic_map_3(system, u);
-    start(u);
-    if(!direction.is_usable())
-      end(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction));
-  }
-
-  // Starts from the given images of all vertices.
-  Untangling_3(const Numbered_mesh_3& mesh, Newton_system_3& system, const Eigen::Matrix3Xd& positions)
-    : m_mesh(mesh), m_system(system)
-  {
-    start(system.unit() * positions);
-  }
-
-  void step() override
-  {
-    const Step_status status = m_untangler->step();
-    report(Phase::UNTANGLING, *m_untangler);
-    conclude(status, ERROR_NOT_FLIP_FREE, m_untangler->direction());
-  }
-
-  Eigen::Matrix3Xd positions() const override { return snapped(m_mesh, m_untangler->positions() / m_system.unit()); }
-  bool is_flip_free() const override { return m_untangler->evaluation().is_flip_free(); }
-  std::size_t number_of_inverted_cells_at_start() const { return m_number_of_inverted_cells_at_start; }
-
-private:
-  static constexpr double theta = 0.01; // small, so that the energy hardly depends on scale
-
-  void start(const Eigen::Matrix3Xd& u)
-  {
-    m_untangler.emplace(m_system, u, theta);
-    m_number_of_inverted_cells_at_start = m_untangler->evaluation().number_of_inverted_cells;
     if(is_flip_free())
       end(OK);
   }
 
+  void step() override
+  {
+    const Step_status status = m_untangler.step();
+    report(Phase::UNTANGLING, m_untangler);
+    conclude(status, ERROR_NOT_FLIP_FREE, m_untangler.direction());
+  }
+
+  Eigen::Matrix3Xd positions() const override { return snapped(m_mesh, m_untangler.positions() / m_unit); }
+  bool is_flip_free() const override { return m_untangler.evaluation().is_flip_free(); }
+  std::size_t number_of_inverted_cells() const { return m_untangler.evaluation().number_of_inverted_cells; }
+
+private:
   const Numbered_mesh_3& m_mesh;
-  Newton_system_3& m_system;
-  std::optional<Untangler_3> m_untangler;
-  std::size_t m_number_of_inverted_cells_at_start = 0;
+  double m_unit;
+  Untangler_3 m_untangler;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

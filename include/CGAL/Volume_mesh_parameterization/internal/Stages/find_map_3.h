@@ -23,13 +23,14 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/untangle_3.h>
 
 #include <optional>
 #include <utility>
@@ -37,29 +38,37 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
-// Starts from the harmonic map, or from the given images.
+// Starts from the given images or, if there are none, from the harmonic map.
 inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
                                            Linear_solver_3& solver, const Map_options_3& options,
-                                           const Eigen::Matrix3Xd* const start, Progress_3& progress,
-                                           Found_map_3& found)
+                                           const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
   const double begin = progress.seconds();
-  const Scaled_cells_3 scaled = cells_scaled_to_target(mesh);
-  Newton_system_3 system(mesh, scaled, free_vertices(mesh), solver, options.is_parallel);
-  Untangling_3 untangling = start == nullptr ? Untangling_3(mesh, system) : Untangling_3(mesh, system, *start);
-  if(start == nullptr)
+  const bool is_cold = start.cols() == 0;
+  Newton_system_3 system(mesh, cells_scaled_to_target(mesh), free_vertices(mesh), solver, options.is_parallel);
+  if(is_cold)
   {
+    Eigen::Matrix3Xd u = system.unit() * mesh.target;
+    const Newton_direction_3 direction = harmonic_map_3(system, u);
+    found.map = judged(mesh, snapped(mesh, u / system.unit()));
+    found.number_of_inverted_cells_at_start = found.map.number_of_inverted_cells;
     progress.reach_flip_free();
-    found.number_of_inverted_cells_at_start = untangling.number_of_inverted_cells_at_start();
+    if(!direction.is_usable())
+    {
+      found.status = ERROR_LINEAR_SOLVER_FAILED;
+      found.reason = describe_failure(direction);
+      return;
+    }
   }
-  const Error_code status = progress.run(untangling, begin);
-  if(status != OK || options.do_slide)
-  {
-    take_over(untangling, status, judged(mesh, untangling.positions()), found);
+  const Untangled_3 untangled = is_cold ? untangle_3(mesh, system, solver, found.map.positions, begin, progress)
+                                        : untangle_on_3(mesh, system, solver, start, begin, progress);
+  found.map = judged(mesh, untangled.positions);
+  found.status = untangled.status;
+  found.reason = untangled.reason;
+  if(found.status != OK || options.do_slide)
     return;
-  }
-  Minimization_3 minimization(system, energy, untangling.positions());
-  const Error_code end = progress.run(minimization, progress.seconds(), untangling.last_step().iteration);
+  Minimization_3 minimization(system, energy, untangled.positions);
+  const Error_code end = progress.run(minimization, progress.seconds(), untangled.number_of_steps);
   take_over(minimization, end, judged(mesh, snapped(mesh, minimization.positions())), found);
 }
 
@@ -82,7 +91,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
       snapped_positions = approach.snapped_positions();
   }
   if(snapped_positions)
-    find_map_with_fixed_boundary_3(mesh, energy, solver, options, &*snapped_positions, progress, found);
+    find_map_with_fixed_boundary_3(mesh, energy, solver, options, *snapped_positions, progress, found);
 }
 
 // From numbered arrays to the images of their vertices, by the stages that are allowed, one after the other.
@@ -95,7 +104,11 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
   const bool goes_on = options.approach.positions.cols() > 0;
   if(check.allows_fixed_boundary() && options.mode != Boundary_mode::SOFT && !goes_on)
   {
-    find_map_with_fixed_boundary_3(mesh, energy, solver, options, nullptr, progress, found);
+    find_map_with_fixed_boundary_3(mesh, energy, solver, options, options.untangling.positions, progress, found);
+    found.is_stuck = found.status == ERROR_NOT_FLIP_FREE
+      && found.map.number_of_inverted_cells <= options.untangling.most_inverted_cells_to_split;
+    if(found.is_stuck)
+      return found;
     if(found.status == ERROR_NOT_FLIP_FREE)
       found.diagnosis = diagnose_3(mesh, found.map.positions);
   }

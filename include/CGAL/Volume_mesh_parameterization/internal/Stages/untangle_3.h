@@ -1,0 +1,130 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLE_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLE_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_setting.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Images of all vertices, with the prescribed ones on their targets, and how the search for them ended.
+struct Untangled_3
+{
+  Eigen::Matrix3Xd positions;
+  std::size_t number_of_inverted_cells;
+  Error_code status = ERROR_NOT_FLIP_FREE;
+  std::string reason = {};
+  std::size_t number_of_steps = 0;
+};
+
+// Untangles by one search after the other, and keeps the best result.
+class Untangling_search_3
+{
+public:
+  // The set-up of the system began at that time.
+  Untangling_search_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
+                      const Eigen::Matrix3Xd& start, const double begin, Progress_3& progress)
+    : m_mesh(mesh), m_system(system), m_solver(solver), m_progress(progress), m_begin(begin),
+      m_best{ start, inverted_cells(mesh, start).number }
+  {}
+
+  // With the cells of the source again.
+  ~Untangling_search_3() { m_system.set_references(m_mesh, cells_scaled_to_target(m_mesh)); }
+
+  const Untangled_3& best() const { return m_best; }
+  bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
+
+  // The whole mesh, and then patches of it.
+  void untangle(const Untangling_setting& setting, const Eigen::Matrix3Xd& start)
+  {
+    m_system.set_references(m_mesh, reference_cells(m_mesh, setting));
+    Untangling_3 untangling(m_mesh, m_system, start, setting.theta);
+    const Eigen::Matrix3Xd positions = run(untangling);
+    if(goes_on())
+      untangle_patches(positions);
+  }
+
+  void untangle_patches(const Eigen::Matrix3Xd& start)
+  {
+    constexpr std::size_t most_for_patches = 100; // otherwise inverted cells are no exceptions
+    if(inverted_cells(m_mesh, start).number > most_for_patches)
+      return;
+    Patch_untangling_3 patches(m_mesh, m_solver, start);
+    run(patches);
+    m_system.claim_solver();
+  }
+
+private:
+  Eigen::Matrix3Xd run(Stage_3& stage)
+  {
+    m_best.status = m_progress.run(stage, m_begin, m_best.number_of_steps);
+    m_best.reason = m_best.status == stage.status() ? stage.reason() : std::string();
+    m_best.number_of_steps += stage.last_step().iteration;
+    const Eigen::Matrix3Xd positions = stage.positions();
+    const std::size_t number = inverted_cells(m_mesh, positions).number;
+    if(number < m_best.number_of_inverted_cells)
+    {
+      m_best.number_of_inverted_cells = number;
+      m_best.positions = positions;
+    }
+    m_begin = m_progress.seconds();
+    return positions;
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  Newton_system_3& m_system;
+  Linear_solver_3& m_solver;
+  Progress_3& m_progress;
+  double m_begin;
+  Untangled_3 m_best;
+};
+
+// Tries one setting after the other, each from the same start, until no cell is inverted.
+inline Untangled_3 untangle_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
+                              const Eigen::Matrix3Xd& start, const double begin, Progress_3& progress)
+{
+  Untangling_search_3 search(mesh, system, solver, start, begin, progress);
+  for(const Untangling_setting& setting : untangling_settings)
+    if(search.goes_on())
+      search.untangle(setting, start);
+  return search.best();
+}
+
+// Goes on from images that an earlier search has left with few inverted cells, or none.
+inline Untangled_3 untangle_on_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
+                                 const Eigen::Matrix3Xd& start, const double begin, Progress_3& progress)
+{
+  Untangling_search_3 search(mesh, system, solver, start, begin, progress);
+  search.untangle_patches(start);
+  if(search.goes_on())
+    search.untangle(setting_to_go_on, search.best().positions);
+  return search.best();
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLE_3_H
