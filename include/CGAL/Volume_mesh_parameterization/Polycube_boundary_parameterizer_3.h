@@ -15,8 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Dense>
 
@@ -106,7 +105,7 @@ public:
       for(const auto f : boundary.mesh().faces())
       {
         label_of_face.push_back(get(labels, boundary.facet(f)));
-        CGAL_precondition(label_of_face.back() < 6);
+        internal::require(label_of_face.back() < 6, "The labels of a polycube are 0 to 5.");
       }
       return internal::map_to_polycube_3(boundary.mesh(), label_of_face, images);
     });

@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,9 +87,7 @@ private:
 
   void unite_coplanar_facets(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets)
   {
-    std::vector<std::size_t> rank(facets.size()), parent(facets.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
-    boost::disjoint_sets<std::size_t*, std::size_t*> patches(rank.data(), parent.data());
+    boost::disjoint_sets_with_storage<> patches(facets.size());
     for_each_pair_of_neighbours(facets, [&](const std::size_t f, const std::size_t g)
     {
       if(are_coplanar(points, facets[f], facets[g]))

@@ -23,8 +23,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -94,7 +94,8 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
                       " cells of the source have no positive volume; the first one is cell ", mesh.user_number(inverted.first),
-                      " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6, ".");
+                      " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6,
+                      inverted.number == mesh.cells.size() ? "; exchange two vertices of each cell." : ".");
 }
 
 // The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
@@ -116,9 +117,7 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 // Each connected component of the target must have a positive volume, which depends on its boundary only.
 inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
-  std::vector<int> rank(mesh.number_of_vertices()), parent(mesh.number_of_vertices());
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> components(rank.data(), parent.data());
+  boost::disjoint_sets_with_storage<> components(mesh.number_of_vertices());
   for(const std::array<int, 4>& cell : mesh.cells)
     for(int i = 1; i < 4; ++i)
       components.union_set(cell[0], cell[i]);
@@ -129,8 +128,9 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
   for(const std::array<int, 4>& cell : mesh.cells)
     if(!(volume[components.find_set(cell[0])] > 0))
       return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ",
-                          volume[components.find_set(cell[0])],
-                          ", which must be positive; is it turned inside out?");
+                          volume[components.find_set(cell[0])], ", which must be positive: it is ",
+                          volume[components.find_set(cell[0])] > -1e-12 * std::pow(target_diagonal(mesh), 3)
+                            ? "flat." : "turned inside out.");
   return {};
 }
 

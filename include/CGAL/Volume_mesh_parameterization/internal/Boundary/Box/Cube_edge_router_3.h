@@ -27,7 +27,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -97,9 +96,7 @@ private:
 
   void put_spanning_tree_first()
   {
-    std::array<int, 8> rank = {}, parent;
-    std::iota(parent.begin(), parent.end(), 0);
-    boost::disjoint_sets<int*, int*> trees(rank.data(), parent.data());
+    boost::disjoint_sets_with_storage<> trees(8);
     std::array<Cube_edge_3, 12> ordered;
     auto front = ordered.begin();
     auto back = ordered.rbegin();
