@@ -1,6 +1,7 @@
 // Proofs that no map exists, on small complexes for which it is known by construction whether there is one.
 #include "catch.h"
 
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 
@@ -295,4 +296,29 @@ TEST_CASE("the user learns how many sets of cells are to blame and where the fir
   const std::string sentence = VMP::describe_infeasibility(prove(m), m);
   CHECK(sentence.find("found: 1; cells of the first one: ") != std::string::npos);
   CHECK(sentence.find("(0, 0, 0), (1, 0, 0)") != std::string::npos);
+}
+
+TEST_CASE("two facets intersect if they share more than their common vertices")
+{
+  const auto intersects = [](const std::vector<Point>& points, const std::vector<std::array<int, 3> >& facets)
+  {
+    Eigen::Matrix3Xd matrix(3, points.size());
+    for(std::size_t v = 0; v < points.size(); ++v)
+      matrix.col(v) = points[v];
+    const auto found = VMP::Self_intersection_3(matrix, facets).find();
+    CHECK((!found || found->first < found->second));
+    return found.has_value();
+  };
+  const std::vector<Point> points = { {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 9}, {3, 3, 0}, {1, 1, 0},
+                                      {8, 8, 0}, {2, 5, 0} };
+  CHECK(intersects(points, {{0, 1, 2}, {3, 4, 5}}));         // no common vertex
+  CHECK(!intersects(points, {{0, 1, 2}, {5, 6, 8}}));
+  CHECK(intersects(points, {{0, 1, 2}, {0, 3, 4}}));         // one: the edge opposite of it goes through
+  CHECK(!intersects(points, {{0, 1, 2}, {0, 4, 5}}));
+  CHECK(!intersects(points, {{0, 1, 2}, {1, 6, 8}}));        // coplanar side by side
+  CHECK(intersects(points, {{0, 1, 2}, {2, 1, 7}}));         // two: folded back into the plane
+  CHECK(!intersects(points, {{0, 1, 2}, {2, 1, 6}}));        // continued in the plane
+  CHECK(!intersects(points, {{0, 1, 2}, {2, 1, 4}}));
+  CHECK(intersects(points, {{0, 1, 2}, {0, 2, 1}}));         // three
+  CHECK(!intersects(points, {{0, 1, 2}, {3, 7, 4}}));        // a triangle without area is no facet
 }

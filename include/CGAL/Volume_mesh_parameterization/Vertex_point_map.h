@@ -15,6 +15,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -28,8 +29,7 @@ never changes the container: a vertex that is missing has a point whose coordina
 `boost::associative_property_map` it would get a point without values instead.
 
 \tparam Container a model of `UniqueAssociativeContainer` and `PairAssociativeContainer`, for instance
-        `std::unordered_map<C3t3::Vertex_handle, Point_3>`, whose points have coordinates of floating-point type; `const`
-        if the map is only read
+        `std::unordered_map<C3t3::Vertex_handle, Point_3>`; `const` if the map is only read
 
 \cgalModels{ReadablePropertyMap}
 \cgalModels{ReadWritePropertyMap} if `Container` is not `const`
@@ -49,16 +49,17 @@ public:
   /// stores a reference to the container, which must outlive the map.
   explicit Vertex_point_map(Container& container) : m_container(&container) {}
 
-  /// returns the point of a vertex, or one with coordinates that are not numbers.
+  /// returns the point of a vertex, or one with coordinates that are not numbers. Where the type of the coordinates has no
+  /// such value, as in exact kernels, `std::out_of_range` is thrown instead.
   friend value_type get(const Vertex_point_map& map, const key_type& vertex)
   {
     const auto found = map.m_container->find(vertex);
     if(found != map.m_container->end())
       return found->second;
-    static_assert(std::is_floating_point<std::decay_t<decltype(found->second.x())> >::value,
-                  "Vertex_point_map needs coordinates that can be 'not a number', for vertices without a point.");
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return value_type(nan, nan, nan);
+    if constexpr(std::is_floating_point<std::decay_t<decltype(found->second.x())> >::value)
+      return value_type(nan, nan, nan);
+    throw std::out_of_range("A vertex has no point in the container.");
   }
 
   /// puts a point into the container.

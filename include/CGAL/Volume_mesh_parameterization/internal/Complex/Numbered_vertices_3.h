@@ -13,10 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
@@ -27,17 +26,6 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-template <typename Point>
-Eigen::Vector3d to_vector(const Point& p)
-{
-  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
-
-inline Eigen::Vector3d to_vector(const std::array<double, 3>& p)
-{
-  return Eigen::Vector3d(p[0], p[1], p[2]);
-}
 
 // The arrays of a mesh, and which of its vertices, a handle or an index, has which number in them. Only vertices of
 // cells have one. The base of those classes that know where the cells come from.
