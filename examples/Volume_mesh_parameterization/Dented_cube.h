@@ -4,13 +4,12 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -46,8 +45,8 @@ struct Dented_cube
         targets.emplace(v, dent(v->point()));
   }
 
-  auto boundary_map() { return boost::make_assoc_property_map(targets); }
-  auto uvw_map() { return boost::make_assoc_property_map(uvw); }
+  auto boundary_map() { return VMP::make_vertex_point_map(targets); }
+  auto uvw_map() { return VMP::make_vertex_point_map(uvw); }
 
 private:
   static bool is_on_boundary(const Point_3& p)

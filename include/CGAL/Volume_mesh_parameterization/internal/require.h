@@ -14,12 +14,10 @@
 
 #include <CGAL/exceptions.h>
 
-#include <string>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A precondition that is cheap, so that it holds in programs compiled with NDEBUG, too. Nothing is printed.
-inline void require(const bool condition, const std::string& message)
+inline void require(const bool condition, const char* const message)
 {
   if(!condition)
     throw Precondition_exception("CGAL::Volume_mesh_parameterization", "", "", 0, message);

@@ -54,7 +54,7 @@ public:
       fail("the file ends where " + std::string(what) + " should be");
 
     Number number{};
-    const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
+    const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
     if(!parse(word.data() + has_plus, word.data() + word.size(), number))
       fail(quote(word) + " is not " + what);
     return number;

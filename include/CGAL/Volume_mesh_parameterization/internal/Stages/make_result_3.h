@@ -57,10 +57,12 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
 // By how much the boundary is missed, where most, and what can be done.
 inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
-  Eigen::Index v = 0;
-  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-  const double distance = (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff(&v);
-  v += mesh.number_of_free_vertices;
+  const auto distance_of = [&](const int w) { return (positions.col(w) - mesh.target.col(w)).norm(); };
+  int v = mesh.number_of_free_vertices;
+  for(int w = v + 1; w < mesh.number_of_vertices(); ++w)
+    if(distance_of(w) > distance_of(v))
+      v = w;
+  const double distance = distance_of(v);
   std::ostringstream out;
   out << " The largest distance to a target is " << distance << ", " << distance / target_diagonal(mesh)
       << " times the diagonal of all targets: the source's vertex at " << describe(mesh.source.col(v)) << " is at "
