@@ -19,8 +19,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
-#include <CGAL/assertions.h>
-
 #include <Eigen/Dense>
 
 #include <algorithm>

@@ -53,7 +53,7 @@ struct Parameterization_result
   /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume;
   /// not a number without a valid map
   double energy = std::numeric_limits<double>::quiet_NaN();
-  Distortion_3 distortion;                  ///< of the map as it is; see there for no map
+  Distortion_3 distortion;                  ///< of the map as it is; not numbers without a valid one
   Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
 
   double seconds_total = 0;        ///< of the call, without the default boundary map

@@ -15,8 +15,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
+#include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 #include <CGAL/box_intersection_d.h>
-#include <CGAL/intersections.h>
 
 #include <Eigen/Core>
 
