@@ -5,9 +5,16 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <random>
 #include <set>
 #include <string>
@@ -321,4 +328,47 @@ TEST_CASE("two facets intersect if they share more than their common vertices")
   CHECK(!intersects(points, {{0, 1, 2}, {2, 1, 4}}));
   CHECK(intersects(points, {{0, 1, 2}, {0, 2, 1}}));         // three
   CHECK(!intersects(points, {{0, 1, 2}, {3, 7, 4}}));        // a triangle without area is no facet
+}
+
+TEST_CASE("icosahedra with moved vertices intersect themselves where Polygon_mesh_processing says so")
+{
+  using Surface_mesh = CGAL::Surface_mesh<VMP::Exact_point_3>;
+  std::mt19937 random(7);
+  int number_of_intersections = 0;
+  for(int run = 0; run < 200; ++run)
+  {
+    Surface_mesh surface;
+    CGAL::make_icosahedron(surface, VMP::Exact_point_3(0, 0, 0), 1.);
+    std::uniform_real_distribution<double> step(-0.01 * run, 0.01 * run);
+    Eigen::Matrix3Xd points(3, 12);
+    for(const auto v : surface.vertices())
+    {
+      for(int i = 0; i < 3; ++i)
+        points(i, int(v)) = surface.point(v)[i] + step(random);
+      surface.point(v) = VMP::Exact_point_3(points(0, int(v)), points(1, int(v)), points(2, int(v)));
+    }
+    std::vector<std::array<int, 3> > facets;
+    for(const auto f : surface.faces())
+    {
+      const auto h = surface.halfedge(f);
+      facets.push_back({ int(surface.source(h)), int(surface.target(h)), int(surface.target(surface.next(h))) });
+    }
+    using Pair = std::pair<Surface_mesh::Face_index, Surface_mesh::Face_index>;
+    std::vector<Pair> expected;
+    CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(expected));
+    for(Pair& pair : expected)
+      if(pair.second < pair.first)
+        std::swap(pair.first, pair.second);
+
+    const auto found = VMP::Self_intersection_3(points, facets).find();
+    REQUIRE(found.has_value() == !expected.empty());
+    if(!found)
+      continue;
+    ++number_of_intersections;
+    const Pair first = *std::min_element(expected.begin(), expected.end());
+    CHECK(found->first == std::size_t(first.first));
+    CHECK(found->second == std::size_t(first.second));
+  }
+  CHECK(number_of_intersections > 20);
+  CHECK(number_of_intersections < 180);
 }

@@ -59,7 +59,8 @@ public:
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     if constexpr(std::is_floating_point<std::decay_t<decltype(found->second.x())> >::value)
       return value_type(nan, nan, nan);
-    throw std::out_of_range("A vertex has no point in the container.");
+    else
+      throw std::out_of_range("A vertex has no point in the container.");
   }
 
   /// puts a point into the container.
