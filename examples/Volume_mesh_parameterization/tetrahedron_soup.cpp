@@ -34,7 +34,8 @@ try
   {
     return a.angle < b.angle;
   });
-  std::cout << "largest distortion of angles: " << worst->angle << ", in cell " << worst - distortions.begin() << std::endl;
+  std::cout << "largest distortion of angles: " << worst->angle << ", in cell " << worst - distortions.begin()
+            << std::endl;
 
   std::ofstream out("ball.vtu");
   VMP::IO::write_VTU(out, soup, images);

@@ -84,7 +84,8 @@ predicates on the coordinates that are written.
     \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target. For a container, pass
                     `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
                     `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
-                    forgotten, which is undefined behaviour and may end as `OK`. Prescribed vertices receive exactly the points given, unless they slide or the boundary is missed.}
+                    forgotten, which is undefined behaviour and may end as `OK`. Prescribed vertices receive exactly
+                    the points given, unless they slide or the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{energy}
     \cgalParamDescription{the energy whose mean over the cells is minimized}
@@ -199,8 +200,8 @@ predicates on the coordinates that are written.
         told by `Parameterization_result::status`, in words by `Parameterization_result::message`; nothing is thrown.
 
 Named parameters that break a precondition are answered by `CGAL::Precondition_exception`, also in programs that are
-compiled with `NDEBUG`. Exceptions of property maps, energy, solver and visitor pass through, with `uvw_map` left alone, and so does
-`std::bad_alloc`.
+compiled with `NDEBUG`. Exceptions of property maps, energy, solver and visitor pass through, with `uvw_map` left
+alone, and so does `std::bad_alloc`.
 
 A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
 the number of cells, plus what the solver needs.
@@ -249,7 +250,8 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   {
     VMP::Parameterization_result result;
     result.status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, boundary_map);
-    result.message = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(c3t3, result.status);
+    result.message
+      = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(c3t3, result.status);
     if(result.status != VMP::OK)
       return result;
   }
@@ -275,7 +277,8 @@ computes the same map for those whose mesh is arrays, without a complex. Vertice
 \param points the points
 \param cells four indices of points each, such that all cells are positive
 \param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
-       read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing target.
+       read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing
+       target.
 \param images receives the image of each point if the map is valid, and is left alone otherwise. Points without a cell
        receive coordinates that are not numbers. May be the same array as `points` or `targets`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function for a complex,
@@ -283,9 +286,9 @@ computes the same map for those whose mesh is arrays, without a complex. Vertice
 
 \return the same as for a complex
 
-`Volume_mesh_parameterization::Input_error` is thrown if a cell has an index that does not exist or an index twice, or if
-a facet has more than two cells or two on the same side; `CGAL::Precondition_exception` if there are not as many targets
-as points.
+`Volume_mesh_parameterization::Input_error` is thrown if a cell has an index that does not exist or an index twice, or
+if a facet has more than two cells or two on the same side; `CGAL::Precondition_exception` if there are not as many
+targets as points.
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -584,7 +584,8 @@ TEST_CASE("A flat target is refused, and not called turned")
   int number_of_refusals = 0;
   for(const double slope : {0., 0.1, -0.1, 0.7, -0.7}) // rounding makes the volume of a tilted one positive or negative
   {
-    Complex complex(mapped_cube(3, 0, [&](const Vector3d& p) { return Vector3d(p[0], p[1], slope * (p[0] + p[1] / 3)); }));
+    const auto tilt = [&](const Vector3d& p) { return Vector3d(p[0], p[1], slope * (p[0] + p[1] / 3)); };
+    Complex complex(mapped_cube(3, 0, tilt));
     const Parameterization_result result = parameterize(complex, params::number_of_iterations(0));
     INFO(result.message);
     if(result.status != VMP::ERROR_INVERTED_TARGET_BOUNDARY)
@@ -654,7 +655,8 @@ TEST_CASE("Broken preconditions throw, also in programs compiled with NDEBUG")
   CHECK_THROWS_AS(parameterize(complex, params::maximal_angle_distortion(std::nan(""))), CGAL::Precondition_exception);
   CHECK_THROWS_AS(parameterize(complex, params::number_of_iterations(-1)), CGAL::Precondition_exception);
   CHECK(complex.uvw.empty());
-  CHECK(parameterize(complex, params::number_of_iterations((std::numeric_limits<std::size_t>::max)())).status == VMP::OK);
+  constexpr std::size_t many = (std::numeric_limits<std::size_t>::max)();
+  CHECK(parameterize(complex, params::number_of_iterations(many)).status == VMP::OK);
 }
 
 TEST_CASE("Arrays are mapped as a complex is")
@@ -703,8 +705,9 @@ TEST_CASE("Arrays are mapped as a complex is")
   std::vector<std::size_t> is_constrained(126, 0);
   is_constrained[middle] = 1;
   targets[middle] = {images[middle][0] + 0.01, images[middle][1], images[middle][2]};
-  CHECK(call(params::vertex_is_constrained_map(
-          boost::make_iterator_property_map(is_constrained.begin(), boost::identity_property_map()))).status == VMP::OK);
+  const auto is_constrained_map
+    = boost::make_iterator_property_map(is_constrained.begin(), boost::identity_property_map());
+  CHECK(call(params::vertex_is_constrained_map(is_constrained_map)).status == VMP::OK);
   CHECK(images[middle] == targets[middle]);
 
   // what is refused leaves the images alone

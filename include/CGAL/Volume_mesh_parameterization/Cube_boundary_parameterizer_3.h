@@ -105,8 +105,8 @@ public:
   /// \param target receives the images
   ///
   /// \return the same as without corners, `ERROR_INVALID_CORNERS` if the corners are not different vertices of the
-  ///         boundary, or `ERROR_MIRRORED_CORNERS` if no disjoint paths between them were found, but between those of the
-  ///         mirrored box
+  ///         boundary, or `ERROR_MIRRORED_CORNERS` if no disjoint paths between them were found, but between those of
+  ///         the mirrored box
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
                           VertexPointMap target) const

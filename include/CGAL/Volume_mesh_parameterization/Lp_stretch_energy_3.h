@@ -47,7 +47,11 @@ class Lp_stretch_energy_3
 public:
   /// constructs the energy for this \f$p\f$.
   /// \pre `p >= 2`
-  explicit Lp_stretch_energy_3(const double p = 8) : m_p(p) { internal::require(p >= 2, "The exponent of the stretch is 2 or more."); }
+  explicit Lp_stretch_energy_3(const double p = 8)
+    : m_p(p)
+  {
+    internal::require(p >= 2, "The exponent of the stretch is 2 or more.");
+  }
 
   /// returns \f$\psi\f$.
   template <typename T>

@@ -48,8 +48,8 @@ OutputIterator boundary_vertices(const C3t3& c3t3, OutputIterator out)
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-writes the vertices where the boundary of a complex is not a manifold: those at an edge of more than two of its facets, and
-those whose facets are not all joined by edges at the vertex. The models of `BoundaryParameterizer_3` refuse
+writes the vertices where the boundary of a complex is not a manifold: those at an edge of more than two of its
+facets, and those whose facets are not all joined by edges at the vertex. The models of `BoundaryParameterizer_3` refuse
 complexes that have any with `ERROR_NON_MANIFOLD_BOUNDARY`.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`

@@ -75,8 +75,9 @@ Cell_distortion_3 cell_distortion(const C3t3& c3t3, const typename C3t3::Cell_ha
 {
   const auto& tr = c3t3.triangulation();
   const auto point = tr.geom_traits().construct_point_3_object();
-  return internal::distortion_of_cell([&](const int i) { return internal::to_vector(point(tr.point(cell->vertex(i)))); },
-                                      [&](const int i) { return internal::to_vector(get(uvw_map, cell->vertex(i))); });
+  return internal::distortion_of_cell(
+    [&](const int i) { return internal::to_vector(point(tr.point(cell->vertex(i)))); },
+    [&](const int i) { return internal::to_vector(get(uvw_map, cell->vertex(i))); });
 }
 
 /*!

@@ -67,8 +67,8 @@ protected:
   // images of the others are 0.
   template <typename PointOfVertex, typename VertexIsConstrainedMap, typename BoundaryMap>
   void set_mesh(const std::vector<std::array<int, 4> >& cells, const PointOfVertex& point_of,
-                std::vector<bool> is_prescribed, const VertexIsConstrainedMap& is_constrained, const BoundaryMap& target,
-                const bool has_volume_weights)
+                std::vector<bool> is_prescribed, const VertexIsConstrainedMap& is_constrained,
+                const BoundaryMap& target, const bool has_volume_weights)
   {
     m_number_of_boundary_vertices = std::count(is_prescribed.begin(), is_prescribed.end(), true);
     Eigen::Matrix3Xd points(3, m_vertices.size());

@@ -18,7 +18,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Tells what is no property map, and whether a map takes what is put into it, for errors of the compiler that one can read.
+// Tells what is no property map, and whether a map takes what is put into it, for errors of the compiler that can be
+// read.
 template <typename Map, typename = void>
 struct Is_property_map : std::false_type {};
 

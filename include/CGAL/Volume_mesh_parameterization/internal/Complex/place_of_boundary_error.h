@@ -33,8 +33,8 @@ std::string place_of_boundary_error(const C3t3& c3t3, const Error_code status)
     non_manifold_boundary_vertices(c3t3, std::back_inserter(vertices));
     const auto& tr = c3t3.triangulation();
     const auto p = tr.geom_traits().construct_point_3_object()(tr.point(vertices.front()));
-    out << " It is none at " << vertices.size() << " vertices, among them the one at (" << p.x() << ", " << p.y() << ", "
-        << p.z() << ").";
+    out << " It is none at " << vertices.size() << " vertices, among them the one at (" << p.x() << ", " << p.y()
+        << ", " << p.z() << ").";
   }
   return out.str();
 }

@@ -99,8 +99,8 @@ private:
     return result.ec == std::errc() && result.ptr == last;
   }
 
-  // Not every standard library has std::from_chars for numbers with a point; streams have read them, correctly rounded and
-  // whatever the global locale is, by this facet at all times.
+  // Not every standard library has std::from_chars for numbers with a point. Streams read them by this facet, correctly
+  // rounded and whatever the global locale is.
   static bool parse(const char* const first, const char* const last, double& number)
   {
     struct Parser : std::num_get<char, const char*> {};
@@ -111,7 +111,8 @@ private:
     static const Parser parser;
     thread_local Format format;
     std::ios::iostate error = std::ios::goodbit;
-    return parser.get(first, last, format, error, number) == last && !(error & std::ios::failbit) && std::isfinite(number);
+    return parser.get(first, last, format, error, number) == last && !(error & std::ios::failbit)
+        && std::isfinite(number);
   }
 
   void skip_blanks()

@@ -92,8 +92,8 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh)
     const auto& [a, b, c] = facets[facet];
     return describe(mesh.source.col(a)) + ", " + describe(mesh.source.col(b)) + ", " + describe(mesh.source.col(c));
   };
-  return " The prescribed boundary intersects itself, for instance in the images of two facets, the one with the source's "
-         "vertices at " + corners(found->first) + ", and the one at " + corners(found->second)
+  return " The prescribed boundary intersects itself, for instance in the images of two facets, the one with the "
+         "source's vertices at " + corners(found->first) + ", and the one at " + corners(found->second)
          + "; few such boundaries have a map without inverted cells, and none that is one to one.";
 }
 
