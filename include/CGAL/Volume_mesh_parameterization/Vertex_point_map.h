@@ -40,9 +40,10 @@ template <typename Container>
 class Vertex_point_map
 {
 public:
-  using key_type = typename Container::key_type;
-  using value_type = typename Container::mapped_type;
-  using reference = value_type;
+  using key_type = typename Container::key_type;      ///< the vertices
+  using value_type = typename Container::mapped_type; ///< the points
+  using reference = value_type;                       ///< points are returned by value
+  /// what the concept of the map is, for Boost
   using category = std::conditional_t<std::is_const<Container>::value, boost::readable_property_map_tag,
                                       boost::read_write_property_map_tag>;
 
