@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -44,13 +44,13 @@ inline std::vector<std::size_t> non_manifold_vertices(const std::size_t number_o
   std::sort(edges.begin(), edges.end());
 
   std::vector<bool> is_bad(number_of_vertices, false);
-  boost::disjoint_sets_with_storage<> corners(3 * facets.size());
+  Disjoint_sets corners(3 * facets.size());
   for(auto begin = edges.begin(), end = begin; begin != edges.end(); begin = end)
   {
     end = std::find_if(begin, edges.end(), [&](const Edge& edge) { return edge.first != begin->first; });
     for(std::size_t i = 0; i < 2; ++i)
       if(end - begin == 2)
-        corners.union_set(begin->second[i], (begin + 1)->second[i]);
+        corners.unite(begin->second[i], (begin + 1)->second[i]);
       else
         is_bad[begin->first[i]] = true;
   }
@@ -58,7 +58,7 @@ inline std::vector<std::size_t> non_manifold_vertices(const std::size_t number_o
   std::vector<std::size_t> umbrella(number_of_vertices, none);
   for(std::size_t corner = 0; corner < 3 * facets.size(); ++corner)
   {
-    const std::size_t v = facets[corner / 3][corner % 3], set = corners.find_set(corner);
+    const std::size_t v = facets[corner / 3][corner % 3], set = corners.find(corner);
     is_bad[v] = is_bad[v] || (umbrella[v] != none && umbrella[v] != set);
     umbrella[v] = set;
   }

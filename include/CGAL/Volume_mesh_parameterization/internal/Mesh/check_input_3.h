@@ -13,13 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 
 #include <Eigen/Dense>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -117,19 +116,19 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 // Each connected component of the target must have a positive volume, which depends on its boundary only.
 inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
-  boost::disjoint_sets_with_storage<> components(mesh.number_of_vertices());
+  Disjoint_sets components(mesh.number_of_vertices());
   for(const std::array<int, 4>& cell : mesh.cells)
     for(int i = 1; i < 4; ++i)
-      components.union_set(cell[0], cell[i]);
+      components.unite(cell[0], cell[i]);
 
   std::vector<double> volume(mesh.number_of_vertices(), 0.);
   for(const std::array<int, 4>& cell : mesh.cells)
-    volume[components.find_set(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
+    volume[components.find(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
   for(const std::array<int, 4>& cell : mesh.cells)
-    if(!(volume[components.find_set(cell[0])] > 0))
+    if(!(volume[components.find(cell[0])] > 0))
       return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ",
-                          volume[components.find_set(cell[0])], ", which must be positive: it is ",
-                          volume[components.find_set(cell[0])] > -1e-12 * std::pow(target_diagonal(mesh), 3)
+                          volume[components.find(cell[0])], ", which must be positive: it is ",
+                          volume[components.find(cell[0])] > -1e-12 * std::pow(target_diagonal(mesh), 3)
                             ? "flat." : "turned inside out.");
   return {};
 }
