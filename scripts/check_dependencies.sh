@@ -15,7 +15,9 @@ package_of()
     STL_Extension/internal/parameters_interface.h) echo STL_Extension ;;
     license/*) basename "$1" .h ;;
     license.h | config.h) echo Installation ;;
-    Named_function_parameters.h | algorithm.h | assertions.h | iterator.h | tags.h) echo STL_Extension ;;
+    Named_function_parameters.h | algorithm.h | assertions.h | exceptions.h | iterator.h | tags.h) echo STL_Extension ;;
+    Box_intersection_d/* | box_intersection_d.h) echo Box_intersection_d ;;
+    Intersections_3/*) echo Intersections_3 ;;
     number_utils.h) echo Algebraic_foundations ;;
     Exact_rational.h) echo Number_types ;;
     Exact_predicates_inexact_constructions_kernel.h) echo Kernel_23 ;;

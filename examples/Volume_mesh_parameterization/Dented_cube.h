@@ -4,18 +4,17 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
-#include <boost/property_map/property_map.hpp>
-
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <unordered_map>
 #include <vector>
 
@@ -37,24 +36,19 @@ struct Dented_cube
   Dented_cube()
   {
     VMP::Tetrahedron_soup_3 soup;
-    std::vector<Vertex_handle> vertices;
+    std::vector<Vertex_handle> vertices, on_boundary;
     std::vector<C3t3::Cell_handle> cells;
     VMP::IO::read_MEDIT("data/cube.mesh", soup);
     VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
-    for(const Vertex_handle v : vertices)
-      if(is_on_boundary(v->point()))
-        targets.emplace(v, dent(v->point()));
+    VMP::boundary_vertices(c3t3, std::back_inserter(on_boundary));
+    for(const Vertex_handle v : on_boundary)
+      targets.emplace(v, dent(v->point()));
   }
 
-  auto boundary_map() { return boost::make_assoc_property_map(targets); }
-  auto uvw_map() { return boost::make_assoc_property_map(uvw); }
+  auto boundary_map() { return VMP::make_vertex_point_map(targets); }
+  auto uvw_map() { return VMP::make_vertex_point_map(uvw); }
 
 private:
-  static bool is_on_boundary(const Point_3& p)
-  {
-    return (std::max)({ std::abs(p.x()), std::abs(p.y()), std::abs(p.z()) }) == 1;
-  }
-
   static Point_3 dent(const Point_3& p)
   {
     const double depth = p.z() == 1 ? 1.4 * (1 - p.x() * p.x()) * (1 - p.y() * p.y()) : 0;

@@ -4,8 +4,6 @@
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -22,7 +20,7 @@ try
   C3t3 c3t3 = mesh_elephant(filename);
 
   std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
-  const auto uvw_map = boost::make_assoc_property_map(uvw);
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map);
 
   return report(c3t3, uvw_map, result, output_filename);

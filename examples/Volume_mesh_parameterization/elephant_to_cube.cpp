@@ -5,8 +5,6 @@
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -26,7 +24,7 @@ try
   // Without a boundary map, edges and facets inside are split if all their vertices are on the boundary.
   VMP::make_parameterizable(c3t3);
   std::unordered_map<C3t3::Vertex_handle, Point_3> target, uvw;
-  const auto target_map = boost::make_assoc_property_map(target);
+  const auto target_map = VMP::make_vertex_point_map(target);
   const VMP::Error_code status = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, target_map);
   if(status != VMP::OK)
   {
@@ -34,7 +32,7 @@ try
     return EXIT_FAILURE;
   }
 
-  const auto uvw_map = boost::make_assoc_property_map(uvw);
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map, params::boundary_map(target_map).do_refine(true));
 

@@ -7,7 +7,6 @@
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -63,7 +62,7 @@ int main()
   std::unordered_map<Vertex_handle, Point_3> uvw;
   const VMP::Parameterization_result result
     = CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(
-        c3t3, boost::make_assoc_property_map(uvw),
+        c3t3, VMP::make_vertex_point_map(uvw),
         params::boundary_map(boost::make_function_property_map<Vertex_handle>(target))
                .vertex_is_constrained_map(CGAL::Boolean_property_map<std::unordered_set<Vertex_handle> >(constrained))
                .boundary_mode(VMP::Boundary_mode::FIXED)

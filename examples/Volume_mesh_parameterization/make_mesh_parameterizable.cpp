@@ -5,7 +5,6 @@
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +34,7 @@ VMP::Parameterization_result parameterize(const C3t3& c3t3)
   const auto target = [&point](Vertex_handle v) { return to_cube(point(v->point())); };
   std::unordered_map<Vertex_handle, Point_3> uvw;
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, boost::make_assoc_property_map(uvw),
+    c3t3, VMP::make_vertex_point_map(uvw),
     params::boundary_map(boost::make_function_property_map<Vertex_handle>(target))
            .boundary_mode(VMP::Boundary_mode::FIXED));
   std::cout << result.number_of_cells << " cells: " << result.message << std::endl;

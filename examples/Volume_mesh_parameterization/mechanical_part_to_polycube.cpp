@@ -7,8 +7,6 @@
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -34,7 +32,7 @@ int main(int argc, char* argv[])
   C3t3 c3t3 = mesh_mechanical_part(surface);
 
   Point_map target;
-  const auto target_map = boost::make_assoc_property_map(target);
+  const auto target_map = VMP::make_vertex_point_map(target);
   const VMP::Error_code status = VMP::Polycube_boundary_parameterizer_3().parameterize(c3t3, target_map);
   if(status != VMP::OK)
   {
@@ -43,7 +41,7 @@ int main(int argc, char* argv[])
   }
 
   Point_map uvw;
-  const auto uvw_map = boost::make_assoc_property_map(uvw);
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map, params::boundary_map(target_map).do_refine(true).do_slide_boundary(true));
   std::cout << result.message << "\n"

@@ -12,7 +12,6 @@
 #include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -74,7 +73,7 @@ int main(int argc, char* argv[])
   const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();
   const auto target = [&point](Vertex_handle v) { return twist(point(v->point())); };
   std::unordered_map<Vertex_handle, Point_3> uvw;
-  const auto uvw_map = boost::make_assoc_property_map(uvw);
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map, params::boundary_map(boost::make_function_property_map<Vertex_handle>(target)));
   print(result);

@@ -9,8 +9,6 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -57,14 +55,14 @@ int main(int argc, char* argv[])
       boundary[vertices[v]] = Point_3(targets[v][0], targets[v][1], targets[v][2]);
 
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, boost::make_assoc_property_map(uvw),
-    params::boundary_map(boost::make_assoc_property_map(boundary)));
+    c3t3, VMP::make_vertex_point_map(uvw),
+    params::boundary_map(VMP::make_vertex_point_map(boundary)));
   std::cout << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"
             << result.message << std::endl;
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
   std::ofstream os("map.vtu");
-  VMP::IO::write_VTU(os, c3t3, boost::make_assoc_property_map(uvw));
+  VMP::IO::write_VTU(os, c3t3, VMP::make_vertex_point_map(uvw));
   return os ? EXIT_SUCCESS : EXIT_FAILURE;
 }

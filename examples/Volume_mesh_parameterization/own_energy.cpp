@@ -8,7 +8,6 @@
 #include <Eigen/Dense>
 
 #include <boost/property_map/function_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstdlib>
 #include <iostream>
@@ -56,7 +55,7 @@ int main()
   {
     std::unordered_map<Vertex_handle, Point_3> uvw;
     const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-      c3t3, boost::make_assoc_property_map(uvw),
+      c3t3, VMP::make_vertex_point_map(uvw),
       params::boundary_map(boost::make_function_property_map<Vertex_handle>(bend))
              .energy(Stretch_and_Dirichlet_energy_3{weight}));
     if(result.status != VMP::OK)

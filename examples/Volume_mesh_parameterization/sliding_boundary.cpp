@@ -5,8 +5,6 @@
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -32,10 +30,10 @@ double blob(const Point_3& p)
 bool parameterize(C3t3& c3t3, Point_map& target, const bool do_slide, const std::string& filename)
 {
   Point_map uvw;
-  const auto uvw_map = boost::make_assoc_property_map(uvw);
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map,
-    params::boundary_map(boost::make_assoc_property_map(target))
+    params::boundary_map(VMP::make_vertex_point_map(target))
            .do_refine(true)
            .do_slide_boundary(do_slide));
 
@@ -66,7 +64,7 @@ int main()
 
   Point_map target;
   const VMP::Error_code status
-    = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, boost::make_assoc_property_map(target));
+    = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, VMP::make_vertex_point_map(target));
   if(status != VMP::OK)
   {
     std::cerr << VMP::get_error_message(status) << std::endl;

@@ -7,8 +7,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstdlib>
 #include <iostream>
 #include <unordered_map>
@@ -37,7 +35,7 @@ int main()
 
   Point_map target, uvw;
   const VMP::Surface_boundary_parameterizer_3<Surface_mesh> parameterizer(boundary, bent);
-  const VMP::Error_code status = parameterizer.parameterize(c3t3, boost::make_assoc_property_map(target));
+  const VMP::Error_code status = parameterizer.parameterize(c3t3, VMP::make_vertex_point_map(target));
   if(status != VMP::OK)
   {
     std::cerr << VMP::get_error_message(status) << std::endl;
@@ -45,7 +43,7 @@ int main()
   }
 
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, boost::make_assoc_property_map(uvw), params::boundary_map(boost::make_assoc_property_map(target)));
+    c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(VMP::make_vertex_point_map(target)));
   std::cout << result.message << "\n"
             << target.size() << " boundary vertices, residual " << result.boundary_residual << "\n"
             << "distortion of angles: mean " << result.distortion.angle_mean

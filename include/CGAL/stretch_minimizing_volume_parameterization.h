@@ -14,32 +14,29 @@
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
-#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/place_of_boundary_error.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <unordered_map>
 #include <vector>
@@ -84,8 +81,11 @@ predicates on the coordinates that are written.
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`; if
                       there is none, the result has the status that it returns}
-    \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target.
-                    Prescribed vertices receive exactly the points given, unless they slide or the boundary is missed.}
+    \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target. For a container, pass
+                    `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
+                    `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
+                    forgotten, which is undefined behaviour and may end as `OK`. Prescribed vertices receive exactly
+                    the points given, unless they slide or the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{energy}
     \cgalParamDescription{the energy whose mean over the cells is minimized}
@@ -132,7 +132,7 @@ predicates on the coordinates that are written.
     \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of
                     the vertices, or 1000 of a small complex, has been added. The complex stays refined whatever the
                     status is.}
-    \cgalParamPrecondition{`c3t3` is not constant if the value is `true`.}
+    \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
@@ -176,6 +176,7 @@ predicates on the coordinates that are written.
                           each refinement}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`1000`}
+    \cgalParamPrecondition{The value is not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{a limit for the running time in seconds, tested before each Newton step}
@@ -198,13 +199,16 @@ predicates on the coordinates that are written.
 \return how it went, with the distortions and the running times. What depends on the complex or on the boundary is
         told by `Parameterization_result::status`, in words by `Parameterization_result::message`; nothing is thrown.
 
-Exceptions of property maps, energy, solver and visitor pass through, with `uvw_map` left alone, and so does
-`std::bad_alloc`.
+Named parameters that break a precondition are answered by `CGAL::Precondition_exception`, also in programs that are
+compiled with `NDEBUG`. Exceptions of property maps, energy, solver and visitor pass through, with `uvw_map` left
+alone, and so does `std::bad_alloc`.
 
 A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
 the number of cells, plus what the solver needs.
 
 \sa `CGAL::Volume_mesh_parameterization::get_error_message()`
+\sa `CGAL::Volume_mesh_parameterization::make_vertex_point_map()`
+\sa `CGAL::Volume_mesh_parameterization::boundary_vertices()`
 \sa `CGAL::Volume_mesh_parameterization::make_parameterizable()`
 */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -218,94 +222,96 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   namespace VMP = Volume_mesh_parameterization;
 
   using Vertex_handle = typename C3t3::Vertex_handle;
+  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
   constexpr bool has_boundary_map
     = !parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value;
-  std::unordered_map<Vertex_handle, typename C3t3::Triangulation::Geom_traits::Point_3> points_of_ball;
+  constexpr bool has_do_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
+  std::unordered_map<Vertex_handle, Point_3> points_of_ball;
   const auto boundary_map = choose_parameter(get_parameter(np, internal_np::boundary_map),
                                              boost::make_assoc_property_map(points_of_ball));
+  using Boundary_map = std::remove_const_t<decltype(boundary_map)>;
+  static_assert(VMP::internal::Is_property_map<Boundary_map>::value,
+                "boundary_map must be a property map: for a container, pass make_vertex_point_map(container).");
+  static_assert(VMP::internal::Is_property_map<VertexUVWMap>::value,
+                "uvw_map must be a property map: for a container, pass make_vertex_point_map(container).");
+  static_assert(VMP::internal::Can_hold<VertexUVWMap, Point_3>::value,
+                "uvw_map must hold Point_3, the point type of the geometric traits of the triangulation.");
+  static_assert(has_boundary_map
+                || parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
+                "The images of constrained vertices are missing: pass a boundary_map.");
+  static_assert(!(has_do_refine && std::is_const<C3t3>::value),
+                "do_refine must not be passed for a constant complex, which cannot be refined.");
+
   if constexpr(!has_boundary_map)
   {
-    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
-                  "The images of constrained vertices are missing: pass a boundary_map.");
     VMP::Parameterization_result result;
     result.status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, boundary_map);
-    result.message = VMP::get_error_message(result.status);
+    result.message
+      = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(c3t3, result.status);
     if(result.status != VMP::OK)
       return result;
   }
 
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                               Static_boolean_property_map<Vertex_handle, false>());
-
-  using Energy = typename internal_np::Lookup_named_param_def<
-    internal_np::energy_t, NamedParameters, VMP::Stretch_energy_3>::type;
-  const Energy energy = choose_parameter<Energy>(get_parameter(np, internal_np::energy));
-
-  using Default_solver = VMP::Conjugate_gradient_solver_traits_3<ConcurrencyTag>;
-  using Solver = VMP::internal::Mutable_parameter<typename internal_np::Lookup_named_param_def<
-    internal_np::solver_traits_t, NamedParameters, Default_solver>::reference>;
-  Default_solver default_solver;
-  Solver solver = choose_parameter(get_parameter_reference(np, internal_np::solver_traits), default_solver);
-
-  using Visitor = VMP::internal::Mutable_parameter<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, NamedParameters, VMP::Default_visitor>::reference>;
-  VMP::Default_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
-  const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
-  const auto after_step = [&](const VMP::Parameterization_step& step)
+  return VMP::internal::run_problem<ConcurrencyTag, Vertex_handle>(np, boundary_map, [&](const auto& problem)
   {
-    if(verbose)
-      VMP::internal::print(step);
-    return visitor.after_step(step);
-  };
-  VMP::internal::Progress_3 progress(
-    after_step,
-    static_cast<std::size_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000)),
-    static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                         (std::numeric_limits<double>::infinity)())));
+    // what refines is compiled only where it can be asked for
+    if constexpr(!std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map))
+    {
+      if(choose_parameter(get_parameter(np, internal_np::do_refine), true))
+        return VMP::internal::refine_and_parameterize_complex_3(c3t3, problem, uvw_map);
+    }
+    using Numbered_complex = VMP::internal::Numbered_complex_3<std::remove_const_t<C3t3> >;
+    return VMP::internal::parameterize_complex_3<Numbered_complex>(c3t3, problem, uvw_map);
+  });
+}
 
-  VMP::internal::Map_options_3 options;
-  options.mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), VMP::Boundary_mode::AUTO);
-  options.soft = choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters),
-                                  options.mode == VMP::Boundary_mode::SOFT ? VMP::Soft_boundary_parameters()
-                                                                           : VMP::approaching_soft_boundary_parameters());
-  options.do_slide = choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false);
-  options.maximal_angle_distortion = choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
-                                                      (std::numeric_limits<double>::infinity)());
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value)
-    options.improve = &VMP::internal::engine::improve_map;
-  options.is_parallel = VMP::internal::is_parallel<ConcurrencyTag>();
-  CGAL_precondition_msg(options.maximal_angle_distortion > 2, "The distortion of angles is 2 or more.");
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
 
-  const VMP::internal::Cell_energy_of<Energy> cell_energy(energy);
-  VMP::internal::Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
-  const VMP::internal::Complex_problem_3<Vertex_handle, std::remove_const_t<decltype(is_constrained)>,
-                                         std::remove_const_t<decltype(boundary_map)> > problem = {
-    is_constrained, boundary_map,
-    choose_parameter(get_parameter(np, internal_np::positional_constraints),
-                     std::vector<VMP::Linear_constraint_3<Vertex_handle> >()),
-    options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false), verbose,
-    cell_energy, linear_solver, progress
-  };
+computes the same map for those whose mesh is arrays, without a complex. Vertices are indices of points, counted from 0.
 
-  // what refines is compiled only where it can be asked for
-  const bool do_refine
-    = choose_parameter(get_parameter(np, internal_np::do_refine), !has_boundary_map && !std::is_const<C3t3>::value);
-  CGAL_precondition_msg(!(do_refine && std::is_const<C3t3>::value), "A constant complex cannot be refined.");
-  if constexpr(!std::is_const<C3t3>::value
-               && !(has_boundary_map && parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value))
+\param points the points
+\param cells four indices of points each, such that all cells are positive
+\param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
+       read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing
+       target.
+\param images receives the image of each point if the map is valid, and is left alone otherwise. Points without a cell
+       receive coordinates that are not numbers. May be the same array as `points` or `targets`.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function for a complex,
+       with `std::size_t` for `C3t3::Vertex_handle`, except `boundary_map` and `do_refine`, which are not compiled
+
+\return the same as for a complex
+
+`Volume_mesh_parameterization::Input_error` is thrown if a cell has an index that does not exist or an index twice, or
+if a facet has more than two cells or two on the same side; `CGAL::Precondition_exception` if there are not as many
+targets as points.
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename NamedParameters = parameters::Default_named_parameters>
+Volume_mesh_parameterization::Parameterization_result
+stretch_minimizing_volume_parameterization(const std::vector<std::array<double, 3> >& points,
+                                           const std::vector<std::array<std::size_t, 4> >& cells,
+                                           const std::vector<std::array<double, 3> >& targets,
+                                           std::vector<std::array<double, 3> >& images,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  namespace VMP = Volume_mesh_parameterization;
+  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
+                "boundary_map must not be passed for arrays: the targets are an argument.");
+  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
+                "do_refine must not be passed for arrays, which are not refined: make a complex of them.");
+  VMP::internal::require(targets.size() == points.size(), "There are as many targets as points.");
+
+  const VMP::Tetrahedron_soup_3 soup = { points, cells, std::vector<int>(cells.size()), {}, {} };
+  const auto target_map = boost::make_iterator_property_map(targets.begin(), boost::identity_property_map());
+  return VMP::internal::run_problem<ConcurrencyTag, std::size_t>(np, target_map, [&](const auto& problem)
   {
-    if(do_refine)
-      return VMP::internal::refine_and_parameterize_complex_3(c3t3, problem, uvw_map);
-  }
-  return VMP::internal::parameterize_complex_3(c3t3, problem, uvw_map);
+    return VMP::internal::parameterize_complex_3<VMP::internal::Numbered_soup_3>(soup, problem, images);
+  });
 }
 
 } // namespace CGAL

@@ -4,19 +4,17 @@
 
 #include "cube_mesh.h"
 
+#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <unordered_map>
 #include <vector>
 
-// `vertices` are in the order of the mesh. `target` holds prescribed vertices only: a look at another one
-// would enlarge it.
+// `vertices` are in the order of the mesh. `target` holds prescribed vertices only.
 template <typename Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 struct Cube_complex
 {
@@ -49,8 +47,8 @@ struct Cube_complex
 
   Cube_complex(const Cube_complex&) = delete;
 
-  auto boundary_map() { return boost::make_assoc_property_map(target); }
-  auto uvw_map() { return boost::make_assoc_property_map(uvw); }
+  auto boundary_map() { return CGAL::Volume_mesh_parameterization::make_vertex_point_map(target); }
+  auto uvw_map() { return CGAL::Volume_mesh_parameterization::make_vertex_point_map(uvw); }
 };
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_CUBE_COMPLEX_H

@@ -3,23 +3,26 @@
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+#include <CGAL/exceptions.h>
 
 #include <Eigen/Dense>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -122,7 +125,7 @@ struct Complex
   VMP::Error_code parameterize(const Parameterizer& parameterizer)
   {
     image.clear();
-    return parameterizer.parameterize(c3t3, boost::make_assoc_property_map(image));
+    return parameterizer.parameterize(c3t3, VMP::make_vertex_point_map(image));
   }
 
   // The images of the boundary facets, oriented such that the cell is behind.
@@ -264,7 +267,7 @@ TEST_CASE("the corners can be chosen")
       return v->point() == corner;
     });
   }
-  REQUIRE(Cube().parameterize(complex.c3t3, corners, boost::make_assoc_property_map(complex.image)) == VMP::OK);
+  REQUIRE(Cube().parameterize(complex.c3t3, corners, VMP::make_vertex_point_map(complex.image)) == VMP::OK);
   check_box(complex);
   for(const auto& entry : complex.image)
   {
@@ -272,6 +275,34 @@ TEST_CASE("the corners can be chosen")
     const Point_3 expected(p.z() / 4 - 0.5, p.x() / 4 - 0.5, p.y() / 4 - 0.5);
     CHECK(CGAL::squared_distance(entry.second, expected) < 0.001);
   }
+}
+
+TEST_CASE("wrong corners have a diagnosis of their own")
+{
+  Complex complex(bricks(4, 4, 4, stay));
+  std::array<Vertex_handle, 8> corners;
+  for(std::size_t k = 0; k < 8; ++k) // mirrored
+    corners[k ^ 1] = *std::find_if(complex.vertices.begin(), complex.vertices.end(), [&](const Vertex_handle v)
+    {
+      return v->point() == Point_3((k & 1) * 4., (k >> 1 & 1) * 4., (k >> 2 & 1) * 4.);
+    });
+  const auto status = [&]
+  {
+    const VMP::Error_code result
+      = Cube().parameterize(complex.c3t3, corners, VMP::make_vertex_point_map(complex.image));
+    CHECK(complex.image.empty());
+    return result;
+  };
+  CHECK(status() == VMP::ERROR_MIRRORED_CORNERS);
+  corners[3] = corners[4];
+  CHECK(status() == VMP::ERROR_INVALID_CORNERS);
+  corners[3] = *std::find_if(complex.vertices.begin(), complex.vertices.end(), [&](const Vertex_handle v)
+  {
+    return v->point() == Point_3(2, 2, 2);
+  });
+  CHECK(status() == VMP::ERROR_INVALID_CORNERS);
+  CHECK_THROWS_AS(Cube(1, -1, 1), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(Cube(1, 1, std::numeric_limits<double>::infinity()), CGAL::Precondition_exception);
 }
 
 TEST_CASE("arbitrary corners end with a map or with a status")
@@ -292,7 +323,7 @@ TEST_CASE("arbitrary corners end with a map or with a status")
       corners[k] = boundary[k * (boundary.size() / 8) + random.get_int(0, static_cast<int>(boundary.size() / 8))];
     complex.image.clear();
     const VMP::Error_code status
-      = Cube().parameterize(complex.c3t3, corners, boost::make_assoc_property_map(complex.image));
+      = Cube().parameterize(complex.c3t3, corners, VMP::make_vertex_point_map(complex.image));
     if(status == VMP::OK)
     {
       ++number_of_maps;
@@ -302,7 +333,7 @@ TEST_CASE("arbitrary corners end with a map or with a status")
     }
     else
     {
-      CHECK(status == VMP::ERROR_BOUNDARY_TOO_COARSE);
+      CHECK((status == VMP::ERROR_BOUNDARY_TOO_COARSE || status == VMP::ERROR_MIRRORED_CORNERS));
       CHECK(complex.image.empty());
     }
   }
@@ -358,6 +389,11 @@ TEST_CASE("boundaries that are no topological sphere are named")
 
   CHECK(status(cells_on_moment_curve({{0, 1, 2, 3}, {3, 4, 5, 6}})) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
   CHECK(status(cells_on_moment_curve({{0, 1, 2, 3}, {2, 3, 4, 5}})) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
+  const Complex edge(cells_on_moment_curve({{0, 1, 2, 3}, {2, 3, 4, 5}}));
+  std::vector<Vertex_handle> non_manifold;
+  VMP::non_manifold_boundary_vertices(edge.c3t3, std::back_inserter(non_manifold));
+  CHECK(std::unordered_set<Vertex_handle>(non_manifold.begin(), non_manifold.end())
+        == std::unordered_set<Vertex_handle>{edge.vertices[2], edge.vertices[3]});
 
   Complex broken(bricks(2, 2, 2, stay));
   broken.vertices.front()->set_point(Point_3((std::numeric_limits<double>::infinity)(), 0, 0));
@@ -366,7 +402,7 @@ TEST_CASE("boundaries that are no topological sphere are named")
 
   const C3t3 empty;
   Point_map image;
-  CHECK(Ball().parameterize(empty, boost::make_assoc_property_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(Ball().parameterize(empty, VMP::make_vertex_point_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
 }
 
 TEST_CASE("the derivatives of the radial distortion agree with differences")

@@ -22,6 +22,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <locale>
 #include <set>
 #include <sstream>
 #include <string>
@@ -270,8 +271,15 @@ TEST_CASE("A soup is unchanged by a failure to read")
   CHECK(soup.cells.size() == 1);
 }
 
-TEST_CASE("Writing and reading a MEDIT file restores each bit")
+TEST_CASE("Writing and reading a MEDIT file restores each bit, whatever the locale is")
 {
+  struct Comma : std::numpunct<char>
+  {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Comma));
   Soup soup = box(2, 2, 2);
   const double tiny = std::numeric_limits<double>::denorm_min();
   soup.points[0] = {0.1, -0.0, 1. / 3};
@@ -284,6 +292,7 @@ TEST_CASE("Writing and reading a MEDIT file restores each bit")
   os.precision(3);
   VMP::IO::write_MEDIT(os, soup);
   const Soup copy = read(os.str());
+  std::locale::global(before);
   CHECK(has_same_bits(copy.points, soup.points));
   CHECK(copy.cells == soup.cells);
   CHECK(copy.cell_references == soup.cell_references);

@@ -1,12 +1,20 @@
 // Proofs that no map exists, on small complexes for which it is known by construction whether there is one.
 #include "catch.h"
 
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <random>
 #include <set>
 #include <string>
@@ -295,4 +303,72 @@ TEST_CASE("the user learns how many sets of cells are to blame and where the fir
   const std::string sentence = VMP::describe_infeasibility(prove(m), m);
   CHECK(sentence.find("found: 1; cells of the first one: ") != std::string::npos);
   CHECK(sentence.find("(0, 0, 0), (1, 0, 0)") != std::string::npos);
+}
+
+TEST_CASE("two facets intersect if they share more than their common vertices")
+{
+  const auto intersects = [](const std::vector<Point>& points, const std::vector<std::array<int, 3> >& facets)
+  {
+    Eigen::Matrix3Xd matrix(3, points.size());
+    for(std::size_t v = 0; v < points.size(); ++v)
+      matrix.col(v) = points[v];
+    const auto found = VMP::Self_intersection_3(matrix, facets).find();
+    CHECK((!found || found->first < found->second));
+    return found.has_value();
+  };
+  const std::vector<Point> points = { {0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, -1}, {1, 1, 1}, {9, 9, 9}, {3, 3, 0},
+                                      {1, 1, 0}, {8, 8, 0} };
+  CHECK(intersects(points, {{0, 1, 2}, {3, 4, 5}}));         // no common vertex
+  CHECK(!intersects(points, {{0, 1, 2}, {5, 6, 8}}));
+  CHECK(intersects(points, {{0, 1, 2}, {0, 3, 4}}));         // one: the edge opposite of it goes through
+  CHECK(!intersects(points, {{0, 1, 2}, {0, 4, 5}}));
+  CHECK(!intersects(points, {{0, 1, 2}, {1, 6, 8}}));        // coplanar side by side
+  CHECK(intersects(points, {{0, 1, 2}, {2, 1, 7}}));         // two: folded back into the plane
+  CHECK(!intersects(points, {{0, 1, 2}, {2, 1, 6}}));        // continued in the plane
+  CHECK(!intersects(points, {{0, 1, 2}, {2, 1, 4}}));
+  CHECK(intersects(points, {{0, 1, 2}, {0, 2, 1}}));         // three
+  CHECK(!intersects(points, {{0, 1, 2}, {3, 7, 4}}));        // a triangle without area is no facet
+}
+
+TEST_CASE("icosahedra with moved vertices intersect themselves where Polygon_mesh_processing says so")
+{
+  using Surface_mesh = CGAL::Surface_mesh<VMP::Exact_point_3>;
+  std::mt19937 random(7);
+  int number_of_intersections = 0;
+  for(int run = 0; run < 200; ++run)
+  {
+    Surface_mesh surface;
+    CGAL::make_icosahedron(surface, VMP::Exact_point_3(0, 0, 0), 1.);
+    std::uniform_real_distribution<double> step(-0.01 * run, 0.01 * run);
+    Eigen::Matrix3Xd points(3, 12);
+    for(const auto v : surface.vertices())
+    {
+      for(int i = 0; i < 3; ++i)
+        points(i, int(v)) = surface.point(v)[i] + step(random);
+      surface.point(v) = VMP::Exact_point_3(points(0, int(v)), points(1, int(v)), points(2, int(v)));
+    }
+    std::vector<std::array<int, 3> > facets;
+    for(const auto f : surface.faces())
+    {
+      const auto h = surface.halfedge(f);
+      facets.push_back({ int(surface.source(h)), int(surface.target(h)), int(surface.target(surface.next(h))) });
+    }
+    using Pair = std::pair<Surface_mesh::Face_index, Surface_mesh::Face_index>;
+    std::vector<Pair> expected;
+    CGAL::Polygon_mesh_processing::self_intersections(surface, std::back_inserter(expected));
+    for(Pair& pair : expected)
+      if(pair.second < pair.first)
+        std::swap(pair.first, pair.second);
+
+    const auto found = VMP::Self_intersection_3(points, facets).find();
+    REQUIRE(found.has_value() == !expected.empty());
+    if(!found)
+      continue;
+    ++number_of_intersections;
+    const Pair first = *std::min_element(expected.begin(), expected.end());
+    CHECK(found->first == std::size_t(first.first));
+    CHECK(found->second == std::size_t(first.second));
+  }
+  CHECK(number_of_intersections > 20);
+  CHECK(number_of_intersections < 180);
 }

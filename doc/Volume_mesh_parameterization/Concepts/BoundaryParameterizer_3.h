@@ -27,7 +27,8 @@ The images of the facets form a closed surface without self-intersections that i
 model leaves this to the caller, as `CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3` does.
 
 \param c3t3 the complex
-\param target receives the images
+\param target receives the images; the property map of `CGAL::Volume_mesh_parameterization::make_vertex_point_map()`
+       can be passed as `boundary_map` afterwards
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
 \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and

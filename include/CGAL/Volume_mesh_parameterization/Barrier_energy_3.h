@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Inverse_spline_barrier.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Core>
 
@@ -56,7 +55,7 @@ public:
                             const double lambda = 1)
     : m_energy(energy), m_beta(beta), m_lambda(lambda)
   {
-    CGAL_precondition(beta > 0 && lambda > 0);
+    internal::require(beta > 0 && lambda > 0, "The coefficients of a barrier are positive.");
   }
 
   /// returns \f$\psi\f$.

@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Inverse_spline_barrier.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Core>
 
@@ -64,7 +63,8 @@ public:
                                   const double relaxation = 0.05)
     : m_energy(energy), m_slope(-2 / bound), m_relaxation(relaxation)
   {
-    CGAL_precondition(bound > 2 && 0 <= relaxation && relaxation < 1);
+    internal::require(bound > 2 && 0 <= relaxation && relaxation < 1,
+                      "A bound of the distortion of angles is larger than 2, its relaxation in [0, 1).");
   }
 
   /// returns \f$\psi\f$.

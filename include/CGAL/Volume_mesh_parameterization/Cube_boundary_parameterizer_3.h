@@ -17,14 +17,15 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Box_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/cube_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -62,7 +63,8 @@ public:
   Cube_boundary_parameterizer_3(const double x_length, const double y_length, const double z_length)
     : m_half_lengths(x_length / 2, y_length / 2, z_length / 2)
   {
-    CGAL_precondition(m_half_lengths.allFinite() && m_half_lengths.minCoeff() > 0);
+    internal::require(m_half_lengths.allFinite() && m_half_lengths.minCoeff() > 0,
+                      "The lengths of a box are positive and finite.");
   }
 
   /// writes the image of each vertex of the boundary of the complex.
@@ -91,7 +93,7 @@ public:
     return map(c3t3, target, [this](const internal::Boundary_surface_3<C3t3>& boundary,
                                     const std::vector<Eigen::Vector3d>& sphere)
     {
-      return internal::cube_corners_3(internal::unit_points(boundary.mesh()), sphere, m_half_lengths);
+      return std::optional(internal::cube_corners_3(internal::unit_points(boundary.mesh()), sphere, m_half_lengths));
     });
   }
 
@@ -102,8 +104,9 @@ public:
   ///        bit 1 if y is, and bit 2 if z is
   /// \param target receives the images
   ///
-  /// \pre The corners are different vertices of the boundary.
-  /// \return the same as without corners
+  /// \return the same as without corners, `ERROR_INVALID_CORNERS` if the corners are not different vertices of the
+  ///         boundary, or `ERROR_MIRRORED_CORNERS` if no disjoint paths between them were found, but between those of
+  ///         the mirrored box
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
                           VertexPointMap target) const
@@ -111,12 +114,12 @@ public:
     return map(c3t3, target, [&](const internal::Boundary_surface_3<C3t3>& boundary,
                                  const std::vector<Eigen::Vector3d>&)
     {
-      std::array<int, 8> indices;
+      std::optional<std::array<int, 8> > indices(std::in_place);
       for(std::size_t k = 0; k < 8; ++k)
       {
-        CGAL_precondition(boundary.is_on_boundary(corners[k]));
-        CGAL_precondition(std::count(corners.begin(), corners.end(), corners[k]) == 1);
-        indices[k] = static_cast<int>(boundary.index(corners[k]));
+        if(!boundary.is_on_boundary(corners[k]) || std::count(corners.begin(), corners.end(), corners[k]) > 1)
+          return decltype(indices)();
+        (*indices)[k] = static_cast<int>(boundary.index(corners[k]));
       }
       return indices;
     });
@@ -138,8 +141,11 @@ private:
     if(sphere_status != OK)
       return sphere_status;
 
+    const std::optional<std::array<int, 8> > corners = choose_corners(boundary, sphere);
+    if(!corners)
+      return ERROR_INVALID_CORNERS;
     internal::Box_map_3 box(boundary.mesh(), sphere, m_half_lengths);
-    const Error_code status = box.run(choose_corners(boundary, sphere));
+    const Error_code status = box.run(*corners);
     if(status == OK)
       for(std::size_t v = 0; v < sphere.size(); ++v)
         put(target, boundary.vertex(v), Point_3(box.images()[v][0], box.images()[v][1], box.images()[v][2]));

@@ -38,7 +38,7 @@ enum Error_code
   ERROR_SIZE_OUT_OF_RANGE,       ///< the diagonal of source or target is not between 1e-70 and 1e70
   ERROR_INVERTED_SOURCE_CELL,    ///< a cell of the source has no positive volume
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
-  ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary encloses no positive volume
+  ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary is flat, or turned inside out
   ERROR_PRESCRIBED_CELL_INVERTED,///< a cell whose vertices are all prescribed has no positive volume in the target
   ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary of the complex is not a manifold
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
@@ -46,7 +46,9 @@ enum Error_code
   ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has not enough vertices for the edges of the target
   ERROR_BOUNDARY_MAP_NOT_BIJECTIVE,  ///< rounding made the map of the boundary not one to one
   ERROR_OTHER_CONNECTIVITY,          ///< the surface for the target has another connectivity than the boundary
-  ERROR_NO_POLYCUBE                  ///< no polycube was found whose faces have the directions of the labels
+  ERROR_NO_POLYCUBE,                 ///< no polycube was found whose faces have the directions of the labels
+  ERROR_INVALID_CORNERS,             ///< the corners of a cube are not eight different vertices of the boundary
+  ERROR_MIRRORED_CORNERS             ///< the corners of a cube fit its mirror image
 };
 
 /*!
@@ -82,11 +84,12 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_MISSING_BOUNDARY_TARGET:
       return "A boundary vertex has no target.";
     case ERROR_INVERTED_TARGET_BOUNDARY:
-      return "The target boundary encloses no positive volume; is it turned inside out?";
+      return "The target boundary is flat or turned inside out: it encloses no positive volume.";
     case ERROR_PRESCRIBED_CELL_INVERTED:
       return "A cell whose vertices are all prescribed has no positive volume in the target.";
     case ERROR_NON_MANIFOLD_BOUNDARY:
-      return "The boundary of the complex is not a manifold.";
+      return "The boundary of the complex is not a manifold; Mesh_3 makes manifolds with the parameters manifold(), "
+             "no_perturb() and no_exude().";
     case ERROR_SEVERAL_BOUNDARY_COMPONENTS:
       return "The boundary of the complex has several connected components.";
     case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
@@ -99,6 +102,11 @@ inline const char* get_error_message(const Error_code code)
       return "The surface for the target has another connectivity than the boundary of the complex.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found whose faces have the directions that the facets of the boundary are labelled with.";
+    case ERROR_INVALID_CORNERS:
+      return "The corners of a cube must be eight different vertices of the boundary of the complex.";
+    case ERROR_MIRRORED_CORNERS:
+      return "The corners are those of a mirrored cube; exchange opposite faces along one axis, for instance corners "
+             "0 and 1, 2 and 3, 4 and 5, 6 and 7.";
   }
   return "Unknown error code.";
 }

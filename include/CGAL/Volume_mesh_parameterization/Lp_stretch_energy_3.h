@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/select.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Core>
 
@@ -48,7 +47,11 @@ class Lp_stretch_energy_3
 public:
   /// constructs the energy for this \f$p\f$.
   /// \pre `p >= 2`
-  explicit Lp_stretch_energy_3(const double p = 8) : m_p(p) { CGAL_precondition(p >= 2); }
+  explicit Lp_stretch_energy_3(const double p = 8)
+    : m_p(p)
+  {
+    internal::require(p >= 2, "The exponent of the stretch is 2 or more.");
+  }
 
   /// returns \f$\psi\f$.
   template <typename T>

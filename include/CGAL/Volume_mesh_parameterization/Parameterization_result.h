@@ -44,8 +44,8 @@ struct Parameterization_result
   std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map, by floating-point determinants
   std::size_t number_of_inverted_cells = 0;          ///< or flat ones, of the result, by exact predicates
   /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
-  /// that slide, to the plane or line through their point, where rounding counts as 0
-  double boundary_residual = 0;
+  /// that slide, to the plane or line through their point, where rounding counts as 0; not a number without a valid map
+  double boundary_residual = std::numeric_limits<double>::quiet_NaN();
 
   std::size_t number_of_iterations = 0;            ///< Newton steps, in all stages
   std::size_t number_of_untangling_iterations = 0; ///< those of them that untangled
@@ -53,7 +53,7 @@ struct Parameterization_result
   /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume;
   /// not a number without a valid map
   double energy = std::numeric_limits<double>::quiet_NaN();
-  Distortion_3 distortion;                  ///< of the map as it is
+  Distortion_3 distortion;                  ///< of the map as it is; not numbers without a valid one
   Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
 
   double seconds_total = 0;        ///< of the call, without the default boundary map

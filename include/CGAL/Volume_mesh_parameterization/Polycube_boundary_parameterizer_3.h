@@ -15,8 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
-
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Dense>
 
@@ -89,12 +88,14 @@ public:
   ///
   /// \param c3t3 the complex
   /// \param labels the directions of the facets that have a cell of the complex on one side only, as the facets of
-  ///        this cell: 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z
+  ///        this cell: 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z. `boost::make_assoc_property_map()`
+  ///        takes a facet that has been forgotten for one with the label 0.
   /// \param target receives the images
   ///
   /// \tparam FacetLabelMap a model of `ReadablePropertyMap` with `C3t3::Facet` as key type and
   ///         `std::size_t` as value type
   ///
+  /// \pre The labels are 0 to 5; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   /// \return the same as without labels
   template <typename C3t3, typename FacetLabelMap, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target) const
@@ -106,7 +107,7 @@ public:
       for(const auto f : boundary.mesh().faces())
       {
         label_of_face.push_back(get(labels, boundary.facet(f)));
-        CGAL_precondition(label_of_face.back() < 6);
+        internal::require(label_of_face.back() < 6, "The labels of a polycube are 0 to 5.");
       }
       return internal::map_to_polycube_3(boundary.mesh(), label_of_face, images);
     });

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Core>
 
@@ -50,7 +50,7 @@ public:
   explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy())
     : m_energy(energy), m_exponent(exponent)
   {
-    CGAL_precondition(exponent >= 2);
+    internal::require(exponent >= 2, "The exponent of an energy is 2 or more.");
   }
 
   /// returns \f$\psi\f$.

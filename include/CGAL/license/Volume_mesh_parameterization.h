@@ -10,6 +10,11 @@
 #ifndef CGAL_LICENSE_VOLUME_MESH_PARAMETERIZATION_H
 #define CGAL_LICENSE_VOLUME_MESH_PARAMETERIZATION_H
 
+// Each header of this package includes this one before all others.
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#  error "The package Volume_mesh_parameterization needs C++17: compile with -std=c++17 or later."
+#endif
+
 // CGAL generates the header of this name for its packages; outside of CGAL there is only the GPL to choose.
 #include <CGAL/config.h>
 #include <CGAL/license.h>

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
 
 #include <array>
@@ -115,7 +115,7 @@ inline void write_VTU(std::ostream& os,
 {
   const std::size_t number_of_cells = soup.cells.size();
   const int vtk_tetra = 10;
-  const std::vector<internal::Cell_distortion_3> distortions = internal::cell_distortions(soup, uvw);
+  const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
 
   internal::VTU_writer writer(os);
   writer.begin_grid(soup.points.size(), number_of_cells);

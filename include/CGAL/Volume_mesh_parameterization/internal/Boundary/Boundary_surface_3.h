@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -27,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -41,68 +41,38 @@ class Boundary_surface_3
 {
 public:
   using Vertex_handle = typename C3t3::Vertex_handle;
-  using Cell_handle = typename C3t3::Cell_handle;
   using Facet = typename C3t3::Facet;
 
   explicit Boundary_surface_3(const C3t3& c3t3)
-  {
-    collect_facets(c3t3);
-    m_status = build_mesh(c3t3);
-  }
+    : m_facets(c3t3), m_status(build_mesh(c3t3))
+  {}
 
   // The mesh is complete only if the boundary is a manifold.
   Error_code status() const { return m_status; }
   const Boundary_mesh_3& mesh() const { return m_mesh; }
 
   // The vertex of the complex that has this index in the mesh.
-  Vertex_handle vertex(const std::size_t index) const { return m_vertices[index]; }
-  std::size_t index(const Vertex_handle v) const { return m_indices.at(v); }
-  bool is_on_boundary(const Vertex_handle v) const { return m_indices.count(v) != 0; }
+  Vertex_handle vertex(const std::size_t index) const { return m_facets.vertices[index]; }
+  std::size_t index(const Vertex_handle v) const { return m_facets.indices.at(v); }
+  bool is_on_boundary(const Vertex_handle v) const { return m_facets.indices.count(v) != 0; }
 
   // The facet of the complex, on the side of its cell, that is this face of the mesh.
-  Facet facet(const Boundary_mesh_3::Face_index f) const { return m_facets_of_complex[f]; }
+  Facet facet(const Boundary_mesh_3::Face_index f) const { return m_facets.facets_of_complex[f]; }
 
 private:
-  void collect_facets(const C3t3& c3t3)
-  {
-    for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
-    {
-      const Cell_handle c = it;
-      for(int i = 0; i < 4; ++i)
-        if(!c3t3.is_in_complex(c->neighbor(i)))
-          add_facet(c3t3, c, i);
-    }
-  }
-
-  // The vertex triple of a facet turns counterclockwise as seen from inside the cell.
-  void add_facet(const C3t3& c3t3, const Cell_handle c, const int i)
-  {
-    std::array<std::size_t, 3> facet;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Vertex_handle v = c->vertex(c3t3.triangulation().vertex_triple_index(i, 2 - k));
-      const auto inserted = m_indices.emplace(v, m_vertices.size());
-      if(inserted.second)
-        m_vertices.push_back(v);
-      facet[k] = inserted.first->second;
-    }
-    m_facets.push_back(facet);
-    m_facets_of_complex.emplace_back(c, i);
-  }
-
   Error_code build_mesh(const C3t3& c3t3)
   {
-    if(m_facets.empty())
+    if(m_facets.facets.empty())
       return ERROR_EMPTY_COMPLEX;
-    for(const Vertex_handle v : m_vertices)
+    for(const Vertex_handle v : m_facets.vertices)
       if(!is_finite(point(c3t3, v)))
         return ERROR_NON_FINITE_COORDINATE;
-    if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(m_facets))
+    if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(m_facets.facets))
       return ERROR_NON_MANIFOLD_BOUNDARY;
 
-    for(const Vertex_handle v : m_vertices)
+    for(const Vertex_handle v : m_facets.vertices)
       m_mesh.add_vertex(point(c3t3, v));
-    for(const std::array<std::size_t, 3>& facet : m_facets)
+    for(const std::array<std::size_t, 3>& facet : m_facets.facets)
       m_mesh.add_face(vertex_index(facet[0]), vertex_index(facet[1]), vertex_index(facet[2]));
     return CGAL::is_closed(m_mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
   }
@@ -124,12 +94,9 @@ private:
     return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(i));
   }
 
-  std::vector<Vertex_handle> m_vertices;
-  std::unordered_map<Vertex_handle, std::size_t> m_indices;
-  std::vector<std::array<std::size_t, 3> > m_facets;
-  std::vector<Facet> m_facets_of_complex;
+  const Boundary_facets<C3t3> m_facets;
   Boundary_mesh_3 m_mesh;
-  Error_code m_status = OK;
+  const Error_code m_status;
 };
 
 inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)

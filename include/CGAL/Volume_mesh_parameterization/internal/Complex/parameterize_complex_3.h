@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
@@ -28,12 +27,12 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is asked for, and with what means: the engine's options, and what depends on the type of the complex.
-template <typename Vertex_handle, typename VertexIsConstrainedMap, typename BoundaryMap>
+template <typename Vertex, typename VertexIsConstrainedMap, typename BoundaryMap>
 struct Complex_problem_3
 {
   VertexIsConstrainedMap is_constrained;
   BoundaryMap target;
-  std::vector<Linear_constraint_3<Vertex_handle> > constraints;
+  std::vector<Linear_constraint_3<Vertex> > constraints;
   Map_options_3 options;
   bool use_volume_weights;
   bool verbose;
@@ -42,16 +41,16 @@ struct Complex_problem_3
   Progress_3& progress;
 };
 
-// A complex with its numbers, and what the check of these has found.
-template <typename C3t3>
+// A complex or a soup with its numbers, and what the check of these has found.
+template <typename Numbered>
 struct Checked_complex_3
 {
-  Numbered_complex_3<C3t3> numbered;
+  Numbered numbered;
   Input_check_3 check;
 
-  template <typename Problem>
-  Checked_complex_3(const C3t3& c3t3, const Problem& problem)
-    : Checked_complex_3(c3t3, problem, problem.progress.seconds())
+  template <typename Mesh, typename Problem>
+  Checked_complex_3(const Mesh& mesh, const Problem& problem)
+    : Checked_complex_3(mesh, problem, problem.progress.seconds())
   {}
 
   bool allows(const Boundary_mode mode) const
@@ -60,9 +59,9 @@ struct Checked_complex_3
   }
 
 private:
-  template <typename Problem>
-  Checked_complex_3(const C3t3& c3t3, const Problem& problem, const double begin)
-    : numbered(c3t3, problem.is_constrained, problem.target, problem.use_volume_weights),
+  template <typename Mesh, typename Problem>
+  Checked_complex_3(const Mesh& mesh, const Problem& problem, const double begin)
+    : numbered(mesh, problem.is_constrained, problem.target, problem.use_volume_weights),
       check(engine::check_input(numbered.mesh()))
   {
     problem.progress.add_numbering(begin);
@@ -70,11 +69,11 @@ private:
 };
 
 // The stages that are allowed, one after the other.
-template <typename C3t3, typename Problem>
-Found_map_3 find_map_of_complex_3(const Checked_complex_3<C3t3>& complex, const Problem& problem,
+template <typename Numbered, typename Problem>
+Found_map_3 find_map_of_complex_3(const Checked_complex_3<Numbered>& complex, const Problem& problem,
                                   const Untangling_start_3& untangling, const Approach_start_3& approach)
 {
-  const Numbered_complex_3<C3t3>& numbered = complex.numbered;
+  const Numbered& numbered = complex.numbered;
   if(problem.verbose)
     print(numbered.mesh(), problem.solver);
   Map_options_3 options = problem.options;
@@ -87,8 +86,8 @@ Found_map_3 find_map_of_complex_3(const Checked_complex_3<C3t3>& complex, const 
   return engine::find_map(numbered.mesh(), complex.check, problem.energy, problem.solver, options, problem.progress);
 }
 
-template <typename C3t3>
-void add_counts(const Numbered_complex_3<C3t3>& numbered, Parameterization_result& result)
+template <typename Numbered>
+void add_counts(const Numbered& numbered, Parameterization_result& result)
 {
   result.number_of_vertices = numbered.vertices().size();
   result.number_of_cells = numbered.mesh().cells.size();
@@ -96,8 +95,8 @@ void add_counts(const Numbered_complex_3<C3t3>& numbered, Parameterization_resul
 }
 
 // The result where the check does not allow a search.
-template <typename C3t3, typename Problem>
-Parameterization_result refused_result(const Checked_complex_3<C3t3>& complex, const Problem& problem)
+template <typename Numbered, typename Problem>
+Parameterization_result refused_result(const Checked_complex_3<Numbered>& complex, const Problem& problem)
 {
   Parameterization_result result;
   result.status = complex.check.status;
@@ -108,28 +107,28 @@ Parameterization_result refused_result(const Checked_complex_3<C3t3>& complex, c
 }
 
 // The result of a search; writes the images of the vertices if they are a map.
-template <typename C3t3, typename Problem, typename VertexUVWMap>
-Parameterization_result written_result(const Checked_complex_3<C3t3>& complex, const Problem& problem,
-                                       const Found_map_3& found, VertexUVWMap uvw_map)
+template <typename Numbered, typename Problem, typename Images>
+Parameterization_result written_result(const Checked_complex_3<Numbered>& complex, const Problem& problem,
+                                       const Found_map_3& found, Images& images)
 {
   Parameterization_result result
     = engine::make_result(complex.numbered.mesh(), complex.check, found, problem.energy, problem.progress);
   add_counts(complex.numbered, result);
   if(result.has_valid_map)
-    complex.numbered.write(found.map.positions, uvw_map);
+    complex.numbered.write(found.map.positions, images);
   return result;
 }
 
 // From a complex to the images of its vertices.
-template <typename C3t3, typename Problem, typename VertexUVWMap>
-Parameterization_result parameterize_complex_3(const C3t3& c3t3, const Problem& problem, VertexUVWMap uvw_map)
+template <typename Numbered, typename Mesh, typename Problem, typename Images>
+Parameterization_result parameterize_complex_3(const Mesh& mesh, const Problem& problem, Images& images)
 {
-  const Checked_complex_3<C3t3> complex(c3t3, problem);
+  const Checked_complex_3<Numbered> complex(mesh, problem);
   if(!complex.allows(problem.options.mode))
     return refused_result(complex, problem);
   Approach_start_3 approach;
   approach.patience = 2; // where nothing can be refined, larger weights get a chance
-  return written_result(complex, problem, find_map_of_complex_3(complex, problem, Untangling_start_3(), approach), uvw_map);
+  return written_result(complex, problem, find_map_of_complex_3(complex, problem, Untangling_start_3(), approach), images);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
@@ -65,7 +66,7 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
   Carried_search_3<C3t3> carried;
   for(bool is_first = true; ; is_first = false)
   {
-    const Checked_complex_3<C3t3> complex(c3t3, problem);
+    const Checked_complex_3<Numbered_complex_3<C3t3> > complex(c3t3, problem);
     if(is_first && complex.check.allows_soft_boundary())
     {
       number_of_removals = remove_degenerate_simplices(c3t3, problem.is_constrained, problem.target);

@@ -18,6 +18,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <ios>
+#include <locale>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -52,10 +54,8 @@ public:
       fail("the file ends where " + std::string(what) + " should be");
 
     Number number{};
-    const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
-    const char* const last = word.data() + word.size();
-    const std::from_chars_result result = std::from_chars(word.data() + has_plus, last, number);
-    if(result.ec != std::errc() || result.ptr != last || !is_finite(number))
+    const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
+    if(!parse(word.data() + has_plus, word.data() + word.size(), number))
       fail(quote(word) + " is not " + what);
     return number;
   }
@@ -92,9 +92,28 @@ private:
     return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
   }
 
-  static bool is_finite(double x) { return std::isfinite(x); }
   template <typename Integer>
-  static bool is_finite(Integer) { return true; }
+  static bool parse(const char* const first, const char* const last, Integer& number)
+  {
+    const std::from_chars_result result = std::from_chars(first, last, number);
+    return result.ec == std::errc() && result.ptr == last;
+  }
+
+  // Not every standard library has std::from_chars for numbers with a point. Streams read them by this facet, correctly
+  // rounded and whatever the global locale is.
+  static bool parse(const char* const first, const char* const last, double& number)
+  {
+    struct Parser : std::num_get<char, const char*> {};
+    struct Format : std::ios
+    {
+      Format() : std::ios(nullptr) { imbue(std::locale::classic()); }
+    };
+    static const Parser parser;
+    thread_local Format format;
+    std::ios::iostate error = std::ios::goodbit;
+    return parser.get(first, last, format, error, number) == last && !(error & std::ios::failbit)
+        && std::isfinite(number);
+  }
 
   void skip_blanks()
   {

@@ -14,10 +14,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Infeasibility_proof_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <set>
 #include <sstream>
@@ -75,6 +78,23 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
     message << ", and " << cells.size() - number << " others";
   message << ".";
   return message.str();
+}
+
+// Two facets that the prescribed surface intersects itself in, with a space in front; empty if there are none.
+inline std::string describe_self_intersection(const Numbered_mesh_3& mesh)
+{
+  const std::vector<std::array<int, 3> > facets = boundary_facets_3(mesh.cells);
+  const auto found = Self_intersection_3(mesh.target, facets).find();
+  if(!found)
+    return "";
+  const auto corners = [&](const std::size_t facet)
+  {
+    const auto& [a, b, c] = facets[facet];
+    return describe(mesh.source.col(a)) + ", " + describe(mesh.source.col(b)) + ", " + describe(mesh.source.col(c));
+  };
+  return " The prescribed boundary intersects itself, for instance in the images of two facets, the one with the "
+         "source's vertices at " + corners(found->first) + ", and the one at " + corners(found->second)
+         + "; few such boundaries have a map without inverted cells, and none that is one to one.";
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,17 +12,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <Eigen/Dense>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,16 +86,14 @@ private:
 
   void unite_coplanar_facets(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets)
   {
-    std::vector<std::size_t> rank(facets.size()), parent(facets.size());
-    std::iota(parent.begin(), parent.end(), std::size_t(0));
-    boost::disjoint_sets<std::size_t*, std::size_t*> patches(rank.data(), parent.data());
+    Disjoint_sets patches(facets.size());
     for_each_pair_of_neighbours(facets, [&](const std::size_t f, const std::size_t g)
     {
       if(are_coplanar(points, facets[f], facets[g]))
-        patches.union_set(f, g);
+        patches.unite(f, g);
     });
     for(std::size_t f = 0; f < facets.size(); ++f)
-      m_patch[f] = patches.find_set(f);
+      m_patch[f] = patches.find(f);
   }
 
   // An edge of more than two facets joins none of them.

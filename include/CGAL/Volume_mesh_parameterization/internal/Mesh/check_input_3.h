@@ -13,18 +13,17 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 
 #include <Eigen/Dense>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -94,7 +93,8 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
                       " cells of the source have no positive volume; the first one is cell ", mesh.user_number(inverted.first),
-                      " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6, ".");
+                      " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6,
+                      inverted.number == mesh.cells.size() ? "; exchange two vertices of each cell." : ".");
 }
 
 // The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
@@ -116,21 +116,20 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 // Each connected component of the target must have a positive volume, which depends on its boundary only.
 inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
-  std::vector<int> rank(mesh.number_of_vertices()), parent(mesh.number_of_vertices());
-  std::iota(parent.begin(), parent.end(), 0);
-  boost::disjoint_sets<int*, int*> components(rank.data(), parent.data());
+  Disjoint_sets components(mesh.number_of_vertices());
   for(const std::array<int, 4>& cell : mesh.cells)
     for(int i = 1; i < 4; ++i)
-      components.union_set(cell[0], cell[i]);
+      components.unite(cell[0], cell[i]);
 
   std::vector<double> volume(mesh.number_of_vertices(), 0.);
   for(const std::array<int, 4>& cell : mesh.cells)
-    volume[components.find_set(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
+    volume[components.find(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
   for(const std::array<int, 4>& cell : mesh.cells)
-    if(!(volume[components.find_set(cell[0])] > 0))
+    if(!(volume[components.find(cell[0])] > 0))
       return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ",
-                          volume[components.find_set(cell[0])],
-                          ", which must be positive; is it turned inside out?");
+                          volume[components.find(cell[0])], ", which must be positive: it is ",
+                          volume[components.find(cell[0])] > -1e-12 * std::pow(target_diagonal(mesh), 3)
+                            ? "flat." : "turned inside out.");
   return {};
 }
 

@@ -69,7 +69,7 @@ inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std:
                                          const double factor = 1)
 {
   const double source_volume = volume(mesh.source, mesh.cells);
-  Distortion_3 result;
+  Distortion_3 result = {0, 0, 0, 0};
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     add_cell(result, edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / source_volume, factor * s[c]);
   replace_by_infinity(result);

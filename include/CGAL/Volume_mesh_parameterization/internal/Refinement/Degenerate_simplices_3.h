@@ -12,12 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
 
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -28,18 +30,11 @@ std::unordered_set<typename C3t3::Vertex_handle> prescribed_vertices(const C3t3&
                                                                      const VertexIsConstrainedMap is_constrained)
 {
   std::unordered_set<typename C3t3::Vertex_handle> vertices;
+  boundary_vertices(c3t3, std::inserter(vertices, vertices.end()));
   for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
-  {
-    const typename C3t3::Cell_handle c = it;
     for(int i = 0; i < 4; ++i)
-    {
-      if(get(is_constrained, c->vertex(i)))
-        vertices.insert(c->vertex(i));
-      if(!c3t3.is_in_complex(c->neighbor(i)))
-        for(int k = 1; k < 4; ++k)
-          vertices.insert(c->vertex((i + k) % 4));
-    }
-  }
+      if(get(is_constrained, it->vertex(i)))
+        vertices.insert(it->vertex(i));
   return vertices;
 }
 

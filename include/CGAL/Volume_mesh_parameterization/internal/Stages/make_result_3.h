@@ -15,8 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
@@ -24,6 +26,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -51,6 +54,23 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
 }
 
 // The result of a search without its counts of the complex: the only place where it is written.
+// By how much the boundary is missed, where most, and what can be done.
+inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  const auto distance_of = [&](const int w) { return (positions.col(w) - mesh.target.col(w)).norm(); };
+  int v = mesh.number_of_free_vertices;
+  for(int w = v + 1; w < mesh.number_of_vertices(); ++w)
+    if(distance_of(w) > distance_of(v))
+      v = w;
+  const double distance = distance_of(v);
+  std::ostringstream out;
+  out << " The largest distance to a target is " << distance << ", " << distance / target_diagonal(mesh)
+      << " times the diagonal of all targets: the source's vertex at " << describe(mesh.source.col(v)) << " is at "
+      << describe(positions.col(v)) << " instead of " << describe(mesh.target.col(v))
+      << ". Allow refinement (do_refine), or prescribe a boundary nearer to the source there.";
+  return out.str();
+}
+
 inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
                                              const Found_map_3& found, const Cell_energy_3& energy,
                                              const Progress_3& progress)
@@ -59,6 +79,10 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   Parameterization_result result;
   result.status = final_status(found);
   result.message = get_error_message(result.status) + reason_of(result.status, found, check);
+  if(result.status == ERROR_BOUNDARY_NOT_REACHED)
+    result.message += describe_missed_boundary(mesh, found.map.positions);
+  if(result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
+    result.message += describe_self_intersection(mesh);
   result.has_valid_map = found.map.is_valid();
   result.number_of_sliding_vertices = found.number_of_sliding_vertices;
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;

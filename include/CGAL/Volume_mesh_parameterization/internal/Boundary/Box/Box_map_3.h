@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -50,7 +51,8 @@ public:
   {
     Cube_edge_router_3 router(m_rings, m_sphere, corners);
     if(!router.run())
-      return ERROR_BOUNDARY_TOO_COARSE;
+      return Cube_edge_router_3(m_rings, m_sphere, mirrored(corners)).run() ? ERROR_MIRRORED_CORNERS
+                                                                            : ERROR_BOUNDARY_TOO_COARSE;
     place_corners(corners);
     for(std::size_t i = 0; i < 12; ++i)
       place_path(router.edge(i), router.path(i));
@@ -63,6 +65,13 @@ public:
   const std::vector<Eigen::Vector3d>& images() const { return m_images; }
 
 private:
+  static std::array<int, 8> mirrored(std::array<int, 8> corners)
+  {
+    for(std::size_t k = 0; k < 8; k += 2)
+      std::swap(corners[k], corners[k + 1]);
+    return corners;
+  }
+
   void place_corners(const std::array<int, 8>& corners)
   {
     for(int k = 0; k < 8; ++k)

@@ -15,19 +15,17 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/shortest_vertex_path_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 
 #include <CGAL/Random.h>
 #include <CGAL/algorithm.h>
 
 #include <Eigen/Dense>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -97,16 +95,14 @@ private:
 
   void put_spanning_tree_first()
   {
-    std::array<int, 8> rank = {}, parent;
-    std::iota(parent.begin(), parent.end(), 0);
-    boost::disjoint_sets<int*, int*> trees(rank.data(), parent.data());
+    Disjoint_sets trees(8);
     std::array<Cube_edge_3, 12> ordered;
     auto front = ordered.begin();
     auto back = ordered.rbegin();
     for(const Cube_edge_3& edge : m_edges)
     {
-      const bool joins_trees = trees.find_set(edge.corner) != trees.find_set(edge.other_corner());
-      trees.union_set(edge.corner, edge.other_corner());
+      const bool joins_trees = trees.find(edge.corner) != trees.find(edge.other_corner());
+      trees.unite(edge.corner, edge.other_corner());
       (joins_trees ? *front++ : *back++) = edge;
     }
     m_edges = ordered;

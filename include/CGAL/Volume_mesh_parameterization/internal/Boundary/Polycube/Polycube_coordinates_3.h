@@ -13,11 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
-#include <CGAL/Union_find.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Dense>
@@ -115,21 +115,18 @@ private:
   void group_charts()
   {
     std::iota(m_group.begin(), m_group.end(), 0);
-    Union_find<std::size_t> sets;
-    std::vector<Union_find<std::size_t>::handle> set_of_chart;
-    for(const std::size_t c : m_group)
-      set_of_chart.push_back(sets.make_set(c));
+    Disjoint_sets sets(m_group.size());
     for(const auto v : m_charts.corners())
     {
       const std::array<std::size_t, 3> charts = groups_at(v);
       for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
       {
         const std::size_t c = m_charts.chart(h);
-        sets.unify_sets(set_of_chart[c], set_of_chart[charts[m_charts.charts()[c].axis()]]);
+        sets.unite(c, charts[m_charts.charts()[c].axis()]);
       }
     }
     for(std::size_t c = 0; c < m_group.size(); ++c)
-      m_group[c] = *sets.find(set_of_chart[c]);
+      m_group[c] = sets.find(c);
   }
 
   std::array<std::size_t, 3> groups_at(const Polycube_charts_3::Vertex v) const

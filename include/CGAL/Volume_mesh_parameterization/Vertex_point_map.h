@@ -1,0 +1,88 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_VERTEX_POINT_MAP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_VERTEX_POINT_MAP_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+A property map from vertices to points over an associative container, for boundary maps and for images. To read it
+never changes the container: a vertex that is missing has a point whose coordinates are not numbers, which
+`CGAL::stretch_minimizing_volume_parameterization()` takes for a missing target. With
+`boost::associative_property_map` it would get a point without values instead.
+
+\tparam Container a model of `UniqueAssociativeContainer` and `PairAssociativeContainer`, for instance
+        `std::unordered_map<C3t3::Vertex_handle, Point_3>`; `const` if the map is only read
+
+\cgalModels{ReadablePropertyMap}
+\cgalModels{ReadWritePropertyMap} if `Container` is not `const`
+
+\sa `make_vertex_point_map()`
+*/
+template <typename Container>
+class Vertex_point_map
+{
+public:
+  using key_type = typename Container::key_type;      ///< the vertices
+  using value_type = typename Container::mapped_type; ///< the points
+  using reference = value_type;                       ///< points are returned by value
+  /// what the concept of the map is, for Boost
+  using category = std::conditional_t<std::is_const<Container>::value, boost::readable_property_map_tag,
+                                      boost::read_write_property_map_tag>;
+
+  /// stores a reference to the container, which must outlive the map.
+  explicit Vertex_point_map(Container& container) : m_container(&container) {}
+
+  /// returns the point of a vertex, or one with coordinates that are not numbers. Where the type of the coordinates
+  /// has no such value, as in exact kernels, `std::out_of_range` is thrown instead.
+  friend value_type get(const Vertex_point_map& map, const key_type& vertex)
+  {
+    const auto found = map.m_container->find(vertex);
+    if(found != map.m_container->end())
+      return found->second;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    if constexpr(std::is_floating_point<std::decay_t<decltype(found->second.x())> >::value)
+      return value_type(nan, nan, nan);
+    else
+      throw std::out_of_range("A vertex has no point in the container.");
+  }
+
+  /// puts a point into the container.
+  friend void put(const Vertex_point_map& map, const key_type& vertex, const value_type& point)
+  {
+    (*map.m_container)[vertex] = point;
+  }
+
+private:
+  Container* m_container;
+};
+
+/// \relates Vertex_point_map
+///
+/// returns the property map over `container`.
+template <typename Container>
+Vertex_point_map<Container> make_vertex_point_map(Container& container)
+{
+  return Vertex_point_map<Container>(container);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_VERTEX_POINT_MAP_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PLACE_OF_BOUNDARY_ERROR_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PLACE_OF_BOUNDARY_ERROR_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Where the boundary of a complex is not a manifold, as a sentence; empty for other errors.
+template <typename C3t3>
+std::string place_of_boundary_error(const C3t3& c3t3, const Error_code status)
+{
+  std::ostringstream out;
+  if(status == ERROR_NON_MANIFOLD_BOUNDARY)
+  {
+    std::vector<typename C3t3::Vertex_handle> vertices;
+    non_manifold_boundary_vertices(c3t3, std::back_inserter(vertices));
+    const auto& tr = c3t3.triangulation();
+    const auto p = tr.geom_traits().construct_point_3_object()(tr.point(vertices.front()));
+    out << " It is none at " << vertices.size() << " vertices, among them the one at (" << p.x() << ", " << p.y()
+        << ", " << p.z() << ").";
+  }
+  return out.str();
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PLACE_OF_BOUNDARY_ERROR_H

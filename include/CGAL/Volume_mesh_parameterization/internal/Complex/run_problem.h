@@ -1,0 +1,110 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_RUN_PROBLEM_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_RUN_PROBLEM_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Reads the named parameters that do not depend on where the cells come from, and returns `run(problem)`.
+template <typename ConcurrencyTag, typename Vertex, typename NamedParameters, typename BoundaryMap, typename Run>
+Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap& boundary_map, const Run& run)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                               Static_boolean_property_map<Vertex, false>());
+
+  using Energy = typename internal_np::Lookup_named_param_def<
+    internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
+  const Energy energy = choose_parameter<Energy>(get_parameter(np, internal_np::energy));
+
+  using Default_solver = Conjugate_gradient_solver_traits_3<ConcurrencyTag>;
+  using Solver = Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::solver_traits_t, NamedParameters, Default_solver>::reference>;
+  Default_solver default_solver;
+  Solver solver = choose_parameter(get_parameter_reference(np, internal_np::solver_traits), default_solver);
+
+  using Visitor = Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, NamedParameters, Default_visitor>::reference>;
+  Default_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+
+  const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
+  const auto after_step = [&](const Parameterization_step& step)
+  {
+    if(verbose)
+      print(step);
+    return visitor.after_step(step);
+  };
+  const auto number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000);
+  require(static_cast<double>(number_of_iterations) >= 0, "A number of iterations is not negative.");
+  Progress_3 progress(
+    after_step, static_cast<std::size_t>(number_of_iterations),
+    static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
+                                         (std::numeric_limits<double>::infinity)())));
+
+  Map_options_3 options;
+  options.mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), Boundary_mode::AUTO);
+  options.soft = choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters),
+                                  options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters()
+                                                                      : approaching_soft_boundary_parameters());
+  options.do_slide = choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false);
+  options.maximal_angle_distortion = choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
+                                                      (std::numeric_limits<double>::infinity)());
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value)
+    options.improve = &engine::improve_map;
+  options.is_parallel = is_parallel<ConcurrencyTag>();
+  require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
+
+  const Cell_energy_of<Energy> cell_energy(energy);
+  Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
+  const Complex_problem_3<Vertex, std::remove_const_t<decltype(is_constrained)>, BoundaryMap> problem = {
+    is_constrained, boundary_map,
+    choose_parameter(get_parameter(np, internal_np::positional_constraints),
+                     std::vector<Linear_constraint_3<Vertex> >()),
+    options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false), verbose,
+    cell_energy, linear_solver, progress
+  };
+  return run(problem);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_RUN_PROBLEM_H
