@@ -1,0 +1,188 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_VOLUME_MAP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_VOLUME_MAP_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+evaluates a map that is linear on the cells of a tetrahedral mesh, and its inverse, at any points.
+
+A point of the closed body is always found, also on a facet, an edge or a vertex, as exact predicates decide: in the cell
+of smallest index, of those that contain it. So results are deterministic, for any number of threads. Cells are found by
+a tree for each side, both built by the constructor; the mesh need not be Delaunay or convex. The cells, and for the
+inverse also their images, must not overlap. Cells that are flat or have a coordinate that is not finite are never found.
+
+Construction takes time O(n log n) and memory O(n) for n cells; a query takes time O(log n) for cells of good shape. All
+queries are `const` and may be made by several threads.
+
+\sa `CGAL::stretch_minimizing_volume_parameterization()`
+*/
+class Volume_map_3
+{
+public:
+  /// The type of points, on both sides.
+  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+  /// A point that has been carried to the other side.
+  struct Location
+  {
+    Point_3 point;                                   ///< the point on the other side
+    std::size_t cell;                                ///< the index of the cell found
+    std::array<double, 4> barycentric_coordinates;   ///< in that cell: not negative, of sum 1 up to rounding
+  };
+
+  /*!
+  takes the map of a complex, as `CGAL::stretch_minimizing_volume_parameterization()` has written it. Cells are numbered
+  as they are traversed by `cells_in_complex_begin()`.
+
+  \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+  \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+          `C3t3::Triangulation::Geom_traits::Point_3` as value type
+  */
+  template <typename C3t3, typename VertexUVWMap>
+  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(soup_and_images(c3t3, uvw_map)) {}
+
+  /// takes the points and cells of a mesh, as in `Tetrahedron_soup_3`, and the image of each point.
+  /// Throws `std::out_of_range` if there is a cell without all points, or a point without image.
+  Volume_map_3(const std::vector<std::array<double, 3> >& points,
+               const std::vector<std::array<std::size_t, 4> >& cells,
+               const std::vector<std::array<double, 3> >& images)
+    : m_source(points, cells), m_target(images, cells)
+  {}
+
+  /// returns the image of a point; empty if the point is outside.
+  std::optional<Location> image(const Point_3& p) const { return carried(m_source.find(p), m_target); }
+
+  /// returns the preimage of a point; empty if the point is outside the image of the body.
+  std::optional<Location> preimage(const Point_3& q) const { return carried(m_target.find(q), m_source); }
+
+  /// returns the image of the nearest point of the body: for points that rounding may have put outside. Empty
+  /// if there is no cell, or the point is not finite. The time grows with the distance.
+  std::optional<Location> nearest_image(const Point_3& p) const { return carried(m_source.find_nearest(p), m_target); }
+
+  /// returns the preimage of the nearest point of the image of the body, as `nearest_image()` does.
+  std::optional<Location> nearest_preimage(const Point_3& q) const
+  {
+    return carried(m_target.find_nearest(q), m_source);
+  }
+
+  /// returns the differential in the cell that `image()` finds, a 3 x 3 matrix; empty if the point is outside.
+  std::optional<Eigen::Matrix3d> differential(const Point_3& p) const
+  {
+    const std::optional<internal::Place_3> place = m_source.find(p);
+    if(!place)
+      return std::nullopt;
+    // D E = F for the edges E of the cell and F of its image
+    return edges(m_source, place->cell).transpose().fullPivLu().solve(edges(m_target, place->cell).transpose())
+      .transpose();
+  }
+
+  /// \name Ranges
+  /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`.
+  /// @{
+  template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
+  std::vector<std::optional<Location> > images(const PointRange& points) const
+  {
+    return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& p) { return image(p); });
+  }
+
+  template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
+  std::vector<std::optional<Location> > preimages(const PointRange& points) const
+  {
+    return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& q) { return preimage(q); });
+  }
+
+  template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
+  std::vector<std::optional<Eigen::Matrix3d> > differentials(const PointRange& points) const
+  {
+    return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points, [this](const Point_3& p) { return differential(p); });
+  }
+  /// @}
+
+private:
+  struct Soup_and_images
+  {
+    Tetrahedron_soup_3 soup;
+    std::vector<std::array<double, 3> > images;
+  };
+
+  explicit Volume_map_3(const Soup_and_images& map) : Volume_map_3(map.soup.points, map.soup.cells, map.images) {}
+
+  template <typename C3t3, typename VertexUVWMap>
+  static Soup_and_images soup_and_images(const C3t3& c3t3, const VertexUVWMap uvw_map)
+  {
+    Soup_and_images result;
+    std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
+    mesh_complex_3_to_tetrahedron_soup(c3t3, result.soup, vertices);
+    for(const auto v : vertices)
+      result.images.push_back(internal::coordinates(get(uvw_map, v)));
+    return result;
+  }
+
+  static std::optional<Location> carried(const std::optional<internal::Place_3>& place,
+                                         const internal::Cell_locator_3& other)
+  {
+    if(!place)
+      return std::nullopt;
+    std::array<double, 3> p = {0, 0, 0};
+    for(std::size_t i = 0; i < 4; ++i)
+      for(int k = 0; k < 3; ++k)
+        p[static_cast<std::size_t>(k)] += place->coordinates[i] * other.corner(place->cell, i)[k];
+    return Location{ Point_3(p[0], p[1], p[2]), place->cell, place->coordinates };
+  }
+
+  static Eigen::Matrix3d edges(const internal::Cell_locator_3& side, const std::size_t cell)
+  {
+    Eigen::Matrix3d result;
+    for(int i = 0; i < 3; ++i)
+      for(int k = 0; k < 3; ++k)
+        result(k, i) = side.corner(cell, static_cast<std::size_t>(i + 1))[k] - side.corner(cell, 0)[k];
+    return result;
+  }
+
+  template <typename ConcurrencyTag, typename Result, typename PointRange, typename Query>
+  static std::vector<std::optional<Result> > for_each_point(const PointRange& points, const Query& query)
+  {
+    const auto first = std::begin(points);
+    std::vector<std::optional<Result> > results(static_cast<std::size_t>(std::distance(first, std::end(points))));
+    internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, results.size(), [&](const std::size_t i)
+    {
+      results[i] = query(*(first + static_cast<std::ptrdiff_t>(i)));
+    });
+    return results;
+  }
+
+  internal::Cell_locator_3 m_source, m_target;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_VOLUME_MAP_3_H

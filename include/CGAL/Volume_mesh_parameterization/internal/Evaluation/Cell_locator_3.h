@@ -1,0 +1,165 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_EVALUATION_CELL_LOCATOR_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_EVALUATION_CELL_LOCATOR_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Evaluation/barycentric_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A point of the closed body.
+struct Place_3
+{
+  std::size_t cell = 0;
+  std::array<double, 4> coordinates{}; // barycentric ones
+};
+
+// Finds the tetrahedra that contain points, by a packed R-tree of their bounding boxes. The boxes are exact, and exact
+// predicates decide in them, so there are no gaps between cells. Cells that are flat or not finite are never found.
+class Cell_locator_3
+{
+public:
+  Cell_locator_3(const std::vector<std::array<double, 3> >& points,
+                 const std::vector<std::array<std::size_t, 4> >& cells)
+    : m_cells(cells)
+  {
+    m_points.reserve(points.size());
+    for(const std::array<double, 3>& p : points)
+      m_points.emplace_back(p[0], p[1], p[2]);
+
+    std::vector<Entry> entries;
+    entries.reserve(m_cells.size());
+    for(std::size_t c = 0; c < m_cells.size(); ++c)
+    {
+      const Corners_3 p = corners(c);
+      if(std::all_of(p.begin(), p.end(), is_finite_point) && orientation_of(p) != COPLANAR)
+        entries.emplace_back(box_of(p), c);
+    }
+    m_tree = Tree(entries); // packs, unlike insertion
+  }
+
+  const Exact_point_3& corner(const std::size_t cell, const std::size_t i) const { return m_points[m_cells[cell][i]]; }
+
+  // In the cell of smallest index, of those whose closure contains the point.
+  std::optional<Place_3> find(const Exact_point_3& p) const
+  {
+    if(!is_finite_point(p))
+      return std::nullopt;
+    std::size_t cell = m_cells.size();
+    for(auto it = m_tree.qbegin(boost::geometry::index::intersects(to_tree(p))); it != m_tree.qend(); ++it)
+      if(it->second < cell && contains(corners(it->second), p))
+        cell = it->second;
+    if(cell == m_cells.size())
+      return std::nullopt;
+    return Place_3{ cell, barycentric_coordinates_3(corners(cell), p) };
+  }
+
+  // The point itself, or the nearest one of the closed body, up to rounding; none if there are no cells, or
+  // the squared distance overflows.
+  std::optional<Place_3> find_nearest(const Exact_point_3& p) const
+  {
+    if(!is_finite_point(p) || m_tree.empty())
+      return std::nullopt;
+    if(const std::optional<Place_3> place = find(p))
+      return place;
+    double distance = std::numeric_limits<double>::infinity();
+    std::pair<std::size_t, Exact_point_3> nearest;
+    const Tree_point q = to_tree(p);
+    const auto by_distance = boost::geometry::index::nearest(q, static_cast<unsigned>(m_tree.size()));
+    for(auto it = m_tree.qbegin(by_distance);
+        it != m_tree.qend() && boost::geometry::comparable_distance(q, it->first) <= distance; ++it)
+    {
+      const Exact_point_3 candidate = nearest_on_facets(corners(it->second), p);
+      const double to_cell = CGAL::squared_distance(p, candidate);
+      if(to_cell < distance || (to_cell == distance && it->second < nearest.first))
+      {
+        distance = to_cell;
+        nearest = { it->second, candidate };
+      }
+    }
+    if(distance == std::numeric_limits<double>::infinity())
+      return std::nullopt;
+    return Place_3{ nearest.first, barycentric_coordinates_3(corners(nearest.first), nearest.second) };
+  }
+
+private:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Tree_point = boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian>;
+  using Box = boost::geometry::model::box<Tree_point>;
+  using Entry = std::pair<Box, std::size_t>;
+  using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<8> >;
+
+  Corners_3 corners(const std::size_t c) const
+  {
+    const std::array<std::size_t, 4>& cell = m_cells[c];
+    return { m_points.at(cell[0]), m_points.at(cell[1]), m_points.at(cell[2]), m_points.at(cell[3]) };
+  }
+
+  static Orientation orientation_of(const Corners_3& p) { return CGAL::orientation(p[0], p[1], p[2], p[3]); }
+
+  static Tree_point to_tree(const Exact_point_3& p) { return Tree_point(p.x(), p.y(), p.z()); }
+
+  static Box box_of(const Corners_3& p)
+  {
+    const auto [x0, x1] = std::minmax({ p[0].x(), p[1].x(), p[2].x(), p[3].x() });
+    const auto [y0, y1] = std::minmax({ p[0].y(), p[1].y(), p[2].y(), p[3].y() });
+    const auto [z0, z1] = std::minmax({ p[0].z(), p[1].z(), p[2].z(), p[3].z() });
+    return Box(Tree_point(x0, y0, z0), Tree_point(x1, y1, z1));
+  }
+
+  static bool contains(const Corners_3& tetrahedron, const Exact_point_3& p)
+  {
+    const Orientation outside = CGAL::opposite(orientation_of(tetrahedron));
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      Corners_3 replaced = tetrahedron;
+      replaced[i] = p;
+      if(orientation_of(replaced) == outside)
+        return false;
+    }
+    return true;
+  }
+
+  static Exact_point_3 nearest_on_facets(const Corners_3& corners, const Exact_point_3& p)
+  {
+    std::array<Exact_point_3, 4> candidates;
+    for(std::size_t i = 0; i < 4; ++i)
+      candidates[i] = Kernel().construct_projected_point_3_object()(
+        Kernel::Triangle_3(corners[(i + 1) % 4], corners[(i + 2) % 4], corners[(i + 3) % 4]), p);
+    return *std::min_element(candidates.begin(), candidates.end(), [&](const Exact_point_3& a, const Exact_point_3& b)
+    {
+      return CGAL::squared_distance(a, p) < CGAL::squared_distance(b, p);
+    });
+  }
+
+  std::vector<Exact_point_3> m_points;
+  std::vector<std::array<std::size_t, 4> > m_cells;
+  Tree m_tree;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_EVALUATION_CELL_LOCATOR_3_H
