@@ -20,7 +20,7 @@ package_of()
     Intersections_3/*) echo Intersections_3 ;;
     number_utils.h) echo Algebraic_foundations ;;
     Exact_rational.h) echo Number_types ;;
-    Exact_predicates_inexact_constructions_kernel.h) echo Kernel_23 ;;
+    Exact_predicates_inexact_constructions_kernel.h | determinant.h) echo Kernel_23 ;;
     property_map.h) echo Property_map ;;
     boost/graph/*) echo BGL ;;
     Eigen_solver_traits.h) echo Solver_interface ;;

@@ -56,7 +56,9 @@ std::vector<Point_3> random_points(const Tetrahedron_soup_3& soup, const std::si
   for(std::size_t i = 0; i < n; ++i)
   {
     const std::array<std::size_t, 4>& cell = soup.cells[random() % soup.cells.size()];
-    std::array<double, 4> weights = {exponential(random), exponential(random), exponential(random), exponential(random)};
+    std::array<double, 4> weights;
+    for(double& weight : weights)
+      weight = exponential(random);
     if(i % 4 == 2)
       weights[0] = 0;
     if(i % 4 == 3)
@@ -81,7 +83,8 @@ void time(const std::string& name, const std::size_t n, const Function& f)
   std::cout << name << ": " << timer.time() << " s, " << static_cast<double>(n) / timer.time() << " a second\n";
 }
 
-// Of the points that are found, the error of the way there and back, over the diagonal and the distortion of the way back.
+// The largest error of the way there and back, over the diagonal and the distortion of the way back. Images must not
+// overlap: otherwise the way back may be another one.
 void measure_round_trips(const VMP::Volume_map_3& map, const std::vector<Point_3>& points, const double diagonal)
 {
   std::size_t outside = 0, not_found_back = 0;

@@ -61,8 +61,9 @@ struct Mapped_cube
       std::array<Point_3, 4> corners;
       for(std::size_t i = 0; i < 4; ++i)
         corners[i] = point(vector(soup.points[soup.cells[c][i]]));
-      const Volume_map_3::Point_3 *t = corners.data();
-      if(CGAL::orientation(p, t[1], t[2], t[3]) != CGAL::NEGATIVE && CGAL::orientation(t[0], p, t[2], t[3]) != CGAL::NEGATIVE
+      const std::array<Point_3, 4>& t = corners;
+      if(CGAL::orientation(p, t[1], t[2], t[3]) != CGAL::NEGATIVE
+         && CGAL::orientation(t[0], p, t[2], t[3]) != CGAL::NEGATIVE
          && CGAL::orientation(t[0], t[1], p, t[3]) != CGAL::NEGATIVE
          && CGAL::orientation(t[0], t[1], t[2], p) != CGAL::NEGATIVE)
         return c;

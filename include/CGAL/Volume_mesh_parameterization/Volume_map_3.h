@@ -35,10 +35,11 @@ namespace CGAL::Volume_mesh_parameterization {
 
 evaluates a map that is linear on the cells of a tetrahedral mesh, and its inverse, at any points.
 
-A point of the closed body is always found, also on a facet, an edge or a vertex, as exact predicates decide: in the cell
-of smallest index, of those that contain it. So results are deterministic, for any number of threads. Cells are found by
-a tree for each side, both built by the constructor; the mesh need not be Delaunay or convex. The cells, and for the
-inverse also their images, must not overlap. Cells that are flat or have a coordinate that is not finite are never found.
+A point of the closed body is always found, also on a facet, an edge or a vertex, as exact predicates decide: in the
+cell of smallest index, of those that contain it. So results are deterministic, for any number of threads. Cells are
+found by a tree for each side, both built by the constructor; the mesh need not be Delaunay or convex. Where cells, or
+for the inverse their images, overlap, the smallest index counts as well. Cells that are flat or have a coordinate that
+is not finite are never found.
 
 Construction takes time O(n log n) and memory O(n) for n cells; a query takes time O(log n) for cells of good shape. All
 queries are `const` and may be made by several threads.
@@ -85,7 +86,8 @@ public:
   std::optional<Location> preimage(const Point_3& q) const { return carried(m_target.find(q), m_source); }
 
   /// returns the image of the nearest point of the body: for points that rounding may have put outside. Empty
-  /// if there is no cell, or the point is not finite. The time grows with the distance.
+  /// if there is no cell, or the point is not finite or so far that the squared distance overflows. The time grows
+  /// with the distance.
   std::optional<Location> nearest_image(const Point_3& p) const { return carried(m_source.find_nearest(p), m_target); }
 
   /// returns the preimage of the nearest point of the image of the body, as `nearest_image()` does.
@@ -123,7 +125,8 @@ public:
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Eigen::Matrix3d> > differentials(const PointRange& points) const
   {
-    return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points, [this](const Point_3& p) { return differential(p); });
+    return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points,
+                                                           [this](const Point_3& p) { return differential(p); });
   }
   /// @}
 
