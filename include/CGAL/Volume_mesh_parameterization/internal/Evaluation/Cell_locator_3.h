@@ -22,8 +22,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -85,24 +85,27 @@ public:
       return std::nullopt;
     if(const std::optional<Place_3> place = find(p))
       return place;
-    double distance = std::numeric_limits<double>::infinity();
-    std::pair<std::size_t, Exact_point_3> nearest;
-    const Tree_point q = to_tree(p);
-    const auto by_distance = boost::geometry::index::nearest(q, static_cast<unsigned>(m_tree.size()));
-    for(auto it = m_tree.qbegin(by_distance);
-        it != m_tree.qend() && boost::geometry::comparable_distance(q, it->first) <= distance; ++it)
+    // The cell of the nearest box bounds the distance; then all cells that may be as near are compared.
+    const auto in_nearest_box = m_tree.qbegin(boost::geometry::index::nearest(to_tree(p), 1));
+    std::size_t cell = in_nearest_box->second;
+    Exact_point_3 nearest = nearest_on_facets(corners(cell), p);
+    double distance = CGAL::squared_distance(p, nearest);
+    if(!CGAL::is_finite(distance))
+      return std::nullopt;
+    const double r = std::sqrt(distance);
+    const Box around(Tree_point(p.x() - r, p.y() - r, p.z() - r), Tree_point(p.x() + r, p.y() + r, p.z() + r));
+    for(auto it = m_tree.qbegin(boost::geometry::index::intersects(around)); it != m_tree.qend(); ++it)
     {
       const Exact_point_3 candidate = nearest_on_facets(corners(it->second), p);
       const double to_cell = CGAL::squared_distance(p, candidate);
-      if(to_cell < distance || (to_cell == distance && it->second < nearest.first))
+      if(to_cell < distance || (to_cell == distance && it->second < cell))
       {
         distance = to_cell;
-        nearest = { it->second, candidate };
+        cell = it->second;
+        nearest = candidate;
       }
     }
-    if(distance == std::numeric_limits<double>::infinity())
-      return std::nullopt;
-    return Place_3{ nearest.first, barycentric_coordinates_3(corners(nearest.first), nearest.second) };
+    return Place_3{ cell, barycentric_coordinates_3(corners(cell), nearest) };
   }
 
 private:
