@@ -12,8 +12,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
@@ -544,6 +546,86 @@ TEST_CASE("Vertices that are prescribed keep their place among each other")
       prescribed.push_back(v);
   const std::vector<std::size_t> order = VMP::internal::spatial_order_3(mesh.source, is_prescribed);
   CHECK(std::vector<std::size_t>(order.end() - prescribed.size(), order.end()) == prescribed);
+}
+
+TEST_CASE("A minimization stagnates where neither the energy nor the decrement falls")
+{
+  const auto is_noticed = [](const double energy_rate, const double decrement_rate)
+  {
+    VMP::internal::Stagnation stagnation;
+    bool result = false;
+    for(int i = 0; i < 100; ++i)
+    {
+      stagnation.add(1000 * std::pow(energy_rate, i), std::pow(decrement_rate, i));
+      result = result || stagnation.is_noticed();
+    }
+    return result;
+  };
+  CHECK(is_noticed(0.9999, 1));
+  CHECK(is_noticed(0.9999, 0.9));
+  CHECK(!is_noticed(0.9999, 0.7)); // near a minimum
+  CHECK(!is_noticed(0.999, 1));
+}
+
+TEST_CASE("A cell that the boundary makes flat does not keep the other vertices from their minimum")
+{
+  // a facet of the boundary becomes flat, and its cell holds all of the energy, wherever its free vertex is
+  Numbered_mesh_3 mesh = cube_mesh(5, 0.15);
+  const Matrix3Xd grid = cube_mesh(5).source;
+  const auto vertex_at = [&](const Vector3d& p)
+  {
+    Eigen::Index v = 0;
+    (grid.colwise() - p).colwise().norm().minCoeff(&v);
+    return static_cast<int>(v);
+  };
+  const int moved = vertex_at({ 1, 1, 0 });
+  mesh.target.col(moved) = Vector3d(1, 1e-5, 0);
+  Matrix3Xd start = grid;
+  start.col(moved) = mesh.target.col(moved);
+  REQUIRE(number_of_inverted_cells(mesh, start) == 0);
+
+  const VMP::Stretch_energy_3 stretch;
+  Solver<> solver;
+  fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, stretch, solver);
+  const auto far_from_minimum = [&](const Matrix3Xd& u, const int v) // the gradient of its cells by a free vertex
+  {
+    Vector3d gradient = Vector3d::Zero();
+    for(const std::array<int, 4>& cell : mesh.cells)
+      if(std::find(cell.begin(), cell.end(), v) != cell.end())
+        for(int i = 0; i < 3; ++i)
+        {
+          constexpr double h = 1e-6;
+          Matrix3Xd right = u, left = u;
+          right(i, v) += h;
+          left(i, v) -= h;
+          gradient[i] += (psi(stretch, mesh, right, cell) - psi(stretch, mesh, left, cell)) / (2 * h);
+        }
+    return gradient.norm();
+  };
+  const int far = vertex_at({ 4, 4, 4 }), center = vertex_at({ 3, 2, 3 });
+  REQUIRE(far_from_minimum(start, far) > 0.5);
+
+  VMP::internal::Found_map_3 found;
+  found.map = judged(mesh, start);
+  found.status = VMP::OK;
+  VMP::internal::Progress_3 progress([](const VMP::Parameterization_step&) { return true; }, 1000, 1000);
+  minimize_3(mesh, problem.energy, problem.system, problem.solver, false, 0, progress, found);
+  CHECK(found.map.is_solution());
+  CHECK(far_from_minimum(found.map.positions, far) < 0.05);
+  CHECK(far_from_minimum(found.map.positions, center) < 0.05);
+
+  VMP::internal::Minimization_3 whole(problem.system, problem.energy, start);
+  while(whole.is_running())
+    whole.step();
+  CHECK(far_from_minimum(whole.positions(), far) > 0.05);
+
+  const VMP::internal::Dominant_cells_3 dominant = dominant_cells_3(mesh, problem.energy, found.map.positions);
+  CHECK(dominant.part_of_energy > 0.99);
+  REQUIRE(!dominant.cells.empty());
+  CHECK(dominant.cells.size() < 10);
+  for(const std::size_t c : dominant.cells)
+    CHECK(std::find(mesh.cells[c].begin(), mesh.cells[c].end(), moved) != mesh.cells[c].end());
+  CHECK(dominant_cells_3(mesh, problem.energy, mesh.source).cells.empty());
 }
 
 TEST_CASE("The energy of a step counts the cells without a free vertex")

@@ -62,7 +62,7 @@ inline const char* get_error_message(const Error_code code)
   {
     case OK: return "Success.";
     case ERROR_NOT_CONVERGED:
-      return "The map is valid, but the maximal number of iterations was reached before the energy was minimal.";
+      return "The map is valid, but the minimization ended before its energy was minimal.";
     case ERROR_INTERRUPTED:
       return "The visitor or the time limit ended the computation.";
     case ERROR_ANGLE_BOUND_NOT_REACHED:

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -81,12 +82,11 @@ inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Eige
   return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)).angle_max;
 }
 
-// The mean of psi over the cells, with the singular values multiplied by a factor.
-inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
-                            const Cell_energy_3& energy, const double factor)
+// Psi of each cell, with the singular values multiplied by a factor.
+inline std::vector<double> energies_of_cells_3(const std::vector<Eigen::Vector3d>& s, const Cell_energy_3& energy,
+                                               const double factor)
 {
-  const std::vector<double> weights = cell_weights(mesh);
-  double result = 0;
+  std::vector<double> result(s.size());
   for(std::size_t first = 0; first < s.size(); first += cells_per_pack)
   {
     Packed_vector_3 packed;
@@ -95,9 +95,17 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
       for(int i = 0; i < 3; ++i)
         packed[i][lane] = factor * s[(std::min)(first + lane, s.size() - 1)][i];
     energy.value(packed, psi);
-    for(std::size_t lane = 0; lane < cells_per_pack && first + lane < s.size(); ++lane)
-      result += weights[first + lane] * psi[lane];
+    std::copy_n(psi, (std::min)(s.size() - first, std::size_t(cells_per_pack)), result.begin() + first);
   }
+  return result;
+}
+
+// The mean of psi over the cells, with the singular values multiplied by a factor.
+inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
+                            const Cell_energy_3& energy, const double factor)
+{
+  const std::vector<double> psi = energies_of_cells_3(s, energy, factor), weights = cell_weights(mesh);
+  const double result = std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.);
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
 
 #include <Eigen/Core>
@@ -36,6 +37,7 @@ public:
   const Energy_evaluation& evaluation() const { return m_evaluation; }
   const Newton_direction_3& direction() const { return m_direction; } // of the last step
   double step_length() const { return m_step_length; }
+  bool is_stagnating() const { return m_stagnation.is_noticed(); }
 
   // The full Hessian is tried, or a part of its negative curvature; less of it where that fails.
   Step_status step()
@@ -51,6 +53,7 @@ public:
       return Step_status::SOLVER_FAILED;
     if(is_converged())
       return Step_status::DONE;
+    m_stagnation.add(m_evaluation.energy, -m_direction.slope);
     if(m_step_length >= 1)
       m_negative_curvature.raise();
     return m_step_length > 0 ? Step_status::CONTINUE : Step_status::STUCK;
@@ -94,6 +97,7 @@ private:
   Newton_direction_3 m_direction;
   double m_step_length = 0;
   Negative_curvature m_negative_curvature;
+  Stagnation m_stagnation;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -57,6 +57,7 @@ public:
     claim_solver();
   }
 
+  const Unknowns_3& unknowns() const { return m_unknowns; }
   double unit() const { return m_unit; } // by which positions are multiplied
 
   // Takes these reference cells, of the same mesh and with the same unit, from now on.

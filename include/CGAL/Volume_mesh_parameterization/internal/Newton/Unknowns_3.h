@@ -45,6 +45,17 @@ public:
       m_projectors.push_back(projectors[v]);
   }
 
+  // These without some vertices.
+  template <typename Predicate>
+  Unknowns_3 without(const Predicate& is_known) const
+  {
+    Unknowns_3 result(number_of_vertices(), [&](const int v) { return contains(v) && !is_known(v); });
+    if(!m_projectors.empty())
+      for(const int v : result.m_vertices)
+        result.m_projectors.push_back(m_projectors[row(v)]);
+    return result;
+  }
+
   int size() const { return static_cast<int>(m_vertices.size()); }
   int number_of_vertices() const { return static_cast<int>(m_rows.size()); }
   bool contains(const int v) const { return m_rows[v] >= 0; }

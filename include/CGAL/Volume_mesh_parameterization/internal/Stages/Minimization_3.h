@@ -20,15 +20,23 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+#include <utility>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy from a map on that inverts no cell; vertices that are not unknown stay where they are.
 class Minimization_3 : public Stage_3
 {
 public:
-  Minimization_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions)
+  // Is it to end where the energy stagnates with these images of the vertices?
+  using Ends_here = std::function<bool(const Eigen::Matrix3Xd&)>;
+
+  Minimization_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
+                 Ends_here ends_here = nullptr)
     : m_system(system), m_minimizer(system, energy, system.unit() * positions),
-      m_energy_of_other_cells(system.energy_of_other_cells(energy, m_minimizer.positions()))
+      m_energy_of_other_cells(system.energy_of_other_cells(energy, m_minimizer.positions())),
+      m_ends_here(std::move(ends_here))
   {}
 
   void step() override
@@ -36,6 +44,8 @@ public:
     const Step_status status = m_minimizer.step();
     report(Phase::MINIMIZATION, m_minimizer, m_energy_of_other_cells);
     conclude(status, ERROR_NOT_CONVERGED, m_minimizer.direction());
+    if(is_running() && m_ends_here && m_minimizer.is_stagnating() && m_ends_here(positions()))
+      end(ERROR_NOT_CONVERGED);
   }
 
   Eigen::Matrix3Xd positions() const override { return m_minimizer.positions() / m_system.unit(); }
@@ -45,6 +55,7 @@ private:
   Newton_system_3& m_system;
   Minimizer_3 m_minimizer;
   double m_energy_of_other_cells;
+  Ends_here m_ends_here;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -27,9 +27,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/untangle_3.h>
 
 #include <optional>
@@ -67,9 +67,7 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   found.reason = untangled.reason;
   if(found.status != OK || options.do_slide)
     return;
-  Minimization_3 minimization(system, energy, untangled.positions);
-  const Error_code end = progress.run(minimization, progress.seconds(), untangled.number_of_steps);
-  take_over(minimization, end, judged(mesh, snapped(mesh, minimization.positions())), found);
+  minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps, progress, found);
 }
 
 // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put

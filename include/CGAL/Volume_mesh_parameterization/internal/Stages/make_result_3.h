@@ -45,7 +45,7 @@ inline Error_code final_status(const Found_map_3& found)
 // Why it did not end better: what the last stage says, or the stage with fixed boundary, or the check of the input.
 inline std::string reason_of(const Error_code status, const Found_map_3& found, const Input_check_3& check)
 {
-  if(status == OK || status == ERROR_NOT_CONVERGED)
+  if(status == OK || (status == ERROR_NOT_CONVERGED && found.reason.empty()))
     return "";
   const bool is_reason = found.status == status || found.status == ERROR_LINEAR_SOLVER_FAILED;
   const std::string reason = is_reason && !found.reason.empty() ? found.reason
@@ -53,7 +53,6 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
   return reason.empty() ? "" : " " + reason;
 }
 
-// The result of a search without its counts of the complex: the only place where it is written.
 // By how much the boundary is missed, where most, and what can be done.
 inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
@@ -71,6 +70,7 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const E
   return out.str();
 }
 
+// The result of a search without its counts of the complex: the only place where it is written.
 inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
                                              const Found_map_3& found, const Cell_energy_3& energy,
                                              const Progress_3& progress)

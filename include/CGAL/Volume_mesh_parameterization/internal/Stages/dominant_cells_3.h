@@ -1,0 +1,85 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_DOMINANT_CELLS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_DOMINANT_CELLS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The few cells that hold much of an energy, as those do which prescribed vertices make extremely flat.
+struct Dominant_cells_3
+{
+  std::vector<std::size_t> cells; // the first one holds most
+  double part_of_energy = 0;      // that all of them hold
+
+  bool hold_most() const { return part_of_energy > 0.5; }
+};
+
+// The cells whose energy is far above the median.
+inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
+                                         const Eigen::Matrix3Xd& image)
+{
+  constexpr double far_above = 100;
+  const double to_source_volume = std::cbrt(volume(mesh.source, mesh.cells) / volume(image, mesh.cells));
+  const std::vector<double> psi
+    = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, to_source_volume);
+  std::vector<double> sorted = psi;
+  const auto median = sorted.begin() + sorted.size() / 2;
+  std::nth_element(sorted.begin(), median, sorted.end());
+
+  const std::vector<double> weights = cell_weights(mesh);
+  Dominant_cells_3 result;
+  double sum = 0, dominant_sum = 0;
+  for(std::size_t c = 0; c < psi.size(); ++c)
+  {
+    sum += weights[c] * psi[c];
+    if(!(psi[c] > far_above * *median))
+      continue;
+    dominant_sum += weights[c] * psi[c];
+    result.cells.push_back(c);
+    if(psi[c] > psi[result.cells.front()])
+      std::swap(result.cells.front(), result.cells.back());
+  }
+  result.part_of_energy = dominant_sum / sum;
+  return result;
+}
+
+// Why the minimization over all vertices was ended.
+inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mesh_3& mesh)
+{
+  std::ostringstream out;
+  out << dominant.cells.size() << " of " << mesh.cells.size() << " cells, which the prescribed vertices make flat, hold "
+      << std::floor(100 * dominant.part_of_energy) << " % of the energy and hardly improve any more; most of it holds the "
+      << "cell at " << describe(mesh.source.col(mesh.cells[dominant.cells.front()][0]))
+      << ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were then moved"
+      << " alone, to where they hardly improve either.";
+  return out.str();
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_DOMINANT_CELLS_3_H
