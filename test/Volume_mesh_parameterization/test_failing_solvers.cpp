@@ -76,6 +76,34 @@ private:
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> m_solver;
 };
 
+// Returns the solution of the first systems only, and then a multiple of it that does not descend, all as a success.
+class Ascending_solver
+{
+public:
+  using NT = double;
+  using Matrix = VMP::Block_sparse_matrix_3<NT>;
+
+  Ascending_solver(const int number_of_solutions, const double factor)
+    : m_number_of_solutions(number_of_solutions), m_factor(factor)
+  {}
+
+  void analyze_pattern(const Matrix& A) { m_solver.analyze_pattern(A); }
+  Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }
+
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
+  {
+    const Linear_solver_status status = m_solver.solve(b, x, tolerance);
+    if(--m_number_of_solutions < 0)
+      x *= m_factor;
+    return status;
+  }
+
+private:
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> m_solver;
+  int m_number_of_solutions;
+  double m_factor;
+};
+
 template <typename Solver>
 Parameterization_result parameterize(Complex& complex, Solver& solver, const VMP::Boundary_mode mode,
                                      const bool do_slide)
@@ -119,6 +147,18 @@ TEST_CASE("A solver that always fails is reported, also if the boundary may slid
   CHECK(contains(result.message, sentence(Linear_solver_status::FAILED)));
   CHECK(result.has_valid_map == is_centered);
   CHECK(complex.uvw.empty() == !is_centered);
+}
+
+// Otherwise, the place where it comes to a halt would pass for a minimum.
+TEST_CASE("A direction that does not descend is a failure of the solver")
+{
+  const double factor = GENERATE(0., -1.);
+  Complex complex(twisted_cube(4));
+  Ascending_solver solver(3, factor);
+  const Parameterization_result result = parameterize(complex, solver, VMP::Boundary_mode::FIXED, false);
+  INFO(result.message);
+  CHECK(result.status == VMP::ERROR_LINEAR_SOLVER_FAILED);
+  CHECK(contains(result.message, sentence(Linear_solver_status::NOT_POSITIVE_DEFINITE)));
 }
 
 // Otherwise, a stage that goes on from there would believe that all is well.

@@ -258,6 +258,35 @@ TEST_CASE("Conjugate gradients truncate at negative curvature after some iterati
   CHECK(b.dot(x) > 0);
 }
 
+TEST_CASE("Conjugate gradients do not stand still where a block is singular up to rounding")
+{
+  VMP::internal::Numbered_mesh_3 mesh = cube_mesh(2); // one free vertex
+  VMP::Block_sparse_matrix_3<float> A = pattern<float>(mesh);
+  REQUIRE(A.size() == 1);
+  std::mt19937 engine(0);
+  std::uniform_real_distribution<double> distribution(-1, 1);
+  const auto random_vector = [&]() -> Eigen::Vector3d
+  {
+    return Eigen::Vector3d::NullaryExpr([&]() { return distribution(engine); });
+  };
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, float> solver;
+  solver.analyze_pattern(A);
+  int number_of_successes = 0;
+  for(int i = 0; i < 10000; ++i)
+  {
+    const Eigen::Vector3d n = random_vector(), b = random_vector(), m = random_vector();
+    A.block(0) = (1e10 * n * n.transpose() + 10 * m * m.transpose()).cast<float>();
+    REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
+    VectorXd x;
+    if(solver.solve(b, x, 1e-2) == Linear_solver_status::SUCCESS)
+    {
+      ++number_of_successes;
+      CHECK(!x.isZero(0));
+    }
+  }
+  CHECK(number_of_successes > 100);
+}
+
 TEST_CASE("Conjugate gradients stop early for a large tolerance, and at the limit")
 {
   auto A = pattern<double>(cube_mesh(5));

@@ -73,13 +73,11 @@ public:
     for_each_row([&](const int row)
     {
       const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
-      Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-      if(is_positive_definite(D))
-        inverse = D.inverse();
-      else if(D.norm() > 0) // the iteration must meet the negative curvature of this block
-        inverse.diagonal().setConstant(1 / D.norm());
-      for(int i = 0; i < 9; ++i)
-        m_inverse_diagonal[9 * std::size_t(row) + i] = static_cast<NT>(inverse(i));
+      Eigen::Matrix<NT, 3, 3> inverse = D.inverse().template cast<NT>();
+      // the iteration must meet the negative curvature of this block, or what rounding makes of hardly a positive one
+      if(!is_positive_definite(D) || !is_positive_definite(inverse.template cast<double>()))
+        inverse = Eigen::Matrix<NT, 3, 3>::Identity() * static_cast<NT>(D.norm() > 0 ? 1 / D.norm() : 0);
+      inverse_diagonal(row) = inverse;
     });
     m_matrix = &A;
     return Linear_solver_status::SUCCESS;
@@ -98,7 +96,7 @@ public:
     double rz = precondition();
     m_direction = m_preconditioned;
     const double target = tolerance * tolerance * rz;
-    Linear_solver_status status = Linear_solver_status::SUCCESS;
+    Linear_solver_status status = rz < 0 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::SUCCESS;
 
     while(rz > target && m_number_of_iterations < m_maximal_number_of_iterations)
     {

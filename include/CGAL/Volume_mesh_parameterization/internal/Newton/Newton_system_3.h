@@ -151,6 +151,8 @@ private:
     if(result.status == Linear_solver_status::SUCCESS || result.status == Linear_solver_status::TRUNCATED)
     {
       result.slope = gradient.dot(solution);
+      if(!(result.slope < 0) && result.gradient_norm > 0) // otherwise it would pass for a minimum
+        result.status = Linear_solver_status::NOT_POSITIVE_DEFINITE;
       Positions direction = Eigen::Map<const Positions>(solution.data(), 3, columns.cols());
       m_unknowns.project(direction);
       result.vectors = m_unknowns.to_vertices(direction);
