@@ -28,7 +28,7 @@ int report(const C3t3& c3t3, const VertexUVWMap uvw_map,
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(filename);
+  std::ofstream out(filename, std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;

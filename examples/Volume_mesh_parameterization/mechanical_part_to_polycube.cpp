@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename);
+  std::ofstream out(output_filename, std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;

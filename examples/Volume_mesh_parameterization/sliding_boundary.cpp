@@ -48,7 +48,7 @@ bool parameterize(C3t3& c3t3, Point_map& target, const bool do_slide, const std:
   if(result.status != VMP::OK)
     return false;
 
-  std::ofstream out(filename);
+  std::ofstream out(filename, std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
   out.close();
   return !out.fail();
