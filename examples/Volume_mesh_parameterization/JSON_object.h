@@ -35,6 +35,16 @@ public:
     return add_raw(key, "\"" + quoted + "\"");
   }
 
+  JSON_object& add(const char* key, const char* text)
+  {
+    return add(key, std::string(text));
+  }
+
+  JSON_object& add(const char* key, bool is_true)
+  {
+    return add_raw(key, is_true ? "true" : "false");
+  }
+
   JSON_object& add(const char* key, const JSON_object& object)
   {
     return add_raw(key, object.text());
