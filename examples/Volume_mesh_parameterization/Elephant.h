@@ -24,7 +24,8 @@ int report(const C3t3& c3t3, const VertexUVWMap uvw_map,
             << "distortion of angles:  mean " << result.distortion.angle_mean
             << ", max " << result.distortion.angle_max << "\n"
             << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
-            << ", max " << result.distortion_at_source_volume.volume_max << std::endl;
+            << ", max " << result.distortion_at_source_volume.volume_max
+            << " (of the map scaled to the volume of the source)" << std::endl;
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 

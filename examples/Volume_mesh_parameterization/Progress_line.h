@@ -10,6 +10,7 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 // Keeps one line of a terminal up to date, and ends the computation when the time is over, or when the user (Ctrl-C) or
 // the system (SIGTERM) asks for it. Who asks twice ends the program.
@@ -35,9 +36,10 @@ public:
   }
 
   // The visitor of the computation.
-  bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step) const
+  bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
+    m_steps.push_back(step);
     std::ostringstream text;
     text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing") << ", step " << step.iteration
          << ", " << step.number_of_inverted_cells << " inverted cells, energy " << step.energy << ", " << m_timer.time() << " s";
@@ -53,6 +55,8 @@ public:
 
   void finish() const { show(""); }
 
+  const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps() const { return m_steps; }
+
 private:
   void show(const std::string& text) const
   {
@@ -65,6 +69,7 @@ private:
   bool m_is_shown;
   double m_time_limit; // in seconds, from the beginning of the program
   CGAL::Real_timer m_timer;
+  std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step> m_steps;
 };
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H

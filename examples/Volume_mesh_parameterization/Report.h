@@ -9,12 +9,14 @@
 #include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
 #include <sys/resource.h>
 
 #include <cstddef>
 #include <iostream>
 #include <string>
+#include <vector>
 
 enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
@@ -83,6 +85,18 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Distortion_3& 
                       .add("volume_mean", d.volume_mean).add("volume_max", d.volume_max);
 }
 
+inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps)
+{
+  std::vector<double> energy, inverted_cells, seconds;
+  for(const CGAL::Volume_mesh_parameterization::Parameterization_step& step : steps)
+  {
+    energy.push_back(step.energy);
+    inverted_cells.push_back(static_cast<double>(step.number_of_inverted_cells));
+    seconds.push_back(step.seconds);
+  }
+  return JSON_object().add("energy", energy).add("inverted_cells", inverted_cells).add("seconds", seconds);
+}
+
 inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
@@ -97,7 +111,8 @@ inline JSON_object json(const Options& options)
 }
 
 // Of bad input there is nothing to tell but the message and the options.
-inline void write_report(const Options& options, const Outcome& outcome)
+inline void write_report(const Options& options, const Outcome& outcome,
+                         const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps)
 {
   const CGAL::Volume_mesh_parameterization::Parameterization_result& result = outcome.result;
   JSON_object report;
@@ -124,6 +139,7 @@ inline void write_report(const Options& options, const Outcome& outcome)
           .add("seconds_minimization", result.seconds_minimization)
           .add("seconds_check", result.seconds_check)
           .add("energy_value", result.energy)
+          .add("steps", json(steps))
           .add("distortion", json(result.distortion))
           .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
           .add("peak_memory_bytes", peak_memory_bytes());

@@ -49,7 +49,8 @@ int main(int argc, char* argv[])
             << "distortion of angles:  mean " << result.distortion.angle_mean
             << ", max " << result.distortion.angle_max << "\n"
             << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
-            << ", max " << result.distortion_at_source_volume.volume_max << std::endl;
+            << ", max " << result.distortion_at_source_volume.volume_max
+            << " (of the map scaled to the volume of the source)" << std::endl;
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 

@@ -41,7 +41,7 @@ void begin(const Progress_line& progress, const std::string& text)
     throw Interruption();
 }
 
-Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, const Progress_line& progress,
+Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Progress_line& progress,
                     Points& uvw)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -67,7 +67,7 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, co
         .maximal_angle_distortion(options.maximal_angle_distortion)
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-        .visitor(std::cref(progress)));
+        .visitor(std::ref(progress)));
   }, named_solver(options.solver));
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(progress.reason()) + (result.has_valid_map
@@ -113,7 +113,7 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
   }
 }
 
-Outcome run(const Options& options, const Progress_line& progress)
+Outcome run(const Options& options, Progress_line& progress)
 {
   begin(progress, "reading " + options.source);
   Mesh_file mesh(options.source);
@@ -139,7 +139,7 @@ Outcome run(const Options& options, const Progress_line& progress)
 }
 
 // The same, with what is thrown as a message of the result.
-Outcome run_and_catch(const Options& options, const Progress_line& progress)
+Outcome run_and_catch(const Options& options, Progress_line& progress)
 {
   Result result;
   try
@@ -177,7 +177,7 @@ int main(int argc, char* argv[])
       return SUCCESS;
     check(options);
 
-    const Progress_line progress(!options.is_quiet, options.time_limit);
+    Progress_line progress(!options.is_quiet, options.time_limit);
     const Outcome outcome = run_and_catch(options, progress);
     progress.finish();
     const Result& result = outcome.result;
@@ -188,7 +188,7 @@ int main(int argc, char* argv[])
     if(outcome.exit_code == BOUNDARY_MISSED)
       std::cerr << "The boundary residual is " << result.boundary_residual << "." << std::endl;
     if(!options.report.empty())
-      write_report(options, outcome);
+      write_report(options, outcome, progress.steps());
     return outcome.exit_code;
   }
   catch(const std::exception& error)
