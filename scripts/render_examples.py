@@ -225,13 +225,13 @@ def draw_map(vtu, output):
 
 def draw_convergence(report, output):
     """The energy above its last value, and the inverted cells, after each step."""
-    steps = json.loads(report.read_text())["steps"]
-    inverted = numpy.array(steps["inverted_cells"])
-    first = int(numpy.argmax(inverted == 0)) if (inverted == 0).any() else len(inverted)
-    energy = numpy.array(steps["energy"][first:], dtype=float)
-    numbers = numpy.arange(1, len(inverted) + 1)
+    report = json.loads(report.read_text())
+    first = report["untangling_iterations"]
+    inverted = report["steps"]["inverted_cells"][:first]
+    energy = numpy.array(report["steps"]["energy"][first:])
+    numbers = numpy.arange(1, report["iterations"] + 1)
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10.8, 3), constrained_layout=True)
-    left.plot(numbers[:first + 1], inverted[:first + 1], "o-", color="tab:red")
+    left.plot(numbers[:first], inverted, "o-", color="tab:red")
     left.set_title("untangling")
     left.set_ylabel("inverted cells")
     right.semilogy(numbers[first:-1], energy[:-1] - energy[-1], "o-")
