@@ -176,11 +176,11 @@ def save(figure, output):
     with tempfile.TemporaryDirectory() as name:
         figure.savefig(f"{name}/figure.png")
         picture = Image.open(f"{name}/figure.png").convert("RGB")
-        palette = picture.quantize(256)
-        colors = numpy.array(palette.getpalette()).reshape(-1, 3)
-        colors[colors.sum(axis=1).argmax()] = 255  # the background stays white
-        palette.putpalette(colors.ravel().tolist())
-        picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG).save(output, optimize=True)
+        picture = picture.quantize(palette=picture.quantize(256), dither=Image.Dither.FLOYDSTEINBERG)
+        colors = numpy.array(picture.getpalette()).reshape(-1, 3)
+        colors[picture.getpixel((0, 0))] = 255  # the background stays white
+        picture.putpalette(colors.ravel().tolist())
+        picture.save(output, optimize=True)
     pyplot.close(figure)
 
 
