@@ -147,7 +147,8 @@ def scale_to_source_volume(grid):
 def draw_histogram(axes, grid):
     """Which share of the volume of the source has which distortion."""
     volume = volumes(grid)
-    for array, name, color in (("angle_distortion", "angles", "tab:blue"), ("volume_distortion", "volumes", "tab:orange")):
+    for array, name, color in (("angle_distortion", "angles", "tab:blue"),
+                               ("volume_distortion", "volumes", "tab:orange")):
         values = vtk_to_numpy(grid.GetCellData().GetArray(array))
         order = numpy.argsort(values)
         share = volume[order].cumsum() / volume.sum()

@@ -41,8 +41,9 @@ public:
     namespace VMP = CGAL::Volume_mesh_parameterization;
     m_steps.push_back(step);
     std::ostringstream text;
-    text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing") << ", step " << step.iteration
-         << ", " << step.number_of_inverted_cells << " inverted cells, energy " << step.energy << ", " << m_timer.time() << " s";
+    text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing")
+         << ", step " << step.iteration << ", " << step.number_of_inverted_cells << " inverted cells, energy "
+         << step.energy << ", " << m_timer.time() << " s";
     show(text.str());
     return is_end_requested == 0 && m_timer.time() < m_time_limit;
   }
