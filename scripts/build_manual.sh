@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing and builds the manual in build/doc_output; a warning of Doxygen is an error.
+# Installs what is missing and builds the manual in build/doc_output; a warning of Doxygen is an error. With --open, the
+# browser shows it.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -7,10 +8,12 @@ doc=doc/Volume_mesh_parameterization
 output=build/doc_output # all paths are relative: Doxygen splits the absolute ones at spaces
 version=$(sed -n 's/^project(.* VERSION \([0-9.]*\) .*/\1/p' CMakeLists.txt)
 
-# Copies a configuration with the variables that CGAL's documentation system would set.
+# Copies a configuration with the variables that CGAL's documentation system would set. The title has the version of this
+# package, as it does not come with a version of CGAL.
 configure()
 {
-  sed -e "s|\${CGAL_DOC_PACKAGE_DEFAULTS}|$output/defaults|g" -e "s|\${CGAL_DOC_VERSION}|$version|g" \
+  sed -e "s|\${CGAL_DOC_PACKAGE_DEFAULTS}|$output/defaults|g" \
+      -e "s|CGAL \${CGAL_DOC_VERSION} - \([^\"]*\)|\1 $version|g" \
       -e "s|\${CGAL_PACKAGE_DIR}|.|g" -e "s|\${CGAL_PACKAGE_DOC_DIR}|$doc|g" \
       -e "s|\${CGAL_PACKAGE_INCLUDE_DIR}|include|g" "$1" > "$2"
 }
@@ -23,3 +26,6 @@ configure scripts/manual/defaults.in $output/defaults
 configure $doc/Doxyfile.in $output/Doxyfile
 BIBINPUTS=. BSTINPUTS=. doxygen $output/Doxyfile # bibtex finds files without a TeX installation
 echo "Open $PWD/$output/html/index.html"
+if [ "${1:-}" = --open ]; then
+  xdg-open "$PWD/$output/html/index.html"
+fi

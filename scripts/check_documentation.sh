@@ -27,5 +27,5 @@ require "class or function of header" "$doc/PackageDescription.txt" < <(
   cd "$headers" && ls ./*.h "$package"/*.h | xargs -n 1 basename | sed 's/\.h$//' | grep -v Parameterization_step)
 require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp | xargs -n 1 basename)
 require "option" "$doc/Parameterize_mesh_file.txt" < <(
-  sed -n 's/^ *("\([a-z-]*\)",.*/`--\1/p' "$examples/Command_line.h" | grep -v -e --source -e --target)
+  sed -n 's/^ *("\([a-z-]*\)[,"].*/`--\1/p' "$examples/Command_line.h" | grep -v -e --source -e --target)
 exit $status

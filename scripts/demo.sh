@@ -18,4 +18,4 @@ done
 echo
 echo "Open in ParaView: $root/build/elephant_to_{ball,cube}.vtu"
 echo "(vectors uvw: the map; filter Calculator with Coordinate Results: uvw shows the image)"
-echo "For meshes of your own: $programs/parameterize_mesh_file SOURCE.mesh TARGET --output OUT.vtu"
+echo "For meshes of your own: $programs/parameterize_mesh_file SOURCE.mesh --to ball --refine -o OUT.vtu"

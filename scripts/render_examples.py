@@ -2,14 +2,22 @@
 """Draws the maps that the example programs wrote, for the manual.
 
 Usage: xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" scripts/render_examples.py FOLDER [OUTPUT_FOLDER]
-FOLDER is where the example programs were run. Needs the Debian packages python3-pil, python3-vtk9, xauth and xvfb.
+FOLDER is where the example programs were run. If it has convergence.json, a report of parameterize_mesh_file, its steps
+are drawn. Needs the Debian packages python3-matplotlib, python3-pil, python3-vtk9, xauth and xvfb.
 """
+import json
 import sys
 import tempfile
 from pathlib import Path
 
-from PIL import Image
-import vtk
+import matplotlib
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+from matplotlib.colors import ListedColormap, LogNorm  # noqa: E402
+import numpy  # noqa: E402
+from PIL import Image  # noqa: E402
+import vtk  # noqa: E402
+from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "benchmark/Volume_mesh_parameterization/paper"))
@@ -74,18 +82,166 @@ def grid_lines(grid, number=16):
     return actor
 
 
+def colors_of_places(grid):
+    """A colour for each place in the domain: red, green and blue grow with the coordinates."""
+    uvw = vtk_to_numpy(grid.GetPointData().GetArray("uvw"))
+    low, high = uvw.min(axis=0), uvw.max(axis=0)
+    return (60 + 190 * (uvw - low) / (high - low)).astype(numpy.uint8)
+
+
+def painted_surface(grid, colors):
+    """The surface with a colour for each vertex."""
+    painted = vtk.vtkUnstructuredGrid()
+    painted.ShallowCopy(grid)
+    array = numpy_to_vtk(colors, deep=True, array_type=vtk.VTK_UNSIGNED_CHAR)
+    painted.GetPointData().SetScalars(array)
+    actor = render.surface(painted)
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUsePointData()
+    mapper.SetColorModeToDirectScalars()
+    actor.GetProperty().SetAmbient(0.7)
+    actor.GetProperty().SetDiffuse(0.3)
+    return actor
+
+
+def opened(grid, array, normal, up):
+    """Both halves of a body, opened like a book: one sees the planar cut of each."""
+    right = numpy.cross(up, normal)
+    bounds = numpy.array(grid.GetBounds()).reshape(3, 2)
+    width = abs(right) @ (bounds[:, 1] - bounds[:, 0])
+    turn = vtk.vtkTransform()
+    turn.Translate(*(1.08 * width * right))
+    turn.Translate(*bounds.mean(axis=1))
+    turn.RotateWXYZ(180, *up)
+    turn.Translate(*(-bounds.mean(axis=1)))
+    halves = [render.colored_surface(render.cut(grid, n), array, LARGEST)
+              for n in (normal, tuple(-x for x in normal))]
+    turned = vtk.vtkTransformPolyDataFilter()
+    surface = halves[1].GetMapper().GetInputConnection(0, 0)
+    turned.SetInputConnection(surface)
+    turned.SetTransform(turn)
+    halves[1].GetMapper().SetInputConnection(turned.GetOutputPort())
+    for half in halves:
+        half.GetProperty().SetAmbient(0.85)  # so that colours are those of the scale
+        half.GetProperty().SetDiffuse(0.15)
+    return halves
+
+
+def volumes(grid):
+    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
+    points = vtk_to_numpy(grid.GetPoints().GetData())[cells].astype(float)
+    return numpy.linalg.det(points[:, 1:] - points[:, :1]) / 6
+
+
+def scale_to_source_volume(grid):
+    """Lets the distortions of volumes be those of the map scaled to the volume of the source."""
+    volume = volumes(grid)
+    determinant = vtk_to_numpy(grid.GetCellData().GetArray("det_J"))
+    determinant = determinant * volume.sum() / (determinant * volume).sum()
+    array = numpy_to_vtk(determinant + 1 / determinant, deep=True)
+    array.SetName("volume_distortion")
+    grid.GetCellData().AddArray(array)
+
+
+def draw_histogram(axes, grid):
+    """Which share of the volume of the source has which distortion."""
+    volume = volumes(grid)
+    for array, name, color in (("angle_distortion", "angles", "tab:blue"),
+                               ("volume_distortion", "volumes", "tab:orange")):
+        values = vtk_to_numpy(grid.GetCellData().GetArray(array))
+        order = numpy.argsort(values)
+        share = volume[order].cumsum() / volume.sum()
+        percentiles = [values[order][min(numpy.searchsorted(share, p), len(order) - 1)] for p in (0.5, 0.95, 0.99)]
+        label = f"{name}: " + ", ".join(f"{x:.3g}" for x in [*percentiles, values.max()])
+        axes.hist(values.clip(max=2 * LARGEST), numpy.geomspace(2, 2 * LARGEST, 33), histtype="step", color=color,
+                  weights=100 * volume / volume.sum(), label=label)
+    axes.set_xscale("log")
+    axes.set_xlim(2, 2 * LARGEST)
+    axes.set_xticks([2, 3, 5, 10, 20], ["2", "3", "5", "10", "20+"])
+    axes.minorticks_off()
+    axes.set_xlabel("distortion")
+    axes.set_ylabel("% of the volume")
+    axes.legend(frameon=False, title="median, 95 %, 99 %, max", fontsize=7.5, title_fontsize=7.5, handlelength=1,
+                loc="upper right")
+
+
+def show(axes, picture, title):
+    axes.imshow(pyplot.imread(picture))
+    axes.set_axis_off()
+    axes.set_title(title, fontsize=11)
+
+
+def save(figure, output):
+    """With 256 colors, which keeps the file small."""
+    with tempfile.TemporaryDirectory() as name:
+        figure.savefig(f"{name}/figure.png")
+        picture = Image.open(f"{name}/figure.png").convert("RGB")
+        picture = picture.quantize(palette=picture.quantize(256), dither=Image.Dither.FLOYDSTEINBERG)
+        colors = numpy.array(picture.getpalette()).reshape(-1, 3)
+        colors[picture.getpixel((0, 0))] = 255  # the background stays white
+        picture.putpalette(colors.ravel().tolist())
+        picture.save(output, optimize=True)
+    pyplot.close(figure)
+
+
 def draw_map(vtu, output):
-    """The source, its image, and the distortion of angles in one half of the image."""
+    """Source and image with the same colours; both distortions in both halves of the image, and their histograms.
+    Where the boundary slides, the targets are beside the places that the vertices have slid to."""
     direction, up, normal = VIEWS[vtu.stem]
     source = render.read(str(vtu))
+    scale_to_source_volume(source)
     image = render.image_of(source)
-    distortion = render.colored_surface(render.cut(image, normal), "angle_distortion", LARGEST)
+    colors = colors_of_places(source)
+    bodies = [(source, "source"), (image, "image; equal colors: equal points")]
+    fixed = vtu.with_name(vtu.stem.replace("sliding", "fixed") + ".vtu")
+    if fixed != vtu:
+        targets = render.read(str(fixed))
+        colors = colors_of_places(targets)
+        bodies = [(source, "source"), (render.image_of(targets), "targets; equal colors: equal points"),
+                  (image, "where the vertices have slid to")]
+
+    figure = pyplot.figure(figsize=(10.8, 6.8))
+    rows = figure.add_gridspec(2, 1, height_ratios=(1.25, 1), left=0.01, right=0.99, bottom=0.11, top=0.96, hspace=0.16)
     with tempfile.TemporaryDirectory() as name:
-        panels = [Path(name) / f"{i}.png" for i in range(3)]
-        render.picture(panels[0], [render.surface(source)], direction, up)
-        render.picture(panels[1], [render.surface(image)], direction, up)
-        render.picture(panels[2], [distortion], direction, up, legend=True)
-        join(panels, output)
+        panel = Path(name) / "panel.png"
+        for axes, (grid, title) in zip(rows[0].subgridspec(1, len(bodies), wspace=0.02).subplots(), bodies):
+            render.picture(panel, [painted_surface(grid, colors)], direction, up)
+            show(axes, panel, title)
+        below = rows[1].subgridspec(1, 3, width_ratios=(2, 2, 1.4), wspace=0.1).subplots()
+        for axes, quantity in zip(below, ("angle", "volume")):
+            render.picture(panel, opened(image, f"{quantity}_distortion", normal, up), normal, up, aspect=2)
+            show(axes, panel, f"distortion of {quantity}s in both halves")
+    draw_histogram(below[2], source)
+    place = below[2].get_position()
+    below[2].set_position((place.x0 + 0.02, place.y0, place.width - 0.03, place.height))
+    scale = figure.add_axes((0.16, 0.075, 0.4, 0.02))
+    colors = matplotlib.cm.ScalarMappable(LogNorm(2, LARGEST), ListedColormap(render.color_scale()))
+    bar = figure.colorbar(colors, scale, orientation="horizontal", ticks=[2, 3, 4, 5, 6, 8, 10])
+    bar.ax.minorticks_off()
+    bar.ax.set_xticklabels(["2", "3", "4", "5", "6", "8", "10 and more"])
+    bar.set_label("distortion (2: none), on a logarithmic scale that ends at 10")
+    save(figure, output)
+
+
+def draw_convergence(report, output):
+    """The energy above its last value, and the inverted cells, after each step."""
+    report = json.loads(report.read_text())
+    first = report["untangling_iterations"]
+    inverted = report["steps"]["inverted_cells"][:first]
+    energy = numpy.array(report["steps"]["energy"][first:])
+    numbers = numpy.arange(1, report["iterations"] + 1)
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10.8, 3), constrained_layout=True)
+    left.plot(numbers[:first], inverted, "o-", color="tab:red")
+    left.set_title("untangling")
+    left.set_ylabel("inverted cells")
+    right.semilogy(numbers[first:-1], energy[:-1] - energy[-1], "o-")
+    right.set_title("minimization")
+    right.set_ylabel("energy above the last one")
+    for axes in (left, right):
+        axes.set_xlabel("Newton step")
+        axes.xaxis.get_major_locator().set_params(integer=True)
+    save(figure, output)
 
 
 def draw_grid(vtu, output, icon):
@@ -103,6 +259,8 @@ def draw_grid(vtu, output, icon):
 def main(folder, output_folder):
     for name in VIEWS:
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
+    if (folder / "convergence.json").exists():
+        draw_convergence(folder / "convergence.json", output_folder / "convergence.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png", output_folder / "icon.png")
 
 

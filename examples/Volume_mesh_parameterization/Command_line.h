@@ -2,6 +2,8 @@
 #ifndef COMMAND_LINE_H
 #define COMMAND_LINE_H
 
+#include <CGAL/version.h>
+
 #include <boost/program_options.hpp>
 
 #include <iostream>
@@ -11,17 +13,18 @@
 
 struct Options
 {
-  std::string source, target, output, refined_source, report, energy, solver, boundary;
+  std::string source, target, domain, output, refined_source, report, energy, solver, boundary;
   int number_of_threads, number_of_iterations;
-  double maximal_angle_distortion;
+  double maximal_angle_distortion, time_limit;
   bool do_refine, do_slide, use_volume_weights, is_quiet;
 };
 
 constexpr const char* help_before_options =
-R"(Usage: parameterize_mesh_file SOURCE.mesh TARGET [options]
+R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [options]
+       parameterize_mesh_file SOURCE.mesh TARGET [options]
 
-Maps a tetrahedral mesh onto another domain. The boundary goes where TARGET tells; the vertices inside
-are placed such that no cell is inverted or flat, and that the distortion is low.
+Maps a tetrahedral mesh onto another domain. The boundary goes to the domain with that name, or where TARGET
+tells; the vertices inside are placed such that no cell is inverted or flat, and that the distortion is low.
 
   SOURCE.mesh  the mesh, an ASCII MEDIT file
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
@@ -34,8 +37,11 @@ Exit status:
   1  no inverted cell, but the boundary is missed by the distance that is printed; try --refine
   2  bad input: the message names the file, line or vertex; no output is written
   3  no map without inverted cells was found; no output is written; try --refine
+Ctrl-C and the time limit end the computation, and the map is written if it has no inverted cell yet; so this is
+0, 1 or 3. Ctrl-C once more ends the program.
 
 Examples:
+  parameterize_mesh_file cube.mesh --to ball --refine -o ball.vtu
   parameterize_mesh_file cube.mesh cube_to_ball.txt --output ball.vtu
       For ParaView: there, the filter Calculator with Coordinate Results and the expression uvw shows
       the image. The cells can be colored by angle_distortion and volume_distortion.
@@ -51,7 +57,7 @@ inline boost::program_options::options_description describe(Options& options)
 
   po::options_description files("Files", width);
   files.add_options()
-    ("output", po::value(&options.output)->value_name("FILE"),
+    ("output,o", po::value(&options.output)->value_name("FILE"),
      "the map; *.mesh: the mesh with the new coordinates; *.vtu: the source with the map and its distortion as data")
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
      "the source (*.mesh) with the vertices that --refine has added; it has the cells of the output")
@@ -59,6 +65,9 @@ inline boost::program_options::options_description describe(Options& options)
 
   po::options_description boundary("Boundary", width);
   boundary.add_options()
+    ("to", po::value(&options.domain)->value_name("DOMAIN"),
+     "in place of TARGET: ball, the unit ball; cube, the unit cube; box=X,Y,Z, a box with sides of these lengths; "
+     "polycube, one that is close to the source; most meshes need --refine for that")
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
      "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
      "auto: fixed, and soft if that finds no map")
@@ -84,7 +93,11 @@ inline boost::program_options::options_description describe(Options& options)
      "number of threads; they do not change the result")
     ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
      "largest number of Newton steps of each stage")
+    ("time-limit", po::value(&options.time_limit)->value_name("SECONDS")
+       ->default_value(std::numeric_limits<double>::infinity(), "none"),
+     "when the computation ends, at the next Newton step; what is reached is written")
     ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
+    ("version", "print the version")
     ("help", "print this text");
 
   po::options_description visible(width);
@@ -92,7 +105,7 @@ inline boost::program_options::options_description describe(Options& options)
   return visible;
 }
 
-// False if only help was asked for.
+// False if only help or the version was asked for.
 inline bool parse(int argc, char* argv[], Options& options)
 {
   namespace po = boost::program_options;
@@ -112,8 +125,14 @@ inline bool parse(int argc, char* argv[], Options& options)
     std::cout << help_before_options << visible << help_after_options;
     return false;
   }
-  if(options.source.empty() || options.target.empty())
-    throw std::runtime_error("SOURCE.mesh and TARGET are needed; --help tells more");
+  if(given.count("version") != 0)
+  {
+    std::cout << "parameterize_mesh_file " << VOLUME_MESH_PARAMETERIZATION_VERSION << " (CGAL " << CGAL_VERSION_STR
+              << ")\n";
+    return false;
+  }
+  if(options.source.empty() || options.target.empty() == options.domain.empty())
+    throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET and --to DOMAIN; --help tells more");
   return true;
 }
 

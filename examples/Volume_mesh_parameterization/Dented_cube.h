@@ -63,7 +63,8 @@ inline int print(const VMP::Parameterization_result& result)
   std::cout << result.message << "\n"
             << result.number_of_inverted_cells << " inverted cells, energy " << result.energy << "\n"
             << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
-            << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << std::endl;
+            << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max
+            << " (of the map scaled to the volume of the source)" << std::endl;
   return result.has_valid_map ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 

@@ -2,6 +2,8 @@
 #ifndef NAMED_ENERGY_3_H
 #define NAMED_ENERGY_3_H
 
+#include "find_name.h"
+
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
@@ -13,7 +15,6 @@
 
 #include <Eigen/Dense>
 
-#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -56,14 +57,9 @@ private:
 
   static Energy find(const std::string& name)
   {
-    if(name == "stretch") return Stretch();
-    if(name == "dirichlet") return Dirichlet();
-    if(name == "arap") return ARAP();
-    if(name == "lscm") return LSCM();
-    if(name == "lpm") return LPM();
-    if(name == "mips") return MIPS();
-    if(name == "symmetric_dirichlet") return Symmetric_Dirichlet();
-    throw std::runtime_error("there is no energy '" + name + "'");
+    return find_name<Energy>("energy", name, {
+      {"stretch", Stretch()}, {"symmetric_dirichlet", Symmetric_Dirichlet()}, {"mips", MIPS()}, {"arap", ARAP()},
+      {"dirichlet", Dirichlet()}, {"lscm", LSCM()}, {"lpm", LPM()}});
   }
 
   Energy m_energy;

@@ -49,11 +49,12 @@ int main(int argc, char* argv[])
             << "distortion of angles:  mean " << result.distortion.angle_mean
             << ", max " << result.distortion.angle_max << "\n"
             << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
-            << ", max " << result.distortion_at_source_volume.volume_max << std::endl;
+            << ", max " << result.distortion_at_source_volume.volume_max
+            << " (of the map scaled to the volume of the source)" << std::endl;
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename);
+  std::ofstream out(output_filename, std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;

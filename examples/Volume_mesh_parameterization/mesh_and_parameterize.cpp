@@ -42,12 +42,13 @@ Point_3 twist(const Point_3& p)
 
 void print(const VMP::Parameterization_result& result)
 {
-  const VMP::Distortion_3& d = result.distortion;
+  const VMP::Distortion_3& d = result.distortion_at_source_volume;
   std::cout << result.message << "\n"
             << result.number_of_cells << " cells, " << result.number_of_inverted_cells_at_start
             << " of them inverted by the harmonic map, " << result.number_of_inverted_cells << " by the result\n"
             << result.number_of_iterations << " iterations, " << result.seconds_total << " s\n\n"
-            << "distortion (none: 2)      mean       max\n" << std::fixed << std::setprecision(4)
+            << "distortion of the map scaled to the volume of the source (none: 2)\n"
+            << "                          mean       max\n" << std::fixed << std::setprecision(4)
             << "of angles           " << std::setw(10) << d.angle_mean << std::setw(10) << d.angle_max << "\n"
             << "of volumes          " << std::setw(10) << d.volume_mean << std::setw(10) << d.volume_max << std::endl;
 }
@@ -80,7 +81,7 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename);
+  std::ofstream out(output_filename, std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;

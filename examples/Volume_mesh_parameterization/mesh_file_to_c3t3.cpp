@@ -62,7 +62,7 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream os("map.vtu");
+  std::ofstream os("map.vtu", std::ios::binary);
   VMP::IO::write_VTU(os, c3t3, VMP::make_vertex_point_map(uvw));
   return os ? EXIT_SUCCESS : EXIT_FAILURE;
 }

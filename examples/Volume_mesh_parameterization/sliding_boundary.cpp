@@ -44,11 +44,12 @@ bool parameterize(C3t3& c3t3, Point_map& target, const bool do_slide, const std:
             << "distortion of angles:  mean " << result.distortion.angle_mean
             << ", max " << result.distortion.angle_max << "\n"
             << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
-            << ", max " << result.distortion_at_source_volume.volume_max << "\n" << std::endl;
+            << ", max " << result.distortion_at_source_volume.volume_max
+            << " (of the map scaled to the volume of the source)\n" << std::endl;
   if(result.status != VMP::OK)
     return false;
 
-  std::ofstream out(filename);
+  std::ofstream out(filename, std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, uvw_map);
   out.close();
   return !out.fail();

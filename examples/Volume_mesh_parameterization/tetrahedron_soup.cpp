@@ -37,7 +37,7 @@ try
   std::cout << "largest distortion of angles: " << worst->angle << ", in cell " << worst - distortions.begin()
             << std::endl;
 
-  std::ofstream out("ball.vtu");
+  std::ofstream out("ball.vtu", std::ios::binary);
   VMP::IO::write_VTU(out, soup, images);
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,6 +4,9 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
+#include <pty.h>
+#include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -92,6 +95,66 @@ public:
 
 private:
   fs::path m_path;
+};
+
+// The driver on a terminal of its own, where it shows its progress.
+class Terminal
+{
+public:
+  Terminal(const Folder& folder, const std::string& arguments)
+    : m_process(forkpty(&m_terminal, nullptr, nullptr, nullptr))
+  {
+    REQUIRE(m_process >= 0);
+    if(m_process > 0)
+      return;
+    const std::string command = "cd '" + folder.path("") + "' && exec '" PARAMETERIZE_MESH_FILE "' " + arguments;
+    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+
+  ~Terminal() { close(m_terminal); }
+
+  // Reads until the text comes, and not again what was read before.
+  bool waits_for(const std::string& text)
+  {
+    char c;
+    while(m_text.find(text) == std::string::npos)
+    {
+      if(read(m_terminal, &c, 1) != 1)
+        return false;
+      m_text += c;
+    }
+    m_text.clear();
+    return true;
+  }
+
+  void interrupt() const { kill(m_process, SIGINT); }
+
+  // Two signals at once can be taken for one. Returns 0 if the program has not been ended by a signal.
+  std::size_t interrupt_until_it_ends() const
+  {
+    int status = 0;
+    std::size_t number = 0;
+    for(; waitpid(m_process, &status, WNOHANG) == 0; ++number)
+    {
+      interrupt();
+      usleep(10000);
+    }
+    return WIFSIGNALED(status) ? number : 0;
+  }
+
+  int exit_code()
+  {
+    waits_for("never said");
+    int status = 0;
+    waitpid(m_process, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+private:
+  int m_terminal = -1;
+  pid_t m_process;
+  std::string m_text;
 };
 
 // The cube [0, n]^3 of unit cubes, each cut into six cells around its diagonal.
@@ -189,10 +252,13 @@ std::vector<std::string> keys(const std::string& json)
 }
 
 const std::vector<std::string> report_keys = {
-  "status", "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
+  "status", "status_code", "has_valid_map", "version",
+  "options", "source", "target", "to", "boundary", "refine", "slide", "energy", "volume_weights", "max_angle_distortion",
+  "solver", "threads", "max_iterations", "time_limit",
+  "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free",
   "seconds_numbering", "seconds_start", "seconds_untangling", "seconds_minimization", "seconds_check", "energy_value",
-  "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
+  "steps", "energy", "inverted_cells", "seconds", "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "peak_memory_bytes"};
 
@@ -238,6 +304,13 @@ TEST_CASE("An affine boundary gives an affine map, in the order of the file")
     CHECK(number(report, "inverted_cells") == 0);
     CHECK(number(report, "boundary_residual") == 0);
     CHECK(number(report, "peak_memory_bytes") > 1e6);
+
+    std::smatch match;
+    REQUIRE(std::regex_search(report, match, std::regex("\"steps\": \\{\"energy\": \\[(.*?)\\]")));
+    const std::string energies = match[1];
+    CHECK(1 + std::count(energies.begin(), energies.end(), ',') == number(report, "iterations"));
+    if(options.find("angle") == std::string::npos) // it has another energy
+      CHECK(std::stod(energies.substr(energies.rfind(',') + 1)) == Approx(number(report, "energy_value")));
   }
 }
 
@@ -263,6 +336,24 @@ TEST_CASE("A boundary that slides finds the identity")
       CHECK(std::abs(map.points[v][i] - source.points[v][i]) < 1e-4);
 }
 
+TEST_CASE("The identity is minimal if cells count by their volume, and not for the stretch energy if they count alike")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  for(Point& p : source.points) // cells of different volumes
+    p[0] = p[0] * (p[0] + 1) / 4;
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 3, [](const Point& p) { return p; }));
+  const auto energy = [&folder](const std::string& options)
+  {
+    CHECK(folder.run("source.mesh target.txt --report report.json " + options) == 0);
+    return number(folder.text("report.json"), "energy_value");
+  };
+  CHECK(energy("--volume-weights") == Approx(3).epsilon(1e-7));
+  CHECK(energy("") < 2.99);
+  CHECK(energy("--energy arap") == Approx(0).margin(1e-7));
+}
+
 TEST_CASE("The target may be a mesh, and the output a VTU file")
 {
   const Folder folder;
@@ -277,6 +368,117 @@ TEST_CASE("The target may be a mesh, and the output a VTU file")
   CHECK(folder.text("map.vtu").find("Name=\"uvw\"") != std::string::npos);
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.vtu"});
 }
+
+TEST_CASE("The boundary goes to a domain that has a name")
+{
+  const Folder folder;
+  const Soup source = cube(3);
+  folder.write("source.mesh", source);
+
+  const auto map_to = [&](const std::string& domain)
+  {
+    CAPTURE(domain);
+    CHECK(folder.run("source.mesh --refine -o map.mesh --report report.json --to " + domain) == 0);
+    CHECK(number(folder.text("report.json"), "inverted_cells") == 0);
+    CHECK(number(folder.text("report.json"), "boundary_residual") == 0);
+    Soup map = folder.soup("map.mesh");
+    REQUIRE(map.points.size() >= source.points.size());
+    map.points.resize(source.points.size()); // those that were there before refinement
+    return map.points;
+  };
+  const auto ball = map_to("ball");
+  for(std::size_t v = 0; v < ball.size(); ++v)
+  {
+    const double radius = std::sqrt(ball[v][0] * ball[v][0] + ball[v][1] * ball[v][1] + ball[v][2] * ball[v][2]);
+    CHECK((is_on_boundary(source.points[v], 3) ? std::abs(radius - 1) < 1e-14 : radius < 1));
+  }
+
+  const auto sides_of = [](const std::vector<Point>& points)
+  {
+    Point low = points[0], high = points[0];
+    for(const Point& p : points)
+      for(std::size_t i = 0; i < 3; ++i)
+      {
+        low[i] = std::min(low[i], p[i]);
+        high[i] = std::max(high[i], p[i]);
+      }
+    return Point{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+  };
+  CHECK(sides_of(map_to("cube")) == Point{1, 1, 1});
+  CHECK(sides_of(map_to("box=1,2,0.5")) == Point{1, 2, 0.5});
+  const Point polycube = sides_of(map_to("polycube"));
+  for(const double side : polycube)
+    CHECK(side == Approx(3));
+
+  // two cubes with a common vertex
+  Soup two = cube(1);
+  for(const Point& p : cube(1).points)
+    two.points.push_back({p[0] + 1, p[1] + 1, p[2] + 1});
+  for(const auto& cell : cube(1).cells)
+  {
+    two.cells.push_back(cell);
+    for(std::size_t& v : two.cells.back())
+      v = v == 0 ? 7 : v + 8;
+  }
+  two.cell_references.assign(12, 1);
+  folder.write("source.mesh", two);
+  CHECK(folder.run("source.mesh --to ball --report report.json") == 2);
+  CHECK(folder.text("stderr").find("among them vertex 7 (counted from 0)") != std::string::npos);
+  CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_NON_MANIFOLD_BOUNDARY\"") != std::string::npos);
+}
+
+TEST_CASE("At the time limit, or interrupted, the valid map reached so far is written")
+{
+  const Folder folder;
+  const Soup source = cube(20);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 20, [](const Point& p)
+  {
+    const double c = std::cos(p[2] / 20), s = std::sin(p[2] / 20);
+    return Point{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  }));
+  const std::string command = "source.mesh target.txt --output map.mesh --report report.json";
+  const auto check_files = [&](const std::string& reason)
+  {
+    CHECK(folder.names() == Names{"source.mesh", "target.txt", "map.mesh", "report.json"});
+    const std::string report = folder.text("report.json");
+    CHECK(report.find("\"status\": \"" + reason + " The map is valid") != std::string::npos);
+    CHECK(report.find("\"status_code\": \"ERROR_INTERRUPTED\", \"has_valid_map\": true") != std::string::npos);
+    CHECK(number(report, "inverted_cells") == 0);
+    CHECK(folder.soup("map.mesh").cells == source.cells);
+  };
+  CHECK(folder.run(command + " --time-limit 0") == 0);
+  check_files("The time limit was reached.");
+  CHECK(number(folder.text("report.json"), "iterations") == 1);
+
+  Terminal terminal(folder, command);
+  CHECK(terminal.waits_for("reading source.mesh"));
+  CHECK(terminal.waits_for("numbering"));
+  terminal.interrupt();
+  CHECK(terminal.exit_code() == 0);
+  check_files("Interrupted.");
+}
+
+TEST_CASE("The second interruption ends the program, also while it reads")
+{
+  const Folder folder;
+  REQUIRE(mkfifo(folder.path("source.mesh").c_str(), 0600) == 0); // nobody writes
+  Terminal terminal(folder, "source.mesh --to ball -o map.vtu");
+  CHECK(terminal.waits_for("reading source.mesh"));
+  const std::size_t number_of_interruptions = terminal.interrupt_until_it_ends();
+  CHECK(number_of_interruptions >= 2);
+  CHECK(folder.names() == Names{"source.mesh"});
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("More threads than the machine has are told")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(2));
+  CHECK(folder.run("source.mesh --to polycube --threads 100000") == 0);
+  CHECK(folder.text("stderr").find("note: 100000 threads on ") == 0);
+}
+#endif
 
 TEST_CASE("Vertices without a cell keep their place in the output")
 {
@@ -308,16 +510,21 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
     CHECK(!fs::exists(folder.path("map.mesh")));
     CHECK(folder.text("stdout") == "");
     const std::string report = folder.text("report.json");
-    CHECK(keys(report) == std::vector<std::string>{"status"});
+    CHECK(keys(report) == std::vector<std::string>(report_keys.begin(), report_keys.begin() + 18));
     const std::string message = folder.text("stderr");
     CHECK(std::count(message.begin(), message.end(), '\n') == 1);
-    CHECK(report == "{\"status\": \"" + message.substr(0, message.size() - 1) + "\"}\n");
+    const std::string sentence_in_report = "{\"status\": \"" + message.substr(0, message.size() - 1) + "\"";
+    CHECK(report.find(sentence_in_report + ", \"status_code\": \"ERROR_") == 0);
+    CHECK(report.find("\"has_valid_map\": false") != std::string::npos);
     return message;
   };
 
   CHECK(sentence("none.mesh target.txt") == "none.mesh: the file cannot be opened\n");
   CHECK(sentence("source.mesh none.txt") == "none.txt: the file cannot be opened\n");
   CHECK(sentence("target.txt target.txt").find("target.txt: line 1: this is not an ASCII MEDIT file") == 0);
+  folder.write("mesh.vtu", "<?xml version=\"1.0\"?>\n");
+  CHECK(sentence("mesh.vtu --to ball").find("; other formats can be converted: meshio convert mesh.vtu mesh.mesh\n")
+        != std::string::npos);
 
   folder.write("bad.mesh", mesh.substr(0, mesh.find("Tetrahedra\n48\n") + 20));
   CHECK(sentence("bad.mesh target.txt").find("bad.mesh: line 34: the file ends where") == 0);
@@ -356,7 +563,9 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
         "source.mesh target.txt --energy none", "source.mesh target.txt --solver none",
         "source.mesh target.txt --threads 0", "source.mesh target.txt --threads x",
         "source.mesh target.txt --max-iterations -1", "source.mesh target.txt --output map.obj",
-        "source.mesh target.txt --max-angle-distortion 2",
+        "source.mesh target.txt --max-angle-distortion 2", "source.mesh target.txt --time-limit -1",
+        "source.mesh target.txt --to ball", "source.mesh --to", "source.mesh --to none", "source.mesh --to box=1,2",
+        "source.mesh --to box=1,2,0", "source.mesh --to box=1,2,3,4", "source.mesh --to box=1:2:3",
         "source.mesh target.txt --output map",
         "source.mesh target.txt --output no/folder/map.mesh", "source.mesh target.txt --report /dev/null",
         "source.mesh target.txt --output ./source.mesh", "source.mesh target.txt --report target.txt",
@@ -369,8 +578,23 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
     CHECK(folder.text("source.mesh") == mesh);
     CHECK(folder.text("target.txt") == target);
   }
+  const auto alternatives = [&folder](const std::string& arguments)
+  {
+    folder.run("source.mesh " + arguments);
+    const std::string text = folder.text("stderr");
+    const std::size_t colon = text.find("; choose among: ");
+    return colon == std::string::npos ? text : text.substr(colon + 16);
+  };
+  CHECK(alternatives("target.txt --energy none") == "stretch, symmetric_dirichlet, mips, arap, dirichlet, lscm, lpm\n");
+  CHECK(alternatives("target.txt --solver none").find("cg") == 0);
+  CHECK(alternatives("target.txt --boundary none") == "auto, fixed, soft\n");
+  CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube\n");
+
+  CHECK(folder.run("--version") == 0);
+  CHECK(std::regex_match(folder.text("stdout"), std::regex("parameterize_mesh_file [0-9.]+ \\(CGAL .*\\)\n")));
   CHECK(folder.run("--help") == 0);
-  for(const std::string part : {"Usage:", "SOURCE.mesh", "TARGET", "--output FILE", "--max-iterations N", "Exit status:"})
+  for(const std::string part : {"Usage:", "SOURCE.mesh", "TARGET", "--output ] FILE", "--to DOMAIN", "--max-iterations N",
+                                "Exit status:"})
     CHECK(folder.text("stdout").find(part) != std::string::npos);
 }
 

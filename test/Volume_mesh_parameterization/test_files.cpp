@@ -17,12 +17,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <locale>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -302,14 +304,21 @@ TEST_CASE("Writing and reading a MEDIT file restores each bit, whatever the loca
 
 namespace {
 
-// the values of an array in a VTU file
-std::vector<double> array_of(const std::string& file, const std::string& name)
+// the values of type T of an array in a VTU file, whose declaration must have that type
+template <typename T = double>
+std::vector<T> array_of(const std::string& file, const std::string& name, const std::string& type = "Float64")
 {
-  const std::size_t attribute = file.find("Name=\"" + name + "\"");
-  REQUIRE(attribute != std::string::npos);
-  const std::size_t begin = file.find('>', attribute) + 1;
-  std::istringstream is(file.substr(begin, file.find('<', begin) - begin));
-  return std::vector<double>(std::istream_iterator<double>(is), std::istream_iterator<double>());
+  std::smatch match;
+  REQUIRE(std::regex_search(file, match, std::regex("type=\"" + type + "\" Name=\"" + name
+    + "\" NumberOfComponents=\"[13]\" format=\"appended\" offset=\"([0-9]+)\"")));
+  const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(match[1]);
+  std::uint64_t number_of_bytes = 0;
+  REQUIRE(begin + sizeof(number_of_bytes) <= file.size());
+  std::memcpy(&number_of_bytes, file.data() + begin, sizeof(number_of_bytes));
+  REQUIRE(number_of_bytes <= file.size() - begin - sizeof(number_of_bytes));
+  std::vector<T> values(number_of_bytes / sizeof(T));
+  std::memcpy(values.data(), file.data() + begin + sizeof(number_of_bytes), number_of_bytes);
+  return values;
 }
 
 } // namespace
@@ -327,11 +336,11 @@ TEST_CASE("A VTU file has the map and its distortions, bit by bit")
   CHECK(file.find("NumberOfPoints=\"4\" NumberOfCells=\"1\"") != std::string::npos);
   CHECK(array_of(file, "Points") == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(array_of(file, "uvw") == std::vector<double>{0, 0, 0, 2, 0, 0, 0, 1. / 3, 0, 0, 0, 1});
-  CHECK(array_of(file, "connectivity") == std::vector<double>{0, 1, 2, 3});
+  CHECK(array_of<std::int32_t>(file, "connectivity", "Int32") == std::vector<std::int32_t>{0, 1, 2, 3});
   CHECK(file.find("Name=\"connectivity\" NumberOfComponents=\"1\"") != std::string::npos); // VTK refuses others
-  CHECK(array_of(file, "offsets") == std::vector<double>{4});
-  CHECK(array_of(file, "types") == std::vector<double>{10});
-  CHECK(array_of(file, "reference") == std::vector<double>{7});
+  CHECK(array_of<std::int64_t>(file, "offsets", "Int64") == std::vector<std::int64_t>{4});
+  CHECK(array_of<std::uint8_t>(file, "types", "UInt8") == std::vector<std::uint8_t>{10});
+  CHECK(array_of<std::int32_t>(file, "reference", "Int32") == std::vector<std::int32_t>{7});
   CHECK(std::abs(array_of(file, "det_J")[0] - 2. / 3) < 1e-14);
   CHECK(std::abs(array_of(file, "volume_distortion")[0] - (2. / 3 + 3. / 2)) < 1e-14);
   CHECK(std::abs(array_of(file, "angle_distortion")[0] - (6 + 1. / 6)) < 1e-13);
@@ -345,7 +354,7 @@ TEST_CASE("A VTU file is written of a C3t3 and a property map")
     uvw[v] = K::Point_3(v->point().x(), 2 * v->point().y(), v->point().z());
   std::ostringstream os;
   VMP::IO::write_VTU(os, built.c3t3, boost::make_assoc_property_map(uvw));
-  CHECK(array_of(os.str(), "reference") == std::vector<double>(12, 1));
+  CHECK(array_of<std::int32_t>(os.str(), "reference", "Int32") == std::vector<std::int32_t>(12, 1));
   for(double det_J : array_of(os.str(), "det_J"))
     CHECK(std::abs(det_J - 2) < 1e-14);
 }

@@ -73,7 +73,7 @@ private:
   template <typename Writer>
   static void write(const std::string& filename, const Writer& writer)
   {
-    std::ofstream file(filename);
+    std::ofstream file(filename, std::ios::binary);
     writer(file);
     if(!file.flush())
       throw std::runtime_error(filename + ": the file cannot be written");

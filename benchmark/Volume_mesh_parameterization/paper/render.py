@@ -27,17 +27,17 @@ def image_of(grid):
 
 
 def cut(grid, normal, part=0.5):
-    """The whole cells behind a plane through the bounding box."""
+    """What is behind a plane through the bounding box, with cells cut where the plane meets them."""
     bounds = grid.GetBounds()
     plane = vtk.vtkPlane()
     plane.SetOrigin(*(bounds[2 * i] + part * (bounds[2 * i + 1] - bounds[2 * i]) for i in range(3)))
     plane.SetNormal(*normal)
-    extract = vtk.vtkExtractGeometry()
-    extract.SetInputData(grid)
-    extract.SetImplicitFunction(plane)
-    extract.ExtractInsideOn()
-    extract.Update()
-    return extract.GetOutput()
+    clip = vtk.vtkClipDataSet()
+    clip.SetInputData(grid)
+    clip.SetClipFunction(plane)
+    clip.InsideOutOn()
+    clip.Update()
+    return clip.GetOutput()
 
 
 def inverted_cells(grid):
@@ -54,15 +54,19 @@ def surface(grid, color=GREY, edges=True):
     return _actor(grid, edges, lambda mapper, prop: (mapper.ScalarVisibilityOff(), prop.SetColor(*color)))
 
 
+def color_scale():
+    """256 colours, from light to dark."""
+    return [(1 - 0.6 * t * t, 0.92 * (1 - t) ** 1.3, 0.86 * (1 - t) ** 1.5) for t in (i / 255 for i in range(256))]
+
+
 def colored_surface(grid, array, largest):
     """Colours by a distortion, from light red for 2, the smallest one, to dark red, on a logarithmic scale."""
     table = vtk.vtkLookupTable()
     table.SetNumberOfTableValues(256)
     table.SetScaleToLog10()
     table.SetTableRange(2, max(largest, 2.1))
-    for i in range(256):
-        t = i / 255
-        table.SetTableValue(i, 1 - 0.6 * t * t, 0.92 * (1 - t) ** 1.3, 0.86 * (1 - t) ** 1.5)
+    for i, color in enumerate(color_scale()):
+        table.SetTableValue(i, *color)
     table.Build()
 
     def paint(mapper, _):
@@ -89,13 +93,13 @@ def _actor(grid, edges, paint):
     return actor
 
 
-def picture(filename, actors, direction, up, legend=False):
+def picture(filename, actors, direction, up, legend=False, aspect=1):
     """Looks along -direction at all actors, which fill the view. The legend is that of the first one."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     for actor in actors:
         renderer.AddActor(actor)
-    focus, half_size, right = _frame(actors, direction, up)
+    focus, half_size, right = _frame(actors, direction, up, aspect)
     if legend:
         renderer.AddActor2D(_color_bar(actors[0].GetMapper().GetLookupTable()))
         focus = [x + 0.2 * half_size * r for x, r in zip(focus, right)]
@@ -109,7 +113,7 @@ def picture(filename, actors, direction, up, legend=False):
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(4)
-    window.SetSize(round(1.2 * SIZE) if legend else SIZE, SIZE)
+    window.SetSize(round((1.2 if legend else aspect) * SIZE), SIZE)
     window.AddRenderer(renderer)
     window.Render()
     grab = vtk.vtkWindowToImageFilter()
@@ -124,23 +128,24 @@ def picture(filename, actors, direction, up, legend=False):
 def _color_bar(table):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(table)
+    bar.SetTitle("log. scale")
     bar.SetNumberOfLabels(4)
     bar.SetLabelFormat("%.3g")
     bar.SetPosition(0.87, 0.05)
     bar.SetWidth(0.1)
     bar.SetHeight(0.35)
     bar.UnconstrainedFontSizeOn()
-    text = bar.GetLabelTextProperty()
-    text.SetColor(0, 0, 0)
-    text.SetFontSize(16)
-    text.ItalicOff()
-    text.BoldOff()
-    text.ShadowOff()
+    for text in (bar.GetLabelTextProperty(), bar.GetTitleTextProperty()):
+        text.SetColor(0, 0, 0)
+        text.SetFontSize(16)
+        text.ItalicOff()
+        text.BoldOff()
+        text.ShadowOff()
     return bar
 
 
-def _frame(actors, direction, up):
-    """The middle of what is seen, half of its larger side, and the direction to the right."""
+def _frame(actors, direction, up, aspect):
+    """The middle of what is seen, half of the height of a view that it fits, and the direction to the right."""
     def cross(a, b):
         return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
@@ -160,4 +165,4 @@ def _frame(actors, direction, up):
                 low[i], high[i] = min(low[i], x), max(high[i], x)
     middle = [(a + b) / 2 for a, b in zip(low, high)]
     focus = [sum(middle[i] * axes[i][k] for i in range(3)) for k in range(3)]
-    return focus, max(high[0] - low[0], high[1] - low[1]) / 2, right
+    return focus, max((high[0] - low[0]) / aspect, high[1] - low[1]) / 2, right

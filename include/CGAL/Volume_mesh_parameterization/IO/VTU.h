@@ -15,83 +15,15 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/VTU_writer.h>
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <ostream>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
-namespace internal {
-
-// Writes the parts of an XML `UnstructuredGrid` with all values as text.
-class VTU_writer
-{
-public:
-  explicit VTU_writer(std::ostream& os)
-    : m_writer(os)
-  {}
-
-  void begin_grid(std::size_t number_of_points, std::size_t number_of_cells)
-  {
-    m_writer << "<?xml version=\"1.0\"?>\n"
-            << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-            << "<UnstructuredGrid>\n"
-            << "<Piece NumberOfPoints=\"" << number_of_points
-            << "\" NumberOfCells=\"" << number_of_cells << "\">\n";
-  }
-
-  void end_grid()
-  {
-    m_writer << "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  }
-
-  void begin(const char* element) { m_writer << "<" << element << ">\n"; }
-  void end(const char* element) { m_writer << "</" << element << ">\n"; }
-
-  template <std::size_t N, typename Number>
-  void write_tuples(const char* name, const std::vector<std::array<Number, N> >& tuples,
-                    const std::size_t number_of_components = N)
-  {
-    begin_array(type_name(Number()), name, number_of_components);
-    for(const std::array<Number, N>& tuple : tuples)
-    {
-      for(const Number& x : tuple)
-        m_writer << x << " ";
-      m_writer << "\n";
-    }
-    end_array();
-  }
-
-  // Writes `value(0)`, ..., `value(n - 1)`.
-  template <typename Value>
-  void write_values(const char* name, std::size_t n, const Value& value)
-  {
-    begin_array(type_name(decltype(value(n))()), name, 1);
-    for(std::size_t i = 0; i < n; ++i)
-      m_writer << value(i) << "\n";
-    end_array();
-  }
-
-private:
-  static const char* type_name(double) { return "Float64"; }
-  static const char* type_name(int) { return "Int32"; }
-  static const char* type_name(std::size_t) { return "Int64"; }
-
-  void begin_array(const char* type, const char* name, std::size_t number_of_components)
-  {
-    m_writer << "<DataArray type=\"" << type << "\" Name=\"" << name
-            << "\" NumberOfComponents=\"" << number_of_components << "\" format=\"ascii\">\n";
-  }
-
-  void end_array() { end("DataArray"); }
-
-  Text_writer m_writer;
-};
-
-} // namespace internal
 
 namespace IO {
 
@@ -102,10 +34,10 @@ namespace IO {
 /// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
 /// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
 /// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse).
-/// All values are text from which reading restores the same bits.
-/// A failure to write is left in the state of the stream.
+/// The values are binary, in the appended form of the format (`encoding="raw"`), so the bits are kept: 53 bytes a cell and 48
+/// a point. A failure to write is left in the state of the stream.
 ///
-/// \param os the stream
+/// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
 /// \param soup the mesh
 /// \param uvw the image of each point, in the order of the points
 /// \pre `uvw` has as many points as `soup`.
@@ -117,31 +49,30 @@ inline void write_VTU(std::ostream& os,
   const int vtk_tetra = 10;
   const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
 
-  internal::VTU_writer writer(os);
-  writer.begin_grid(soup.points.size(), number_of_cells);
+  internal::VTU_writer writer(soup.points.size(), number_of_cells);
 
   writer.begin("Points");
-  writer.write_tuples("Points", soup.points);
+  writer.add_points("Points", soup.points);
   writer.end("Points");
 
-  writer.begin("Cells");
-  writer.write_tuples("connectivity", soup.cells, 1); // cells may have different numbers of vertices, for VTK
-  writer.write_values("offsets", number_of_cells, [](std::size_t i) { return 4 * (i + 1); });
-  writer.write_values("types", number_of_cells, [](std::size_t) { return vtk_tetra; });
+  writer.begin("Cells"); // cells may have different numbers of vertices, for VTK
+  writer.add<std::int32_t>("connectivity", 4 * number_of_cells, [&](std::size_t i) { return soup.cells[i / 4][i % 4]; });
+  writer.add<std::int64_t>("offsets", number_of_cells, [](std::size_t i) { return 4 * (i + 1); });
+  writer.add<std::uint8_t>("types", number_of_cells, [](std::size_t) { return vtk_tetra; });
   writer.end("Cells");
 
   writer.begin("PointData");
-  writer.write_tuples("uvw", uvw);
+  writer.add_points("uvw", uvw);
   writer.end("PointData");
 
   writer.begin("CellData");
-  writer.write_values("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
-  writer.write_values("angle_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].angle; });
-  writer.write_values("volume_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].volume; });
-  writer.write_values("det_J", number_of_cells, [&](std::size_t i) { return distortions[i].det_J; });
+  writer.add<std::int32_t>("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
+  writer.add<double>("angle_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].angle; });
+  writer.add<double>("volume_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].volume; });
+  writer.add<double>("det_J", number_of_cells, [&](std::size_t i) { return distortions[i].det_J; });
   writer.end("CellData");
 
-  writer.end_grid();
+  writer.write(os);
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO

@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""Compares the maps of several programs, and the times that they take, on the same cases.
+
+compare_programs.py DRIVER FOLDER --options "--refine" --external "NAME=other -s {source} -b {target} -o {output}" \\
+  --first-valid "NAME=untangled at (\\S+) s"
+
+The driver and the other programs, which are not part of this package, run one after the other. A command has the places
+{source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates; a
+program that refines writes the refined source to {refined}. All maps are judged alike, by check_map.py in exact
+arithmetic, and so are their distortions, of the map scaled to the volume of the source. Seconds are those of the whole
+program with its files; those until the first valid map are what the program says. Tables are in Markdown.
+"""
+import argparse
+import json
+import math
+import re
+import shlex
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from check_map import check, determinant, read_mesh
+from driver_runs import status
+from tables import write_csv, write_json
+from volmap_cases import add_case_options, find_cases
+
+COLUMNS = ["case", "program", "status", "seconds_to_first_valid", "seconds", "angle_mean", "angle_max", "volume_mean",
+           "volume_max"]
+OURS = "parameterize_mesh_file"
+
+
+def edges(points, cell):
+    corners = [points[v] for v in cell]
+    return [[p[i] - corners[3][i] for i in range(3)] for p in corners[:3]]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def largest_eigenvalue(m):
+    """Of a symmetric 3x3 matrix, by Cardano's formula."""
+    q = (m[0][0] + m[1][1] + m[2][2]) / 3
+    shifted = [[m[i][j] - (q if i == j else 0) for j in range(3)] for i in range(3)]
+    p = math.sqrt(sum(x * x for row in shifted for x in row) / 6)
+    if p < 1e-14 * q:
+        return q
+    half = sum(x * y for x, y in zip(shifted[0], cross(shifted[1], shifted[2]))) / (2 * p ** 3)
+    return q + 2 * p * math.cos(math.acos(max(-1, min(1, half))) / 3)
+
+
+def angle_distortion(x, u):
+    """s1 / s3 + s3 / s1 of the linear map that takes the edges x to u: the largest eigenvalue of J J^T is s1^2, that of
+    its inverse 1 / s3^2."""
+    def gram(a, b):
+        volume = sum(p * q for p, q in zip(a[0], cross(a[1], a[2])))
+        inverse = [cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])]
+        j = [[sum(b[k][i] * inverse[k][l] for k in range(3)) / volume for l in range(3)] for i in range(3)]
+        return [[sum(j[i][k] * j[l][k] for k in range(3)) for l in range(3)] for i in range(3)]
+    ratio = math.sqrt(largest_eigenvalue(gram(x, u)) * largest_eigenvalue(gram(u, x)))
+    return ratio + 1 / ratio
+
+
+def distortions(source, image):
+    """Daa, Dma, Dav, Dmv: means by volume, and maxima."""
+    volumes = [determinant(*[source.points[v] for v in cell])[0] for cell in source.cells]
+    images = [determinant(*[image.points[v] for v in cell])[0] for cell in source.cells]
+    total, scale = sum(volumes), sum(volumes) / sum(images)
+    angles = [angle_distortion(edges(source.points, cell), edges(image.points, cell)) for cell in source.cells]
+    ratios = [scale * b / a for a, b in zip(volumes, images)]
+    stretched = [r + 1 / r for r in ratios]
+    return {"angle_mean": sum(v * x for v, x in zip(volumes, angles)) / total, "angle_max": max(angles),
+            "volume_mean": sum(v * x for v, x in zip(volumes, stretched)) / total, "volume_max": max(stretched)}
+
+
+def judge(case, folder):
+    """The status of what was written, and its distortions if it is a map."""
+    output, refined = folder / "output.mesh", folder / "refined.mesh"
+    source = refined if refined.exists() else case.source
+    try:
+        verdict = check(case.source, case.target, source, output)
+    except (OSError, ValueError, IndexError):
+        return {"status": "no map"}
+    row = {"status": status(verdict)}
+    if row["status"] != "refuted":
+        row.update(distortions(read_mesh(source), read_mesh(output)))
+    return row
+
+
+def run(name, command, first_valid, case, time_limit):
+    """One row of the table."""
+    row = {"case": case.name, "program": name}
+    with tempfile.TemporaryDirectory() as path:
+        folder = Path(path)
+        places = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
+                  "refined": folder / "refined.mesh", "report": folder / "report.json"}
+        begin = time.monotonic()
+        try:
+            process = subprocess.run([word.format(**places) for word in shlex.split(command)], stdout=subprocess.PIPE,
+                                     stderr=subprocess.STDOUT, text=True, timeout=time_limit)
+        except subprocess.TimeoutExpired:
+            return {**row, "status": "time limit"}
+        row["seconds"] = time.monotonic() - begin
+        row.update(judge(case, folder))
+        if row["status"] in ("exact", "flip-free"):
+            row["seconds_to_first_valid"] = first_valid(process.stdout, folder)
+    return row
+
+
+def number_in_output(regex):
+    def find(output, _):
+        found = re.findall(regex, output) if regex else []
+        return float(found[-1]) if found else None
+    return find
+
+
+def number_in_report(_, folder):
+    return json.loads((folder / "report.json").read_text())["seconds_to_flip_free"]
+
+
+def summary(rows, programs):
+    """A row a program: how many cases it solves, and medians over those that all map without inverted cells, except
+    programs that never do."""
+    mapped = [{row["case"] for row in rows if row["program"] == name and "angle_mean" in row} for name in programs]
+    common = set.intersection(*(filter(None, mapped))) if any(mapped) else set()
+    result = []
+    for name in programs:
+        own = [row for row in rows if row["program"] == name]
+        line = {"program": name, "cases": len(own), "exact": sum(row["status"] == "exact" for row in own),
+                "flip_free": sum("angle_mean" in row for row in own), "common": len(common)}
+        for column in COLUMNS[3:]:
+            values = [row.get(column) for row in own if row["case"] in common]
+            line[column] = statistics.median(values) if values and None not in values else None
+        result.append(line)
+    return result
+
+
+def cell_text(value):
+    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def print_table(rows, columns):
+    print("| " + " | ".join(columns) + " |\n|" + " --- |" * len(columns))
+    for row in rows:
+        print("| " + " | ".join(cell_text(row.get(column)) for column in columns) + " |", flush=True)
+    print()
+
+
+def pairs(parser, texts):
+    """NAME=TEXT, as a dictionary."""
+    for text in texts:
+        if "=" not in text:
+            parser.error(f"'{text}' has no '='")
+    return dict(text.split("=", 1) for text in texts)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("driver", help="the program parameterize_mesh_file")
+    add_case_options(parser)
+    parser.add_argument("--options", default="", help="options of the driver")
+    parser.add_argument("--external", action="append", default=[], metavar="NAME=COMMAND", help="another program")
+    parser.add_argument("--first-valid", action="append", default=[], metavar="NAME=REGEX",
+                        help="seconds until no cell was inverted, in the output of that program; the last match counts")
+    parser.add_argument("--time-limit", type=float, metavar="SECONDS", help="of each run")
+    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
+    arguments = parser.parse_args()
+
+    regexes = pairs(parser, arguments.first_valid)
+    ours = f"{shlex.quote(arguments.driver)} {{source}} {{target}} --quiet --output {{output}}" \
+           f" --refined-source {{refined}} --report {{report}} {arguments.options}"
+    programs = {OURS: (ours, number_in_report)}
+    for name, command in pairs(parser, arguments.external).items():
+        programs[name] = (command, number_in_output(regexes.get(name)))
+    cases = find_cases(arguments.volmap, arguments.pairs, arguments.filter)
+    if not cases:
+        sys.exit("there is no case in this folder")
+
+    rows = [run(name, command, first_valid, case, arguments.time_limit)
+            for case in cases for name, (command, first_valid) in programs.items()]
+    lines = summary(rows, programs)
+    print_table(rows, COLUMNS)
+    print_table(lines, ["program", "cases", "exact", "flip_free", "common", *COLUMNS[3:]])
+    if arguments.output:
+        write_csv(arguments.output + ".csv", rows)
+        write_json(arguments.output + ".json", {"cases": rows, "summary": lines})
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,45 @@
+// The linear solvers and the modes of the boundary, chosen by their names at run time.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
+
+#include "find_name.h"
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+#  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
+#endif
+
+#include <CGAL/tags.h>
+
+#include <string>
+#include <variant>
+
+// The number of threads is limited at run time; results do not depend on it.
+using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
+using Solver = std::variant<
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+  CGAL::Volume_mesh_parameterization::CHOLMOD_solver_traits_3,
+#endif
+  CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<Concurrency_tag> >;
+
+inline Solver named_solver(const std::string& name)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  return find_name<Solver>("solver", name, {
+    {"cg", VMP::Conjugate_gradient_solver_traits_3<Concurrency_tag>()},
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+    {"cholmod", VMP::CHOLMOD_solver_traits_3()},
+#endif
+  });
+}
+
+inline CGAL::Volume_mesh_parameterization::Boundary_mode named_boundary_mode(const std::string& name)
+{
+  using CGAL::Volume_mesh_parameterization::Boundary_mode;
+  return find_name<Boundary_mode>("boundary mode", name, {
+    {"auto", Boundary_mode::AUTO}, {"fixed", Boundary_mode::FIXED}, {"soft", Boundary_mode::SOFT}});
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H

@@ -1,0 +1,76 @@
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
+
+#include <CGAL/Real_timer.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Keeps one line of a terminal up to date, and ends the computation when the time is over, or when the user (Ctrl-C) or
+// the system (SIGTERM) asks for it. Who asks twice ends the program.
+class Progress_line
+{
+public:
+  Progress_line(const bool is_shown, const double time_limit)
+    : m_is_shown(is_shown && isatty(STDERR_FILENO) != 0), m_time_limit(time_limit)
+  {
+    m_timer.start();
+    struct sigaction action = {};
+    action.sa_handler = [](int) { is_end_requested = 1; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+  }
+
+  // Says what comes next; false if it should not be begun.
+  bool begin(const std::string& text) const
+  {
+    show(text);
+    return is_end_requested == 0;
+  }
+
+  // The visitor of the computation.
+  bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
+  {
+    namespace VMP = CGAL::Volume_mesh_parameterization;
+    m_steps.push_back(step);
+    std::ostringstream text;
+    text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing")
+         << ", step " << step.iteration << ", " << step.number_of_inverted_cells << " inverted cells, energy "
+         << step.energy << ", " << m_timer.time() << " s";
+    show(text.str());
+    return is_end_requested == 0 && m_timer.time() < m_time_limit;
+  }
+
+  // Why the computation was ended.
+  static const char* reason()
+  {
+    return is_end_requested != 0 ? "Interrupted." : "The time limit was reached.";
+  }
+
+  void finish() const { show(""); }
+
+  const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps() const { return m_steps; }
+
+private:
+  void show(const std::string& text) const
+  {
+    if(m_is_shown)
+      std::cerr << "\r\033[K" << text << std::flush;
+  }
+
+  static inline volatile sig_atomic_t is_end_requested = 0;
+
+  bool m_is_shown;
+  double m_time_limit; // in seconds, from the beginning of the program
+  CGAL::Real_timer m_timer;
+  std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step> m_steps;
+};
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H

@@ -1,0 +1,108 @@
+// Where the boundary of a mesh goes: as a file tells, or onto a domain with a name.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
+
+#include "Mesh_file.h"
+#include "find_name.h"
+
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/Input_error.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// The boundary has no map onto the domain.
+struct Boundary_error : CGAL::Volume_mesh_parameterization::Input_error
+{
+  Boundary_error(const CGAL::Volume_mesh_parameterization::Error_code status, const std::string& message)
+    : Input_error(message), status(status)
+  {}
+
+  CGAL::Volume_mesh_parameterization::Error_code status;
+};
+
+using Boundary_parameterizer
+  = std::function<CGAL::Volume_mesh_parameterization::Error_code(const C3t3&, const Point_map&)>;
+
+template <typename Parameterizer>
+Boundary_parameterizer boundary_parameterizer(const Parameterizer& parameterizer)
+{
+  return [parameterizer](const C3t3& c3t3, const Point_map& target)
+  {
+    return parameterizer.parameterize(c3t3, target);
+  };
+}
+
+// The lengths of the sides of a box from text such as 1,2,0.5
+inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
+{
+  double x, y, z;
+  char comma[2], rest;
+  std::istringstream is(lengths);
+  if(!(is >> x >> comma[0] >> y >> comma[1] >> z) || is >> rest || comma[0] != ',' || comma[1] != ','
+     || !(std::fmin(x, std::fmin(y, z)) > 0) || std::isinf(x * y * z))
+    throw std::runtime_error("'box=" + lengths + "' does not tell three positive lengths, as box=1,2,0.5 does");
+  return boundary_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
+}
+
+inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const std::string box = "box=";
+  if(name.compare(0, box.size(), box) == 0)
+    return box_parameterizer(name.substr(box.size()));
+  return find_name<Boundary_parameterizer>("domain", name, {
+    {"ball", boundary_parameterizer(VMP::Ball_boundary_parameterizer_3())},
+    {"cube", boundary_parameterizer(VMP::Cube_boundary_parameterizer_3())},
+    {"box=X,Y,Z", nullptr},
+    {"polycube", boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3())}});
+}
+
+// Of each point of the file; not numbers where there is none.
+inline Points targets_of_file(const std::string& filename, const Mesh_file& mesh)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  Points targets;
+  VMP::IO::read_boundary_targets(filename, mesh.soup, targets);
+
+  // The library would find a missing target too, but it does not know the index in the file.
+  std::vector<Vertex_handle> vertices;
+  VMP::boundary_vertices(mesh.c3t3, std::back_inserter(vertices));
+  for(const Vertex_handle v : vertices)
+    if(std::isnan(targets[mesh.indices.at(v)][0]))
+      throw VMP::Input_error(filename + ": vertex " + std::to_string(mesh.indices.at(v))
+                             + " (counted from 0) is on the boundary of the source, but has no target");
+  return targets;
+}
+
+inline Points targets_on_domain(const std::string& domain, Mesh_file& mesh)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Points targets(mesh.soup.points.size(), {none, none, none});
+  const VMP::Error_code status = named_boundary_parameterizer(domain)(mesh.c3t3, Point_map{&mesh.indices, &targets});
+  if(status == VMP::OK)
+    return targets;
+
+  std::string message = VMP::get_error_message(status);
+  std::vector<Vertex_handle> vertices;
+  if(status == VMP::ERROR_NON_MANIFOLD_BOUNDARY)
+    VMP::non_manifold_boundary_vertices(mesh.c3t3, std::back_inserter(vertices));
+  if(!vertices.empty())
+    message += " It is none at " + std::to_string(vertices.size()) + " vertices, among them vertex "
+      + std::to_string(mesh.indices.at(vertices.front())) + " (counted from 0).";
+  throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H

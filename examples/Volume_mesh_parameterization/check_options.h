@@ -1,0 +1,75 @@
+// Finds faults in the options before anything expensive is done.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_OPTIONS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_OPTIONS_H
+
+#include "Command_line.h"
+#include "Named_choices.h"
+#include "Named_energy_3.h"
+#include "Output_file.h"
+#include "boundary_targets_of.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+inline void check_number_of_threads(const Options& options)
+{
+  if(options.number_of_threads < 1)
+    throw std::runtime_error("the number of threads is too small");
+#ifndef CGAL_LINKED_WITH_TBB
+  if(options.number_of_threads > 1)
+    throw std::runtime_error("this program was built without TBB, it has only one thread");
+#endif
+  const unsigned number_of_processors = std::thread::hardware_concurrency(); // 0: not known
+  if(number_of_processors > 0 && static_cast<unsigned>(options.number_of_threads) > number_of_processors
+     && !options.is_quiet)
+    std::cerr << "note: " << options.number_of_threads << " threads on " << number_of_processors
+              << " processors are not faster than " << number_of_processors << std::endl;
+}
+
+inline void check_files(const Options& options)
+{
+  namespace fs = std::filesystem;
+  const fs::path extension = fs::path(options.output).extension();
+  if(!options.output.empty() && extension != ".mesh" && extension != ".vtu")
+    throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu; "
+                             "other formats can be made of both: meshio convert map.vtu map.OTHER");
+
+  const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
+  std::vector<fs::path> others = {canonical(options.source)};
+  if(!options.target.empty())
+    others.push_back(canonical(options.target));
+  for(const std::string& name : {options.output, options.refined_source, options.report})
+  {
+    if(name.empty())
+      continue;
+    const fs::path path = canonical(name);
+    if(std::find(others.begin(), others.end(), path) != others.end())
+      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+    others.push_back(path);
+    Output_file can_be_written(name);
+  }
+}
+
+inline void check(const Options& options)
+{
+  Named_energy_3{options.energy};
+  named_solver(options.solver);
+  named_boundary_mode(options.boundary);
+  if(!options.domain.empty())
+    named_boundary_parameterizer(options.domain);
+  if(options.number_of_iterations < 0)
+    throw std::runtime_error("the number of iterations is too small");
+  if(!(options.maximal_angle_distortion > 2))
+    throw std::runtime_error("the distortion of angles cannot be below 2");
+  if(!(options.time_limit >= 0))
+    throw std::runtime_error("the time limit is negative");
+  check_number_of_threads(options);
+  check_files(options);
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_OPTIONS_H
