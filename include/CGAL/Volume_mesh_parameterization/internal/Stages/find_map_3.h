@@ -81,8 +81,8 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   found.reason = untangled.reason;
   if(found.status != OK || options.do_slide)
     return;
-  minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps,
-             Negative_curvature(may_be_near_minimum ? 1 : 0), progress, found);
+  minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps, progress, found,
+             Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 
 // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put

@@ -40,7 +40,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // is over as soon as the energy stagnates, and the others are minimized alone, in the same way.
 inline void minimize_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Newton_system_3& system,
                        Linear_solver_3& solver, const bool is_parallel, const std::size_t number_of_steps_before,
-                       const Negative_curvature& negative_curvature, Progress_3& progress, Found_map_3& found)
+                       Progress_3& progress, Found_map_3& found,
+                       const Negative_curvature& negative_curvature = Negative_curvature())
 {
   const auto run = [&](Minimization_3& minimization, const double begin, const std::size_t number_of_steps)
   {
