@@ -256,7 +256,33 @@ def draw_grid(vtu, output, icon):
         join(panels[1:], icon, 160)
 
 
+def surface_with_field(grid):
+    """Coloured by the references of the cells, from 0, orange, to 100, blue."""
+    def paint(mapper, _):
+        table = vtk.vtkLookupTable()
+        table.SetHueRange(0.08, 0.6)
+        table.SetSaturationRange(0.6, 0.6)
+        table.SetTableRange(0, 100)
+        table.Build()
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray("reference")
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+    return render.actor(grid, False, paint)
+
+
+def draw_carried(folder, output):
+    """A field and a regular grid of the elephant, and what becomes of them on the bull."""
+    with tempfile.TemporaryDirectory() as name:
+        panels = [Path(name) / f"{body}.png" for body in ("elephant", "bull")]
+        for panel, direction in zip(panels, ((2, 1, 3), (-2, 1, 3))):
+            grid = render.read(str(folder / f"{panel.stem}.vtu"))
+            render.picture(panel, [surface_with_field(grid), grid_lines(grid)], direction, (0, 1, 0))
+        join(panels, output)
+
+
 def main(folder, output_folder):
+    draw_carried(folder, output_folder / "body_to_body.png")
     for name in VIEWS:
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
     if (folder / "convergence.json").exists():

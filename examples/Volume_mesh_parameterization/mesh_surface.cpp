@@ -32,12 +32,12 @@ C3t3 mesh_elephant(const std::string& filename)
   return CGAL::make_mesh_3<C3t3>(domain, criteria, params::manifold(), params::no_perturb(), params::no_exude());
 }
 
-C3t3 mesh_mechanical_part(const Surface_mesh& surface)
+C3t3 mesh_mechanical_part(const Surface_mesh& surface, const double relative_size)
 {
   Domain domain(surface);
   domain.detect_features(40); // dihedral angles that deviate from a flat one by more degrees are sharp edges
   const CGAL::Bbox_3 box = domain.bbox();
-  const double size = 0.05 * (std::max)({ box.x_span(), box.y_span(), box.z_span() });
+  const double size = relative_size * (std::max)({ box.x_span(), box.y_span(), box.z_span() });
   const CGAL::Mesh_criteria_3<Tr> criteria(params::edge_size = size, params::facet_angle = 25,
                                            params::facet_size = size, params::facet_distance = 0.1 * size,
                                            params::facet_topology = CGAL::MANIFOLD,

@@ -24,7 +24,7 @@ Surface_mesh close_gaps(const Surface_mesh& surface, double gap, double offset);
 // Closes the gaps of the surface in a file, and fills it.
 C3t3 mesh_elephant(const std::string& filename);
 
-// Keeps the sharp edges of the surface.
-C3t3 mesh_mechanical_part(const Surface_mesh& surface);
+// Keeps the sharp edges of the surface; the size of the cells is relative to the bounding box.
+C3t3 mesh_mechanical_part(const Surface_mesh& surface, double relative_size = 0.05);
 
 #endif // MESH_SURFACE_H

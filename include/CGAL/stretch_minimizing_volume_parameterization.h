@@ -87,6 +87,18 @@ predicates on the coordinates that are written.
                     forgotten, which is undefined behaviour and may end as `OK`. Prescribed vertices receive exactly
                     the points given, unless they slide or the boundary is missed.}
   \cgalParamNEnd
+  \cgalParamNBegin{initial_map}
+    \cgalParamDescription{the image of each vertex from which the search starts, as of a map to a boundary nearby}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+                   `C3t3::Triangulation::Geom_traits::Point_3` as value type}
+    \cgalParamDefault{the harmonic map}
+    \cgalParamExtra{Vertices with a target are put there, and the displacements are extended to the others by a harmonic
+                    function. Where this inverts cells, untangling starts from it; if it fails, all goes on as if there
+                    were no initial map. A point with a coordinate that is not a number stands for a missing image, also
+                    of a vertex that refinement has inserted: the start is harmonic there. Infinite
+                    coordinates are answered by `ERROR_NON_FINITE_COORDINATE`. A soft boundary does not start from this
+                    map. It is read before `uvw_map` is written, so both may be the same.}
+  \cgalParamNEnd
   \cgalParamNBegin{energy}
     \cgalParamDescription{the energy whose mean over the cells is minimized}
     \cgalParamType{a model of `DistortionEnergy_3`}

@@ -349,6 +349,103 @@ TEST_CASE("Each named parameter by itself")
   }
 }
 
+// Bends the cube to a part of a ring.
+Numbered_mesh_3 bent_cube(const int n, const double total_angle)
+{
+  return mapped_cube(n, 0.1, [=](const Vector3d& p) -> Vector3d
+  {
+    const double angle = total_angle * p[0] / n, radius = 0.5 + p[1] / n;
+    return Vector3d(radius * std::sin(angle), radius * std::cos(angle), p[2] / n);
+  });
+}
+
+TEST_CASE("A moving boundary is followed in less than a third of the Newton steps")
+{
+  Complex complex(bent_cube(6, 4.5));
+  REQUIRE(parameterize(complex).status == VMP::OK);
+  Point_map before;
+  for(const double angle : {4.55, 4.6, 4.65})
+  {
+    const Numbered_mesh_3 mesh = bent_cube(6, angle);
+    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+      complex.target[complex.vertices[v]] = Point_3(mesh.target(0, v), mesh.target(1, v), mesh.target(2, v));
+    Point_map initial = complex.uvw;
+    for(const auto& [v, p] : before) // as if all moved on
+      initial[v] += initial[v] - p;
+    before = complex.uvw;
+
+    const Parameterization_result cold = parameterize(complex);
+    const Point_map expected = complex.uvw;
+    const Parameterization_result warm
+      = parameterize(complex, params::initial_map(VMP::make_vertex_point_map(initial)));
+    CHECK(warm.status == VMP::OK);
+    check_valid_map(complex, warm);
+    CHECK(cold.number_of_inverted_cells_at_start > 0);
+    CHECK(warm.number_of_inverted_cells_at_start == 0);
+    CHECK((angle == 4.55 ? 2 : 3) * warm.number_of_iterations < cold.number_of_iterations);
+    CHECK(warm.energy == Approx(cold.energy).epsilon(1e-7));
+    for(const auto& [v, p] : expected)
+      CHECK(CGAL::squared_distance(p, complex.uvw.at(v)) < 1e-6);
+  }
+}
+
+TEST_CASE("Any initial map is completed, untangled, or dropped")
+{
+  Complex complex(ring(5));
+  const Parameterization_result cold = parameterize(complex);
+  REQUIRE(cold.status == VMP::OK);
+  REQUIRE(cold.number_of_inverted_cells_at_start > 0);
+  Point_map initial = complex.uvw;
+  const auto from_initial_map = [&]
+  {
+    const Parameterization_result result
+      = parameterize(complex, params::initial_map(VMP::make_vertex_point_map(initial)));
+    check_valid_map(complex, result);
+    CHECK(result.status == VMP::OK);
+    CHECK(result.energy == Approx(cold.energy).epsilon(1e-6));
+    return result;
+  };
+  const Parameterization_result warm = from_initial_map();
+  CHECK(warm.number_of_untangling_iterations == 0);
+  CHECK(warm.number_of_iterations <= 2);
+
+  SECTION("few images are missing")
+  {
+    for(const int v : {5, 40, 100}) // inside and on the boundary
+      initial.erase(complex.vertices[v]);
+    CHECK(from_initial_map().number_of_untangling_iterations < cold.number_of_untangling_iterations);
+  }
+  SECTION("all images are missing")
+  {
+    initial.clear();
+    CHECK(from_initial_map().number_of_inverted_cells_at_start == cold.number_of_inverted_cells_at_start);
+  }
+  SECTION("cells are inverted")
+  {
+    std::swap(initial[complex.vertices[5]], initial[complex.vertices[6]]);
+    CHECK(from_initial_map().number_of_inverted_cells_at_start > 0);
+  }
+  SECTION("vertices inside are thrown together")
+  {
+    for(int v = 0; v < complex.mesh.number_of_free_vertices; ++v)
+      initial[complex.vertices[v]] = Point_3(1e20 * (v % 7), -1e20 * (v % 5), 1e20 * (v % 3));
+    from_initial_map();
+  }
+  SECTION("images are infinite, or too large")
+  {
+    const Point_map uvw = complex.uvw;
+    for(const double x : {std::numeric_limits<double>::infinity(), 1e200})
+    {
+      initial[complex.vertices[5]] = Point_3(0, x, 0);
+      const Parameterization_result result
+        = parameterize(complex, params::initial_map(VMP::make_vertex_point_map(initial)));
+      CHECK(result.status == (std::isinf(x) ? VMP::ERROR_NON_FINITE_COORDINATE : VMP::ERROR_SIZE_OUT_OF_RANGE));
+      CHECK(result.message.find("initial image") != std::string::npos);
+      CHECK(complex.uvw.empty());
+    }
+  }
+}
+
 TEST_CASE("A constrained vertex inside goes where the boundary map tells")
 {
   Complex complex(cube_mesh(4));
@@ -428,6 +525,16 @@ TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere, and the 
     const Point_3& p = complex.uvw.at(vertex);
     CHECK(p.x() * p.x() + p.y() * p.y() + p.z() * p.z() == Approx(1).epsilon(1e-12));
   }
+
+  // from an initial map that lacks the vertices which refinement has inserted
+  REQUIRE(result.number_of_added_vertices > 0);
+  Point_map initial;
+  for(const Vertex_handle vertex : complex.vertices)
+    initial.emplace(vertex, complex.uvw.at(vertex));
+  const Parameterization_result again = CGAL::stretch_minimizing_volume_parameterization(
+    complex.c3t3, complex.uvw_map(), params::initial_map(VMP::make_vertex_point_map(initial)));
+  CHECK(again.status == VMP::OK);
+  CHECK(again.number_of_iterations < result.number_of_iterations);
 }
 
 TEST_CASE("A complex that is no ball is refused unless there is a boundary map")
@@ -709,6 +816,12 @@ TEST_CASE("Arrays are mapped as a complex is")
     = boost::make_iterator_property_map(is_constrained.begin(), boost::identity_property_map());
   CHECK(call(params::vertex_is_constrained_map(is_constrained_map)).status == VMP::OK);
   CHECK(images[middle] == targets[middle]);
+
+  // the images are the start, and are written
+  const Parameterization_result again
+    = call(params::initial_map(boost::make_iterator_property_map(images.begin(), boost::identity_property_map())));
+  CHECK(again.status == VMP::OK);
+  CHECK(again.number_of_iterations <= 3);
 
   // what is refused leaves the images alone
   const std::vector<std::array<double, 3> > expected = images;

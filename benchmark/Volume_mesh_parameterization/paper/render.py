@@ -51,7 +51,7 @@ def inverted_cells(grid):
 
 
 def surface(grid, color=GREY, edges=True):
-    return _actor(grid, edges, lambda mapper, prop: (mapper.ScalarVisibilityOff(), prop.SetColor(*color)))
+    return actor(grid, edges, lambda mapper, prop: (mapper.ScalarVisibilityOff(), prop.SetColor(*color)))
 
 
 def color_scale():
@@ -74,10 +74,10 @@ def colored_surface(grid, array, largest):
         mapper.SelectColorArray(array)
         mapper.SetLookupTable(table)
         mapper.UseLookupTableScalarRangeOn()
-    return _actor(grid, False, paint)
+    return actor(grid, False, paint)
 
 
-def _actor(grid, edges, paint):
+def actor(grid, edges, paint):
     boundary = vtk.vtkDataSetSurfaceFilter()
     boundary.SetInputData(grid)
     mapper = vtk.vtkPolyDataMapper()

@@ -41,7 +41,7 @@ struct Parameterization_result
   /// exact proofs that no map with this connectivity meets this boundary, of which one would do
   std::size_t number_of_infeasibility_proofs = 0;
 
-  std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic map, by floating-point determinants
+  std::size_t number_of_inverted_cells_at_start = 0; ///< of the map that is untangled
   std::size_t number_of_inverted_cells = 0;          ///< or flat ones, of the result, by exact predicates
   /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
   /// that slide, to the plane or line through their point, where rounding counts as 0; not a number without a valid map

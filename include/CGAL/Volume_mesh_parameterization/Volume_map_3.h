@@ -17,8 +17,12 @@
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/Dense>
 
@@ -108,7 +112,8 @@ public:
   }
 
   /// \name Ranges
-  /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`.
+  /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
+  /// queried in an order in which neighbors follow each other, which takes much less time for large meshes.
   /// @{
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > images(const PointRange& points) const
@@ -176,9 +181,18 @@ private:
   {
     const auto first = std::begin(points);
     std::vector<std::optional<Result> > results(static_cast<std::size_t>(std::distance(first, std::end(points))));
-    internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, results.size(), [&](const std::size_t i)
+    const auto point = [&](const std::size_t i) -> Point_3 { return *(first + static_cast<std::ptrdiff_t>(i)); };
+    // Neighbors, one after the other, find the same part of a tree in the cache. What is not finite is not found.
+    std::vector<std::size_t> order;
+    for(std::size_t i = 0; i < results.size(); ++i)
+      if(internal::is_finite_point(point(i)))
+        order.push_back(i);
+    const auto point_map = boost::make_function_property_map<std::size_t, Point_3>(point);
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    hilbert_sort(order.begin(), order.end(), Spatial_sort_traits_adapter_3<Kernel, decltype(point_map)>(point_map));
+    internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, order.size(), [&](const std::size_t k)
     {
-      results[i] = query(*(first + static_cast<std::ptrdiff_t>(i)));
+      results[order[k]] = query(point(order[k]));
     });
     return results;
   }

@@ -38,6 +38,15 @@ public:
   std::size_t number_of_boundary_vertices() const { return m_number_of_boundary_vertices; }
   int number(const Vertex& v) const { return m_numbers.at(v); }
 
+  // Takes the image of each vertex from which the search is to start.
+  template <typename ImageOfVertex>
+  void set_initial(const ImageOfVertex& image_of)
+  {
+    m_mesh.initial.resize(3, m_mesh.number_of_vertices());
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      m_mesh.initial.col(v) = image_of(m_vertices[v]);
+  }
+
   std::vector<Linear_constraint_3<int> > constraints(const std::vector<Linear_constraint_3<Vertex> >& of_vertices) const
   {
     std::vector<Linear_constraint_3<int> > result;

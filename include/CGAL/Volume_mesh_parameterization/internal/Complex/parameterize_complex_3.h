@@ -22,6 +22,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 
+#include <Eigen/Core>
+
+#include <functional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -32,6 +35,7 @@ struct Complex_problem_3
 {
   VertexIsConstrainedMap is_constrained;
   BoundaryMap target;
+  std::function<Eigen::Vector3d(const Vertex&)> initial; // image of a vertex to start from; empty if there are none
   std::vector<Linear_constraint_3<Vertex> > constraints;
   Map_options_3 options;
   bool use_volume_weights;
@@ -61,9 +65,11 @@ struct Checked_complex_3
 private:
   template <typename Mesh, typename Problem>
   Checked_complex_3(const Mesh& mesh, const Problem& problem, const double begin)
-    : numbered(mesh, problem.is_constrained, problem.target, problem.use_volume_weights),
-      check(engine::check_input(numbered.mesh()))
+    : numbered(mesh, problem.is_constrained, problem.target, problem.use_volume_weights)
   {
+    if(problem.initial)
+      numbered.set_initial(problem.initial);
+    check = engine::check_input(numbered.mesh());
     problem.progress.add_numbering(begin);
   }
 };

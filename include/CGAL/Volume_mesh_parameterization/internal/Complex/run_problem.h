@@ -21,7 +21,9 @@
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
@@ -32,7 +34,10 @@
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -49,6 +54,15 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
 
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                Static_boolean_property_map<Vertex, false>());
+
+  std::function<Eigen::Vector3d(const Vertex&)> initial;
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
+  {
+    const auto initial_map = get_parameter(np, internal_np::initial_map);
+    static_assert(Is_property_map<std::remove_const_t<decltype(initial_map)> >::value,
+                  "initial_map must be a property map: for a container, pass make_vertex_point_map(container).");
+    initial = [initial_map](const Vertex& v) { return to_vector(get(initial_map, v)); };
+  }
 
   using Energy = typename internal_np::Lookup_named_param_def<
     internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
@@ -96,7 +110,7 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   const Cell_energy_of<Energy> cell_energy(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
   const Complex_problem_3<Vertex, std::remove_const_t<decltype(is_constrained)>, BoundaryMap> problem = {
-    is_constrained, boundary_map,
+    is_constrained, boundary_map, initial,
     choose_parameter(get_parameter(np, internal_np::positional_constraints),
                      std::vector<Linear_constraint_3<Vertex> >()),
     options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false), verbose,

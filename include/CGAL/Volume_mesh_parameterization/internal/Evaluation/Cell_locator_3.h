@@ -15,10 +15,16 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/barycentric_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
+#include <boost/config/pragma_message.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+// The R-tree of Boost 1.74 includes a header that Boost deprecates with a message, at each compilation.
+#pragma push_macro("BOOST_PRAGMA_MESSAGE")
+#undef BOOST_PRAGMA_MESSAGE
+#define BOOST_PRAGMA_MESSAGE(x)
 #include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#pragma pop_macro("BOOST_PRAGMA_MESSAGE")
 
 #include <algorithm>
 #include <array>
@@ -69,9 +75,11 @@ public:
     if(!is_finite_point(p))
       return std::nullopt;
     std::size_t cell = m_cells.size();
-    for(auto it = m_tree.qbegin(boost::geometry::index::intersects(to_tree(p))); it != m_tree.qend(); ++it)
-      if(it->second < cell && contains(corners(it->second), p))
-        cell = it->second;
+    for_each_cell_at(to_tree(p), [&](const std::size_t c)
+    {
+      if(c < cell && contains(corners(c), p))
+        cell = c;
+    });
     if(cell == m_cells.size())
       return std::nullopt;
     return Place_3{ cell, barycentric_coordinates_3(corners(cell), p) };
@@ -94,17 +102,17 @@ public:
       return std::nullopt;
     const double r = std::sqrt(distance);
     const Box around(Tree_point(p.x() - r, p.y() - r, p.z() - r), Tree_point(p.x() + r, p.y() + r, p.z() + r));
-    for(auto it = m_tree.qbegin(boost::geometry::index::intersects(around)); it != m_tree.qend(); ++it)
+    for_each_cell_at(around, [&](const std::size_t c)
     {
-      const Exact_point_3 candidate = nearest_on_facets(corners(it->second), p);
+      const Exact_point_3 candidate = nearest_on_facets(corners(c), p);
       const double to_cell = CGAL::squared_distance(p, candidate);
-      if(to_cell < distance || (to_cell == distance && it->second < cell))
+      if(to_cell < distance || (to_cell == distance && c < cell))
       {
         distance = to_cell;
-        cell = it->second;
+        cell = c;
         nearest = candidate;
       }
-    }
+    });
     return Place_3{ cell, barycentric_coordinates_3(corners(cell), nearest) };
   }
 
@@ -114,6 +122,14 @@ private:
   using Box = boost::geometry::model::box<Tree_point>;
   using Entry = std::pair<Box, std::size_t>;
   using Tree = boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<8> >;
+
+  // Calls f for each cell whose bounding box intersects a point or a box. A visitor takes less time than iterators.
+  template <typename Geometry, typename Function>
+  void for_each_cell_at(const Geometry& geometry, const Function& f) const
+  {
+    m_tree.query(boost::geometry::index::intersects(geometry),
+                 boost::make_function_output_iterator([&](const Entry& entry) { f(entry.second); }));
+  }
 
   Corners_3 corners(const std::size_t c) const
   {

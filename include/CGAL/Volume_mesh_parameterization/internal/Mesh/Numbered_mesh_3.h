@@ -26,6 +26,7 @@ struct Numbered_mesh_3
 {
   Eigen::Matrix3Xd source;               // one column a vertex
   Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free, otherwise 0
+  Eigen::Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?

@@ -60,6 +60,9 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
     if(!target.allFinite())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "The target of the boundary vertex at ", describe(point),
                           " is ", describe(target), ".");
+    if(mesh.initial.cols() > 0 && mesh.initial.col(v).array().isInf().any())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "The initial image of the vertex at ", describe(point),
+                          " is ", describe(mesh.initial.col(v)), ".");
   }
   return {};
 }
@@ -84,6 +87,14 @@ inline Input_check_3 check_source_size(const Numbered_mesh_3& mesh)
 inline Input_check_3 check_target_size(const Numbered_mesh_3& mesh)
 {
   return check_size(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices), "prescribed points");
+}
+
+inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
+{
+  if(mesh.initial.cols() == 0)
+    return {};
+  const Eigen::Matrix3Xd points = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
+  return check_size(points, "initial images");
 }
 
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
@@ -151,7 +162,7 @@ inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const auto check : { check_coordinates, check_source_size, check_target_size,
+  for(const auto check : { check_coordinates, check_source_size, check_target_size, check_initial_size,
                            check_source_cells, check_source_determinants, check_target_volume, check_prescribed_cells })
   {
     const Input_check_3 result = check(mesh);

@@ -29,8 +29,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Minimizer_3
 {
 public:
-  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, Eigen::Matrix3Xd u)
-    : m_system(system), m_energy(energy), m_u(std::move(u)), m_evaluation(system.evaluate(energy, m_u))
+  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, Eigen::Matrix3Xd u,
+              const Negative_curvature& negative_curvature = Negative_curvature())
+    : m_system(system), m_energy(energy), m_u(std::move(u)), m_evaluation(system.evaluate(energy, m_u)),
+      m_negative_curvature(negative_curvature)
   {}
 
   const Eigen::Matrix3Xd& positions() const { return m_u; }

@@ -22,6 +22,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Negative_curvature
 {
 public:
+  explicit Negative_curvature(const double part = 0) : m_part(part) {}
+
   double part() const { return m_part; }
 
   // A failure also slows down the next rises.
@@ -38,7 +40,7 @@ public:
   }
 
 private:
-  double m_part = 0;
+  double m_part;
   double m_growth = 4;
 };
 

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
 
@@ -33,8 +34,8 @@ public:
   using Ends_here = std::function<bool(const Eigen::Matrix3Xd&)>;
 
   Minimization_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
-                 Ends_here ends_here = nullptr)
-    : m_system(system), m_minimizer(system, energy, system.unit() * positions),
+                 Ends_here ends_here = nullptr, const Negative_curvature& negative_curvature = Negative_curvature())
+    : m_system(system), m_minimizer(system, energy, system.unit() * positions, negative_curvature),
       m_energy_of_other_cells(system.energy_of_other_cells(energy, m_minimizer.positions())),
       m_ends_here(std::move(ends_here))
   {}

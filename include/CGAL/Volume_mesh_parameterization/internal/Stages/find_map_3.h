@@ -21,6 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
@@ -29,6 +30,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/completed_initial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/untangle_3.h>
 
@@ -37,37 +39,50 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Puts the prescribed vertices of an initial map on their targets, moves the others by the harmonic extension of these
+// displacements, and untangles. Zeros become the harmonic map.
+inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
+                                   const Eigen::Matrix3Xd& initial, const double begin, Progress_3& progress,
+                                   Found_map_3& found)
+{
+  Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
+  const Newton_direction_3 direction = harmonic_map_3(system, u);
+  const Eigen::Matrix3Xd start = snapped(mesh, initial + u / system.unit());
+  found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
+  progress.reach_flip_free();
+  if(!direction.is_usable())
+    return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
+  return untangle_3(mesh, system, solver, start, begin, progress);
+}
+
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
-// Starts from the given images or, if there are none, from the harmonic map.
+// Goes on from the given images. If there are none, starts from the initial map, and where this fails or there is none
+// either, from the harmonic map.
 inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
                                            Linear_solver_3& solver, const Map_options_3& options,
                                            const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
   const double begin = progress.seconds();
-  const bool is_cold = start.cols() == 0;
+  const bool goes_on = start.cols() > 0;
+  const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, options.is_parallel);
   Newton_system_3 system(mesh, cells_scaled_to_target(mesh), free_vertices(mesh), solver, options.is_parallel);
-  if(is_cold)
-  {
-    Eigen::Matrix3Xd u = system.unit() * mesh.target;
-    const Newton_direction_3 direction = harmonic_map_3(system, u);
-    found.map = judged(mesh, snapped(mesh, u / system.unit()));
-    found.number_of_inverted_cells_at_start = found.map.number_of_inverted_cells;
-    progress.reach_flip_free();
-    if(!direction.is_usable())
-    {
-      found.status = ERROR_LINEAR_SOLVER_FAILED;
-      found.reason = describe_failure(direction);
-      return;
-    }
-  }
-  const Untangled_3 untangled = is_cold ? untangle_3(mesh, system, solver, found.map.positions, begin, progress)
-                                        : untangle_on_3(mesh, system, solver, start, begin, progress);
+  Untangled_3 untangled;
+  if(goes_on)
+    untangled = untangle_on_3(mesh, system, solver, start, begin, progress);
+  else if(initial.cols() > 0)
+    untangled = untangle_from_3(mesh, system, solver, initial, begin, progress, found);
+  // then the full Hessian is tried first
+  const bool may_be_near_minimum = !goes_on && untangled.status == OK && untangled.number_of_steps == 0;
+  if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
+    untangled = untangle_from_3(mesh, system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()),
+                                initial.cols() > 0 ? progress.seconds() : begin, progress, found);
   found.map = judged(mesh, untangled.positions);
   found.status = untangled.status;
   found.reason = untangled.reason;
   if(found.status != OK || options.do_slide)
     return;
-  minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps, progress, found);
+  minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps, progress, found,
+             Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 
 // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put

@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
@@ -39,7 +40,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // is over as soon as the energy stagnates, and the others are minimized alone, in the same way.
 inline void minimize_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Newton_system_3& system,
                        Linear_solver_3& solver, const bool is_parallel, const std::size_t number_of_steps_before,
-                       Progress_3& progress, Found_map_3& found)
+                       Progress_3& progress, Found_map_3& found,
+                       const Negative_curvature& negative_curvature = Negative_curvature())
 {
   const auto run = [&](Minimization_3& minimization, const double begin, const std::size_t number_of_steps)
   {
@@ -52,7 +54,7 @@ inline void minimize_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
     dominant = dominant_cells_3(mesh, energy, positions);
     return dominant.hold_most();
   };
-  Minimization_3 minimization(system, energy, found.map.positions, is_dominated);
+  Minimization_3 minimization(system, energy, found.map.positions, is_dominated, negative_curvature);
   run(minimization, progress.seconds(), number_of_steps_before);
   const bool is_minimum = found.status == OK && minimization.last_step().energy > 100
                           && is_dominated(minimization.positions());

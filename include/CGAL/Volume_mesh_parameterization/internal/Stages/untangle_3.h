@@ -34,8 +34,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Images of all vertices, with the prescribed ones on their targets, and how the search for them ended.
 struct Untangled_3
 {
-  Eigen::Matrix3Xd positions;
-  std::size_t number_of_inverted_cells;
+  Eigen::Matrix3Xd positions = {};
+  std::size_t number_of_inverted_cells = 0;
   Error_code status = ERROR_NOT_FLIP_FREE;
   std::string reason = {};
   std::size_t number_of_steps = 0;

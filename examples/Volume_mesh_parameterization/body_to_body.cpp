@@ -1,0 +1,138 @@
+// Carries a scalar field and the points of a solid texture from an elephant to a bull, through the unit ball.
+#include "mesh_surface.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+using Vertex_handle = C3t3::Vertex_handle;
+using Points = std::vector<std::array<double, 3> >;
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+// A body with its map to the ball.
+struct Body
+{
+  VMP::Tetrahedron_soup_3 mesh;
+  Points in_ball; // the images of the vertices
+
+  explicit Body(const std::string& filename)
+  {
+    C3t3 c3t3 = mesh_elephant(CGAL::data_file_path(filename));
+    std::unordered_map<Vertex_handle, Point_3> uvw;
+    const VMP::Parameterization_result result
+      = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw));
+    std::cout << filename << ": " << result.number_of_cells << " cells. " << result.message << std::endl;
+    if(result.status != VMP::OK)
+      throw std::runtime_error("The body has no map to the ball.");
+
+    std::vector<Vertex_handle> vertices;
+    VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, mesh, vertices);
+    for(const Vertex_handle v : vertices)
+      in_ball.push_back({ uvw.at(v).x(), uvw.at(v).y(), uvw.at(v).z() });
+  }
+
+  VMP::Volume_map_3 map() const { return VMP::Volume_map_3(mesh.points, mesh.cells, in_ball); }
+};
+
+Eigen::Vector3d to_vector(const Point_3& p)
+{
+  return Eigen::Vector3d(p.x(), p.y(), p.z());
+}
+
+// The rotation of the ball that takes some of its points as close as possible to others, in the sense of least squares
+// (Kabsch 1976).
+Eigen::Matrix3d rotation(const std::vector<Point_3>& from, const std::vector<Point_3>& to)
+{
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for(std::size_t i = 0; i < from.size(); ++i)
+    covariance += to_vector(to[i]) * to_vector(from[i]).transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  return svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+// Writes the mesh with the points from which it has its texture, and with the field in hundredths, as references of the
+// cells.
+bool write(VMP::Tetrahedron_soup_3 mesh, const Points& texture, const std::vector<double>& field,
+           const std::string& filename)
+{
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    double sum = 0;
+    for(const std::size_t v : mesh.cells[c])
+      sum += field[v];
+    mesh.cell_references[c] = static_cast<int>(100 * sum / 4);
+  }
+  std::ofstream out(filename);
+  VMP::IO::write_VTU(out, mesh, texture);
+  out.close();
+  return !out.fail();
+}
+
+int main()
+try
+{
+  const Body elephant("meshes/elephant.off"), bull("meshes/bull.off");
+  const VMP::Volume_map_3 elephant_to_ball = elephant.map(), bull_to_ball = bull.map();
+
+  // Nose, front feet and hind feet, the left ones first, need not be exactly on the surfaces.
+  const std::vector<Point_3> of_elephant = { {0.18, 0.5, 0.09}, {0.35, -0.3, -0.28}, {0.1, -0.48, -0.03},
+                                             {-0.36, -0.42, -0.21}, {-0.15, -0.5, -0.04} };
+  const std::vector<Point_3> of_bull = { {-0.4, 0.05, 0.35}, {-0.46, -0.32, -0.09}, {-0.31, -0.28, -0.39},
+                                         {0.38, -0.31, 0.13}, {0.25, -0.27, -0.24} };
+  std::vector<Point_3> from, to;
+  for(std::size_t i = 0; i < of_bull.size(); ++i)
+  {
+    from.push_back(bull_to_ball.nearest_image(of_bull[i])->point);
+    to.push_back(elephant_to_ball.nearest_image(of_elephant[i])->point);
+  }
+  const Eigen::Matrix3d R = rotation(from, to);
+  for(std::size_t i = 0; i < from.size(); ++i)
+  {
+    const Eigen::Vector3d before = to_vector(from[i]), after = R * before, there = to_vector(to[i]);
+    std::cout << "landmark " << i << ": distance in the ball " << (before - there).norm() << ", after the rotation "
+              << (after - there).norm() << std::endl;
+  }
+
+  // The field: the distance from the tip of the trunk.
+  std::vector<double> field, carried_field;
+  for(const std::array<double, 3>& p : elephant.mesh.points)
+    field.push_back(std::sqrt(CGAL::squared_distance(Point_3(p[0], p[1], p[2]), of_elephant[0])));
+
+  // Each vertex of the bull takes it from where it comes to be in the elephant.
+  Points carried;
+  for(const std::array<double, 3>& in_ball : bull.in_ball)
+  {
+    const Eigen::Vector3d q = R * Eigen::Vector3d(in_ball[0], in_ball[1], in_ball[2]);
+    const auto place = *elephant_to_ball.nearest_preimage(Point_3(q[0], q[1], q[2]));
+    double value = 0;
+    for(std::size_t i = 0; i < 4; ++i)
+      value += place.barycentric_coordinates[i] * field[elephant.mesh.cells[place.cell][i]];
+    carried.push_back({ place.point.x(), place.point.y(), place.point.z() });
+    carried_field.push_back(value);
+  }
+  const bool is_written = write(elephant.mesh, elephant.mesh.points, field, "elephant.vtu")
+                          && write(bull.mesh, carried, carried_field, "bull.vtu");
+  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+catch(const std::exception& error)
+{
+  std::cerr << error.what() << std::endl;
+  return EXIT_FAILURE;
+}
