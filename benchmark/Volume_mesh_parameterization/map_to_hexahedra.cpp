@@ -81,7 +81,7 @@ VMP::Error_code map_boundary(const C3t3& c3t3, const std::string& domain, const 
 {
   const auto target_map = VMP::make_vertex_point_map(target);
   if(domain == "cube") return VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, target_map);
-  if(domain == "polycube") return VMP::Polycube_boundary_parameterizer_3().parameterize(c3t3, target_map);
+  if(domain == "polycube") return VMP::Polycube_boundary_parameterizer_3(spacing).parameterize(c3t3, target_map);
   throw std::runtime_error("there is no domain '" + domain + "'");
 }
 
@@ -98,7 +98,8 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
 
   C3t3 c3t3;
   std::vector<C3t3::Vertex_handle> vertices;
-  VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices);
+  std::vector<C3t3::Cell_handle> cells;
+  VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
   Point_map target, uvw;
   const VMP::Error_code status = map_boundary(c3t3, domain, spacing, target);
   if(status != VMP::OK)
