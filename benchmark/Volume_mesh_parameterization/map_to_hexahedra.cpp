@@ -11,7 +11,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
@@ -52,6 +54,7 @@ Surface_mesh surface(const std::vector<std::array<double, 3> >& coordinates, con
 {
   Surface_mesh result;
   PMP::polygon_soup_to_polygon_mesh(points_of(coordinates), triangles, result);
+  PMP::remove_isolated_vertices(result);
   return result;
 }
 
@@ -104,7 +107,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   const VMP::Error_code status = map_boundary(c3t3, domain, spacing, target);
   if(status != VMP::OK)
   {
-    std::cout << "no boundary: " << VMP::get_error_message(status) << std::endl;
+    std::cout << "status: no boundary: " << VMP::get_error_message(status) << std::endl;
     return;
   }
   const VMP::Parameterization_result map
@@ -113,7 +116,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
       params::boundary_map(VMP::make_vertex_point_map(target)).do_refine(true).do_slide_boundary(true));
   if(map.boundary_residual != 0)
   {
-    std::cout << "no map: " << map.message << std::endl;
+    std::cout << "status: no map: " << map.message << std::endl;
     return;
   }
 
@@ -123,14 +126,16 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
     c3t3, VMP::make_vertex_point_map(uvw), spacing, mesh);
   timer.stop();
-  std::cout << (result.status == VMP::OK ? "OK " : "failed ") << map.number_of_cells << " tetrahedra, "
-            << result.number_of_cells << " hexahedra, padding " << result.has_padding << ", inverted "
-            << result.number_of_inverted_corners << ", scaled Jacobian min " << result.minimal_scaled_jacobian
-            << " mean " << result.mean_scaled_jacobian;
+  std::cout << "status: " << (result.status == VMP::OK ? "OK" : result.message) << "\ntetrahedra: " << map.number_of_cells
+            << "\nhexahedra: " << result.number_of_cells << "\npadding: " << result.has_padding
+            << "\ninverted_corners: " << result.number_of_inverted_corners
+            << "\nminimal_scaled_jacobian: " << result.minimal_scaled_jacobian
+            << "\nmean_scaled_jacobian: " << result.mean_scaled_jacobian
+            << "\nseconds_map: " << map.seconds_total << "\nseconds_hexahedra: " << timer.time() << std::endl;
   if(result.status == VMP::OK)
-    std::cout << ", Hausdorff distance " << PMP::approximate_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(
-      surface(soup.points, boundary(soup)), surface(mesh.points, boundary(mesh))) / diagonal;
-  std::cout << ", seconds " << map.seconds_total << " " << timer.time() << " " << result.message << std::endl;
+    std::cout << "hausdorff_distance: "
+              << PMP::approximate_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(
+                   surface(soup.points, boundary(soup)), surface(mesh.points, boundary(mesh))) / diagonal << std::endl;
   if(result.status == VMP::OK && !output.empty())
   {
     std::ofstream out(output);
@@ -144,7 +149,8 @@ int main(int argc, char* argv[])
   if(!(number > 0))
   {
     std::cerr << "Usage: map_to_hexahedra SOURCE.mesh DOMAIN NUMBER [OUTPUT.vtu]\n"
-                 "DOMAIN is cube or polycube, and NUMBER is that of hexahedra along its longest side." << std::endl;
+                 "DOMAIN is cube or polycube, and NUMBER is that of hexahedra along the longest side of the body, or of\n"
+                 "the cube. The Hausdorff distance of the surfaces is relative to the diagonal of the body." << std::endl;
     return EXIT_FAILURE;
   }
   try

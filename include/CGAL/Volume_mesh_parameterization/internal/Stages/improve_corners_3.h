@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
@@ -27,6 +28,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -51,7 +54,11 @@ inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const double edge, L
   constexpr std::size_t maximal_number_of_steps = 200;
   constexpr double theta = 0.5; // how much volumes count while untangling
   Map_3 map = judged(mesh, mesh.target);
-  if(mesh.number_of_free_vertices == 0)
+  const auto is_prescribed = [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
+  };
+  if(mesh.number_of_free_vertices == 0 || inverted_cells(mesh, mesh.target, is_prescribed).number > 0)
     return map;
   Progress_3 progress([](const Parameterization_step&) { return true; }, maximal_number_of_steps,
                       (std::numeric_limits<double>::infinity)());
