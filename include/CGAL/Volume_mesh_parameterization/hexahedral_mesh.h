@@ -21,7 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Box_grid_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/check_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Pulled_back_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/judge_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pad_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
@@ -41,25 +41,32 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// The mesh pulled back, with its corners improved.
-template <typename ConcurrencyTag>
-Hexahedron_soup_3 pulled_back(const Volume_map_3& map, Hexahedron_soup_3 mesh)
-{
-  using Point_3 = Volume_map_3::Point_3;
-  std::vector<Point_3> points;
-  for(const std::array<double, 3>& p : mesh.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  const auto locations = map.preimages<ConcurrencyTag>(points);
-  for(std::size_t v = 0; v < points.size(); ++v)
-  {
-    const auto location = locations[v] ? locations[v] : map.nearest_preimage(points[v]); // padding may leave the domain
-    mesh.points[v] = coordinates(location->point);
-  }
+constexpr double sufficient_scaled_jacobian = 0.3;
 
-  Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
-  Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
-  improve_hexahedra_3(mesh, linear_solver, is_parallel<ConcurrencyTag>());
-  return mesh;
+// Improves hexahedra until they suffice, and keeps the best ones: first with the vertices on the boundary fixed.
+template <typename ConcurrencyTag>
+Hexahedral_mesh_result improve(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra, const bool has_padding,
+                               Hexahedron_soup_3& best)
+{
+  constexpr int maximal_number_of_rounds = 4;
+  hexahedra.improve_inside();
+  best = hexahedra.mesh();
+  Hexahedral_mesh_result result = judged(best, has_padding);
+  for(int round = 0; round < maximal_number_of_rounds; ++round)
+  {
+    if(result.minimal_scaled_jacobian >= sufficient_scaled_jacobian)
+      break;
+    if(!hexahedra.slide())
+      break;
+    hexahedra.improve_inside();
+    const Hexahedral_mesh_result next = judged(hexahedra.mesh(), has_padding);
+    if(next.minimal_scaled_jacobian > result.minimal_scaled_jacobian)
+    {
+      result = next;
+      best = hexahedra.mesh();
+    }
+  }
+  return result;
 }
 
 } // namespace internal
@@ -72,12 +79,17 @@ makes hexahedra of a tetrahedral mesh that has been mapped to a box or a polycub
 The grid has the planes of all boundary facets of the domain, and between two neighbors of them planes at equal distances
 near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The
 boxes inside the domain are pulled back. So the vertices on the boundary lie on the boundary of the body, and on its
-edges and corners that are mapped to those of the domain. They stay there, and those inside are moved: each corner of a
+edges and corners that are mapped to those of the domain. Those inside are moved then: each corner of a
 hexahedron is taken for a tetrahedron, which is first untangled \cgalCite{cgal:gkkrs-ffm-21} and then made
-similar to the corner of a cube by minimizing `MIPS_energy_3`. Where an edge of the domain is mapped to a smooth
-part of the boundary, hexahedra are flat there, or almost so. If the minimal scaled Jacobian is below 0.3, a second
-mesh is made with a layer of hexahedra along the boundary, of which each has only one quadrangle on it, and the better
-one is returned. That all corners are positive is checked with exact predicates on the coordinates written.
+similar to the corner of a cube by minimizing `MIPS_energy_3`. As long as the minimal scaled Jacobian is below 0.3,
+
+- those on the boundary move as well, a few times, in the tangent planes of the boundary and along the edges that are
+  mapped to those of the domain, and are put back onto it through the map,
+- a second mesh is made, with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where an
+  edge of the domain is mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so.
+
+The best of these meshes is returned. That all corners are positive is checked with exact predicates on the coordinates
+written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -113,8 +125,6 @@ Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >
                                        Hexahedron_soup_3& mesh)
 {
   using Point_3 = Volume_map_3::Point_3;
-  constexpr double sufficient_scaled_jacobian = 0.3;
-
   internal::require(spacing > 0, "The spacing of a grid is positive.");
   internal::require(images.size() == points.size(), "There are as many images as points.");
   const internal::Input_check_3 check = internal::check_map_3(points, cells, images);
@@ -133,18 +143,23 @@ Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >
     return internal::refused_result(internal::failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
                                                            get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
 
-  Hexahedron_soup_3 found = internal::pulled_back<ConcurrencyTag>(map, boxes);
-  Hexahedral_mesh_result result = internal::judged(found, false);
-  if(!(result.minimal_scaled_jacobian >= sufficient_scaled_jacobian))
-  {
-    Hexahedron_soup_3 padded = internal::pulled_back<ConcurrencyTag>(map, internal::padded(boxes));
-    const Hexahedral_mesh_result result_with_padding = internal::judged(padded, true);
-    if(result_with_padding.minimal_scaled_jacobian > result.minimal_scaled_jacobian)
+  Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
+  internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
+  Hexahedron_soup_3 found;
+  Hexahedral_mesh_result result;
+  for(const bool has_padding : {false, true})
+    if(!(result.minimal_scaled_jacobian >= internal::sufficient_scaled_jacobian))
     {
-      result = result_with_padding;
-      found = std::move(padded);
+      internal::Pulled_back_hexahedra_3<ConcurrencyTag> hexahedra(
+        map, points, cells, images, has_padding ? internal::padded(boxes) : boxes, linear_solver);
+      Hexahedron_soup_3 candidate;
+      const Hexahedral_mesh_result of_candidate = internal::improve(hexahedra, has_padding, candidate);
+      if(!has_padding || of_candidate.minimal_scaled_jacobian > result.minimal_scaled_jacobian)
+      {
+        result = of_candidate;
+        found = std::move(candidate);
+      }
     }
-  }
   if(result.status == OK)
     mesh = std::move(found);
   return result;

@@ -58,10 +58,11 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
                  const Map_options_3& options, Progress_3& progress, Found_map_3& found);
 
-// Makes the corners of hexahedra, which are the cells, positive and as near to right angles as the prescribed vertices
-// allow. Starts from the targets of all vertices; `edge` is about the length of an edge.
+// Makes the corners of hexahedra, which are the cells, positive and as near to right angles as possible. Starts from
+// the targets of all vertices, which move in the directions of their projectors; `edge` is about the length of an edge.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Map_3 improve_corners(const Numbered_mesh_3& mesh, double edge, Linear_solver_3& solver, bool is_parallel);
+Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, double edge,
+                      Linear_solver_3& solver, bool is_parallel);
 
 // The result but for the counts of the complex.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -20,7 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 
 #include <array>
 #include <cstddef>
@@ -28,8 +28,10 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Moves the vertices inside such that corners become positive and their angles right; those on the boundary stay.
-inline void improve_hexahedra_3(Hexahedron_soup_3& mesh, Linear_solver_3& solver, const bool is_parallel)
+// Moves vertices such that corners become positive and their angles right: each in the directions onto which its
+// projector projects, and not at all if that is zero.
+inline void improve_hexahedra_3(Hexahedron_soup_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
+                                Linear_solver_3& solver, const bool is_parallel)
 {
   Eigen::Matrix3Xd points(3, mesh.points.size());
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -43,11 +45,17 @@ inline void improve_hexahedra_3(Hexahedron_soup_3& mesh, Linear_solver_3& solver
     sum_of_lengths += edge_matrix(points, corners.back()).colwise().norm().sum();
   });
 
+  std::vector<bool> is_fixed;
+  for(const Eigen::Matrix3d& projector : projectors)
+    is_fixed.push_back(projector.isZero(0));
   Numbered_mesh_3 numbered;
-  const std::vector<std::size_t> order = engine::set_numbered_mesh(corners, points, is_on_boundary(mesh), numbered);
+  const std::vector<std::size_t> order = engine::set_numbered_mesh(corners, points, is_fixed, numbered);
   numbered.target = numbered.source;
+  std::vector<Eigen::Matrix3d> ordered;
+  for(const std::size_t v : order)
+    ordered.push_back(projectors[v]);
   const double mean_length = sum_of_lengths / (3. * static_cast<double>(corners.size()));
-  const Map_3 map = engine::improve_corners(numbered, mean_length, solver, is_parallel);
+  const Map_3 map = engine::improve_corners(numbered, ordered, mean_length, solver, is_parallel);
   for(std::size_t i = 0; i < order.size(); ++i)
     mesh.points[order[i]] = { map.positions(0, i), map.positions(1, i), map.positions(2, i) };
 }

@@ -45,13 +45,13 @@ inline Scaled_cells_3 cube_corners_3(const Numbered_mesh_3& mesh, const double e
   return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
 }
 
-// Makes the corners of hexahedra, which are the cells and overlap, positive and as near to right angles as the prescribed
-// vertices allow: untangles, from the targets of all vertices on, and minimizes an energy of angles, with corners of
-// cubes of that edge as reference.
-inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const double edge, Linear_solver_3& solver,
-                               const bool is_parallel)
+// Makes the corners of hexahedra, which are the cells and overlap, positive and as near to right angles as possible:
+// untangles, from the targets of all vertices on, and minimizes an energy of angles, with corners of cubes of that edge
+// as reference. Each free vertex moves in the directions onto which its projector projects.
+inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
+                               const double edge, Linear_solver_3& solver, const bool is_parallel)
 {
-  constexpr std::size_t maximal_number_of_steps = 200;
+  constexpr std::size_t maximal_number_of_steps = 100;
   constexpr double theta = 0.5; // how much volumes count while untangling
   Map_3 map = judged(mesh, mesh.target);
   const auto is_prescribed = [&](const std::array<int, 4>& cell)
@@ -60,9 +60,10 @@ inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const double edge, L
   };
   if(mesh.number_of_free_vertices == 0 || inverted_cells(mesh, mesh.target, is_prescribed).number > 0)
     return map;
+
   Progress_3 progress([](const Parameterization_step&) { return true; }, maximal_number_of_steps,
                       (std::numeric_limits<double>::infinity)());
-  Newton_system_3 system(mesh, cube_corners_3(mesh, edge), free_vertices(mesh), solver, is_parallel);
+  Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
   Untangling_3 untangling(mesh, system, mesh.target, theta);
   progress.run(untangling, progress.seconds());
   map = judged(mesh, untangling.positions());
