@@ -202,11 +202,11 @@ TEST_CASE("A ball gets a layer along its boundary")
 {
   const Body ball(8, 0, rounded);
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = ball.mesh(2, mesh);
+  const Hexahedral_mesh_result result = ball.mesh(1, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.has_padding); // otherwise hexahedra along the edges of the cube would have flat corners
-  CHECK(result.number_of_cells == 64 + 96);
-  CHECK(result.number_of_boundary_vertices == 98);
+  CHECK(result.number_of_cells == 512 + 384);
+  CHECK(result.number_of_boundary_vertices == 386);
   CHECK(result.minimal_scaled_jacobian > 0.3);
   CHECK(smallest_determinant(mesh) > 0);
   const std::vector<int> numbers = boundary_quadrangles_of_cells(mesh);
@@ -273,8 +273,8 @@ TEST_CASE("Hexahedra do not depend on the number of threads")
 #ifdef CGAL_LINKED_WITH_TBB
   const Body ball(8, 0, rounded);
   Hexahedron_soup_3 sequential, parallel;
-  REQUIRE(ball.mesh(1, sequential).status == VMP::OK);
-  REQUIRE(ball.mesh<CGAL::Parallel_tag>(1, parallel).status == VMP::OK);
+  REQUIRE(ball.mesh(2, sequential).status == VMP::OK);
+  REQUIRE(ball.mesh<CGAL::Parallel_tag>(2, parallel).status == VMP::OK);
   CHECK(sequential.points == parallel.points);
   CHECK(sequential.cells == parallel.cells);
 #endif
