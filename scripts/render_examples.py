@@ -100,10 +100,23 @@ def draw_grid(vtu, output, icon):
         join(panels[1:], icon, 160)
 
 
+def draw_hexahedra(vtu, output):
+    """Hexahedra, and those of one half with their scaled Jacobians."""
+    direction, up, normal = VIEWS["polycube"]
+    mesh = render.read(str(vtu))
+    quality = render.quality_surface(render.cut(mesh, normal), "scaled_jacobian")
+    with tempfile.TemporaryDirectory() as name:
+        panels = [Path(name) / f"{i}.png" for i in range(2)]
+        render.picture(panels[0], [render.surface(mesh)], direction, up)
+        render.picture(panels[1], [quality], direction, up, legend=True)
+        join(panels, output)
+
+
 def main(folder, output_folder):
     for name in VIEWS:
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png", output_folder / "icon.png")
+    draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
 
 
 if __name__ == "__main__":

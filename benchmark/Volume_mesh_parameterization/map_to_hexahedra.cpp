@@ -2,7 +2,6 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
-#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
@@ -139,7 +138,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   if(result.status == VMP::OK && !output.empty())
   {
     std::ofstream out(output);
-    VMP::IO::write_VTU(out, mesh);
+    VMP::IO::write_MEDIT(out, mesh);
   }
 }
 
@@ -148,7 +147,7 @@ int main(int argc, char* argv[])
   const double number = argc > 3 ? std::atof(argv[3]) : 0;
   if(!(number > 0))
   {
-    std::cerr << "Usage: map_to_hexahedra SOURCE.mesh DOMAIN NUMBER [OUTPUT.vtu]\n"
+    std::cerr << "Usage: map_to_hexahedra SOURCE.mesh DOMAIN NUMBER [OUTPUT.mesh]\n"
                  "DOMAIN is cube or polycube, and NUMBER is that of hexahedra along the longest side of the body, or of\n"
                  "the cube. The Hausdorff distance of the surfaces is relative to the diagonal of the body." << std::endl;
     return EXIT_FAILURE;

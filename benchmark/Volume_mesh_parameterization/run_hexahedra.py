@@ -15,7 +15,6 @@ import sys
 import tempfile
 from fractions import Fraction
 from pathlib import Path
-from xml.etree import ElementTree
 
 from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, is_mechanical, make_mesh
 from tables import write_csv, write_json
@@ -33,12 +32,12 @@ def determinant(a, b, c):
 
 def corners_not_positive(filename):
     """In exact arithmetic on the numbers of the file."""
-    arrays = {a.get("Name"): a.text.split() for a in ElementTree.parse(filename).iter("DataArray")}
-    numbers = [Fraction(float(x)) for x in arrays["Points"]]
-    points = [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
-    indices = [int(v) for v in arrays["connectivity"]]
+    words = filename.read_text().split()
+    begin, cells = words.index("Vertices") + 2, words.index("Hexahedra") + 2
+    points = [[Fraction(float(x)) for x in words[i:i + 3]] for i in range(begin, cells - 2, 4)]
     result = 0
-    for cell in (indices[i:i + 8] for i in range(0, len(indices), 8)):
+    for first in range(cells, len(words) - 1, 9):
+        cell = [int(v) - 1 for v in words[first:first + 8]]
         for k, neighbors in enumerate(NEIGHBORS):
             p = points[cell[k]]
             edges = [[x - y for x, y in zip(points[cell[n]], p)] for n in neighbors]
@@ -59,7 +58,7 @@ def value(word):
 
 def run_case(arguments, name, domain, number):
     row = {"case": f"{name.name}_{domain}_{number}"}
-    output = name.with_name(row["case"] + ".vtu")
+    output = name.with_name(row["case"] + "_hexahedra.mesh")
     output.unlink(missing_ok=True)
     command = [arguments.program, name.with_name(name.name + ".mesh"), domain, str(number), output]
     try:

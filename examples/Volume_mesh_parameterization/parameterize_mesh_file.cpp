@@ -1,5 +1,6 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes.
 #include "Command_line.h"
+#include "Hexahedra_file.h"
 #include "JSON_object.h"
 #include "Named_energy_3.h"
 #include "Output_file.h"
@@ -326,9 +327,10 @@ void check(const Options& options)
   if(!options.output.empty() && extension != ".mesh" && extension != ".vtu")
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu");
 
+  const std::string hexahedra = options.hexahedra.empty() ? "" : Hexahedra_file(options.hexahedra).name();
   const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
   std::vector<fs::path> others = {canonical(options.source), canonical(options.target)};
-  for(const std::string& name : {options.output, options.refined_source, options.report})
+  for(const std::string& name : {options.output, options.refined_source, options.report, hexahedra})
   {
     if(name.empty())
       continue;
@@ -351,6 +353,12 @@ void print(const Result& result)
             << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n";
 }
 
+void print(const VMP::Hexahedral_mesh_result& result)
+{
+  std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimal_scaled_jacobian
+            << ", mean " << result.mean_scaled_jacobian << "\n";
+}
+
 Exit_code run(const Options& options, Result& result)
 {
   Problem problem(options);
@@ -358,6 +366,17 @@ Exit_code run(const Options& options, Result& result)
   result = parameterize(problem, options, uvw);
 
   const Exit_code code = exit_code(result);
+  if(code == SUCCESS && !options.hexahedra.empty())
+  {
+    const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(problem.source, uvw);
+    if(hexahedra.status != VMP::OK)
+    {
+      result.message = hexahedra.message;
+      return hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE : BAD_INPUT;
+    }
+    if(!options.is_quiet)
+      print(hexahedra);
+  }
   if(code == SUCCESS || code == BOUNDARY_MISSED)
   {
     if(!options.output.empty())

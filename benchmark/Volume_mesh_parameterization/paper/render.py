@@ -73,6 +73,24 @@ def colored_surface(grid, array, largest):
     return _actor(grid, False, paint)
 
 
+def quality_surface(grid, array):
+    """Colours by a quality, from dark red for 0 to light grey for 1."""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetTableRange(0, 1)
+    for i in range(256):
+        t = i / 255
+        table.SetTableValue(i, 0.6 + 0.25 * t, 0.85 * t, 0.87 * t)
+    table.Build()
+
+    def paint(mapper, _):
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray(array)
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+    return _actor(grid, True, paint)
+
+
 def _actor(grid, edges, paint):
     boundary = vtk.vtkDataSetSurfaceFilter()
     boundary.SetInputData(grid)
