@@ -45,8 +45,8 @@ constexpr double sufficient_scaled_jacobian = 0.3;
 
 // Improves hexahedra until they suffice, and keeps the best ones: first with the vertices on the boundary fixed.
 template <typename ConcurrencyTag>
-Hexahedral_mesh_result improve(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra, const bool has_padding,
-                               Hexahedron_soup_3& best)
+Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra,
+                                         const bool has_padding, Hexahedron_soup_3& best)
 {
   constexpr int maximal_number_of_rounds = 4;
   hexahedra.improve_inside();
@@ -153,7 +153,7 @@ Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >
       internal::Pulled_back_hexahedra_3<ConcurrencyTag> hexahedra(
         map, points, cells, images, has_padding ? internal::padded(boxes) : boxes, linear_solver);
       Hexahedron_soup_3 candidate;
-      const Hexahedral_mesh_result of_candidate = internal::improve(hexahedra, has_padding, candidate);
+      const Hexahedral_mesh_result of_candidate = internal::improve_in_rounds(hexahedra, has_padding, candidate);
       if(!has_padding || of_candidate.minimal_scaled_jacobian > result.minimal_scaled_jacobian)
       {
         result = of_candidate;

@@ -43,12 +43,16 @@ public:
       m_cell_of_vertex(domain.points.size()), m_is_inside(domain.points.size(), Eigen::Matrix3d::Identity()),
       m_moves_along(domain.points.size(), { true, true, true }), m_solver(solver)
   {
-    for(const std::array<std::size_t, 4>& quadrangle : boundary_quadrangles_3(domain))
+    for(const Quadrangle& quadrangle : boundary_quadrangles_3(domain))
+    {
+      const std::size_t axis = normal_axis(quadrangle);
+      m_boundary.push_back({ quadrangle, axis, turn(quadrangle, 0, axis) > 0 });
       for(const std::size_t v : quadrangle)
       {
-        m_moves_along[v][normal_axis(quadrangle)] = false;
+        m_moves_along[v][axis] = false;
         m_is_inside[v].setZero();
       }
+    }
     pull_back();
   }
 
@@ -89,29 +93,42 @@ public:
   }
 
 private:
-  // Are the quadrangles of the boundary convex in the domain?
+  using Quadrangle = std::array<std::size_t, 4>;
+
+  // A quadrangle of the boundary, and how it lies in the domain.
+  struct Boundary_quadrangle
+  {
+    Quadrangle vertices;
+    std::size_t axis; // of its normal
+    bool turns_left;
+  };
+
+  // Are the quadrangles of the boundary convex in the domain, and oriented as at first? Then they cover it once.
   bool has_convex_boundary() const
   {
-    const std::vector<std::array<std::size_t, 4> > quadrangles = boundary_quadrangles_3(m_domain);
-    return std::all_of(quadrangles.begin(), quadrangles.end(), [&](const std::array<std::size_t, 4>& quadrangle)
+    return std::all_of(m_boundary.begin(), m_boundary.end(), [&](const Boundary_quadrangle& quadrangle)
     {
-      const std::size_t axis = normal_axis(quadrangle);
-      int number_of_left_turns = 0, number_of_right_turns = 0;
+      const double sign = quadrangle.turns_left ? 1 : -1;
       for(std::size_t i = 0; i < 4; ++i)
-      {
-        const Eigen::Vector3d p = to_vector(m_domain.points[quadrangle[i]]);
-        const double turn = (to_vector(m_domain.points[quadrangle[(i + 1) % 4]]) - p)
-          .cross(to_vector(m_domain.points[quadrangle[(i + 3) % 4]]) - p)[axis];
-        number_of_left_turns += turn > 0;
-        number_of_right_turns += turn < 0;
-      }
-      return number_of_left_turns == 4 || number_of_right_turns == 4;
+        if(!(sign * turn(quadrangle.vertices, i, quadrangle.axis) > 0))
+          return false;
+      return true;
     });
+  }
+
+  // At a corner of a quadrangle of the domain: the area of the parallelogram there, seen along the axis.
+  double turn(const Quadrangle& quadrangle, const std::size_t i, const std::size_t axis) const
+  {
+    const auto edge_to = [&](const std::size_t k) -> Eigen::Vector3d
+    {
+      return to_vector(m_domain.points[quadrangle[k % 4]]) - to_vector(m_domain.points[quadrangle[i]]);
+    };
+    return edge_to(i + 1).cross(edge_to(i + 3))[axis];
   }
 
   bool is_on_boundary(const std::size_t v) const { return m_is_inside[v].isZero(0); }
 
-  std::size_t normal_axis(const std::array<std::size_t, 4>& quadrangle) const
+  std::size_t normal_axis(const Quadrangle& quadrangle) const
   {
     std::size_t axis = 0;
     const auto has_coordinate_of_first = [&](const std::size_t v)
@@ -158,17 +175,19 @@ private:
         const Eigen::Vector3d d = (direction - result * direction).stableNormalized();
         result += d * d.transpose();
       }
-    return result;
+    return result.allFinite() ? result : Eigen::Matrix3d(Eigen::Matrix3d::Zero()); // of a cell that is almost flat
   }
 
   // Near the point, in the same planes of the domain as before.
   void put_on_boundary(const std::size_t v, const Eigen::Vector3d& p)
   {
-    const Volume_map_3::Point_3 image = m_map.nearest_image(Volume_map_3::Point_3(p[0], p[1], p[2]))->point;
+    const auto image = m_map.nearest_image(Volume_map_3::Point_3(p[0], p[1], p[2]));
+    if(!image) // not finite
+      return;
     std::array<double, 3> q = m_domain.points[v];
     for(std::size_t axis = 0; axis < 3; ++axis)
       if(m_moves_along[v][axis])
-        q[axis] = image[static_cast<int>(axis)];
+        q[axis] = image->point[static_cast<int>(axis)];
     if(const auto location = m_map.preimage(Volume_map_3::Point_3(q[0], q[1], q[2])))
     {
       m_domain.points[v] = q;
@@ -181,6 +200,7 @@ private:
   const std::vector<std::array<std::size_t, 4> >& m_cells;
   const std::vector<std::array<double, 3> >& m_images;
   Hexahedron_soup_3 m_domain, m_mesh;
+  std::vector<Boundary_quadrangle> m_boundary;
   std::vector<std::size_t> m_cell_of_vertex; // of the tetrahedral mesh
   std::vector<Eigen::Matrix3d> m_is_inside;  // 1 for the vertices inside, and 0 for the others
   std::vector<std::array<bool, 3> > m_moves_along; // each axis of the domain
