@@ -125,7 +125,8 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
     c3t3, VMP::make_vertex_point_map(uvw), spacing, mesh);
   timer.stop();
-  std::cout << "status: " << (result.status == VMP::OK ? "OK" : result.message) << "\ntetrahedra: " << map.number_of_cells
+  std::cout << "status: " << (result.status == VMP::OK ? "OK" : result.message)
+            << "\ntetrahedra: " << map.number_of_cells
             << "\nhexahedra: " << result.number_of_cells << "\npadding: " << result.has_padding
             << "\ninverted_corners: " << result.number_of_inverted_corners
             << "\nminimal_scaled_jacobian: " << result.minimal_scaled_jacobian
@@ -148,8 +149,9 @@ int main(int argc, char* argv[])
   if(!(number > 0))
   {
     std::cerr << "Usage: map_to_hexahedra SOURCE.mesh DOMAIN NUMBER [OUTPUT.mesh]\n"
-                 "DOMAIN is cube or polycube, and NUMBER is that of hexahedra along the longest side of the body, or of\n"
-                 "the cube. The Hausdorff distance of the surfaces is relative to the diagonal of the body." << std::endl;
+                 "DOMAIN is cube or polycube, and NUMBER is that of hexahedra along the longest side of the body, or\n"
+                 "of the cube. The Hausdorff distance of the surfaces is relative to the diagonal of the body."
+              << std::endl;
     return EXIT_FAILURE;
   }
   try

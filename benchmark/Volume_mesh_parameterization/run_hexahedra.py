@@ -4,9 +4,10 @@
 run_hexahedra.py PROGRAM MESHER DATA [--output PREFIX]
 
 PROGRAM is map_to_hexahedra, MESHER is mesh_model, and DATA the folder data/meshes of CGAL. A line is printed for each
-case: the numbers of tetrahedra and hexahedra, whether they have a layer of padding, the minimal and mean scaled Jacobian,
-the Hausdorff distance of the surfaces relative to the diagonal of the model, and the seconds for the map and for the
-hexahedra. The files that are written are read again, and the exit status is 1 if a corner in one of them is not positive.
+case: the numbers of tetrahedra and hexahedra, whether they have a layer of padding, the minimal and mean scaled
+Jacobian, the Hausdorff distance of the surfaces relative to the diagonal of the model, and the seconds for the map and
+for the hexahedra. The files that are written are read again, and the exit status is 1 if a corner in one of them is not
+positive.
 """
 import argparse
 import itertools
@@ -27,7 +28,7 @@ TITLES = ["case", "tets", "hexes", "pad", "min SJ", "mean SJ", "Hausdorff", "s m
 
 
 def determinant(a, b, c):
-    return (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]))
+    return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
 
 
 def corners_not_positive(filename):

@@ -39,7 +39,8 @@ struct Body
   Points images;
 
   template <typename Function>
-  Body(const int n, const double jitter, const Function& f) : soup(source_soup(cube_mesh(n, jitter))), images(soup.points)
+  Body(const int n, const double jitter, const Function& f)
+    : soup(source_soup(cube_mesh(n, jitter))), images(soup.points)
   {
     for(std::array<double, 3>& p : soup.points)
     {
@@ -115,7 +116,10 @@ double smallest_determinant(const Hexahedron_soup_3& mesh)
     for(int z = 0; z < 2; ++z)
       for(int i = 0; i < 4; ++i)
       {
-        const auto corner = [&](const int k, const int height) { return vector(mesh.points[cell[4 * height + k % 4]]); };
+        const auto corner = [&](const int k, const int height)
+        {
+          return vector(mesh.points[cell[4 * height + k % 4]]);
+        };
         Eigen::Matrix3d edges;
         edges << corner(i + 1, z) - corner(i, z), corner(i + 3, z) - corner(i, z), corner(i, 1) - corner(i, 0);
         smallest = (std::min)(smallest, edges.determinant());
@@ -236,7 +240,7 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
   std::vector<Eigen::Matrix3d> projectors;
   for(const bool is_fixed : is_outer)
-    projectors.push_back(is_fixed ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+    projectors.push_back(Eigen::Matrix3d::Identity() * (is_fixed ? 0 : 1));
   VMP::internal::improve_hexahedra_3(mesh, projectors, linear_solver, false);
   const Hexahedral_mesh_result result = VMP::internal::judged(mesh, false);
   CHECK(result.status == VMP::OK);

@@ -25,9 +25,9 @@ namespace CGAL::Volume_mesh_parameterization {
 
 What `hexahedral_mesh()` returns.
 
-The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges divided by their lengths: 1 if they
-are orthogonal, and positive if and only if the corner is neither flat nor inverted. That of a hexahedron is the smallest
-one of its eight corners.
+The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges divided by their lengths: 1 if
+they are orthogonal, and positive if and only if the corner is neither flat nor inverted. That of a hexahedron is the
+smallest one of its eight corners.
 */
 struct Hexahedral_mesh_result
 {

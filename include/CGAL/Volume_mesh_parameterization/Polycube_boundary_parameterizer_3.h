@@ -43,9 +43,9 @@ finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered then, which
 On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
-With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes. All
-distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two faces
-are merged that an edge keeps apart.
+With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
+All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
+faces are merged that an edge keeps apart.
 
 The boundary may have handles, and charts may have holes. Labels are proposed from the normals as they are: a
 mechanical part should be turned such that the most important ones are along the axes. The more the boundary differs

@@ -76,8 +76,8 @@ Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3<ConcurrencyTag>
 
 makes hexahedra of a tetrahedral mesh that has been mapped to a box or a polycube: the preimage of a grid.
 
-The grid has the planes of all boundary facets of the domain, and between two neighbors of them planes at equal distances
-near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The
+The grid has the planes of all boundary facets of the domain, and between two neighbors of them planes at equal
+distances near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The
 boxes inside the domain are pulled back. So the vertices on the boundary lie on the boundary of the body, and on its
 edges and corners that are mapped to those of the domain. Those inside are moved then: each corner of a
 hexahedron is taken for a tetrahedron, which is first untangled \cgalCite{cgal:gkkrs-ffm-21} and then made
@@ -85,8 +85,8 @@ similar to the corner of a cube by minimizing `MIPS_energy_3`. As long as the mi
 
 - those on the boundary move as well, a few times, in the tangent planes of the boundary and along the edges that are
   mapped to those of the domain, and are put back onto it through the map,
-- a second mesh is made, with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where an
-  edge of the domain is mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so.
+- a second mesh is made, with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where
+  an edge of the domain is mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so.
 
 The best of these meshes is returned. That all corners are positive is checked with exact predicates on the coordinates
 written.

@@ -29,9 +29,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// A grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the
-// grid, and between two of them planes are put at equal distances near the spacing. So a box is inside the domain or
-// outside, but not both.
+// A grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of
+// the grid, and between two of them planes are put at equal distances near the spacing. So a box is inside the domain
+// or outside, but not both.
 class Box_grid_3
 {
 public:
@@ -95,7 +95,8 @@ public:
       {
         constexpr std::size_t offset[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                                {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
-        const std::size_t x = boxes[i][0] + offset[k][0], y = boxes[i][1] + offset[k][1], z = boxes[i][2] + offset[k][2];
+        const auto& [dx, dy, dz] = offset[k];
+        const std::size_t x = boxes[i][0] + dx, y = boxes[i][1] + dy, z = boxes[i][2] + dz;
         std::size_t& n = number[(x * m_planes[1].size() + y) * m_planes[2].size() + z];
         if(n == none)
         {

@@ -28,7 +28,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Each corner of a hexahedron as a tetrahedron: the corner, and its neighbors such that a cube has positive ones.
 constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
-  = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
+  = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
+       {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
 
 // The quadrangles of a hexahedron, seen from outside.
 constexpr std::array<std::array<std::size_t, 4>, 6> quadrangles_of_hexahedron

@@ -24,9 +24,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Adds a layer along the boundary: each vertex of the boundary stays where it is, and the hexahedra around it get a copy
-// further inside; a hexahedron is put between each quadrangle of the boundary and its copy. So no hexahedron has more than
-// one quadrangle on the boundary, and each of its corners a vertex inside.
+// Adds a layer along the boundary: each vertex of the boundary stays where it is, and the hexahedra around it get a
+// copy further inside; a hexahedron is put between each quadrangle of the boundary and its copy. So no hexahedron has
+// more than one quadrangle on the boundary, and each of its corners has a vertex inside.
 inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh)
 {
   constexpr double depth = 0.5; // on the way to the mean center of the hexahedra around the vertex

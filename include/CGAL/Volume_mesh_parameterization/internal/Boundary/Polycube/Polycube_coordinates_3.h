@@ -52,7 +52,8 @@ class Polycube_coordinates_3
 {
 public:
   Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes)
-    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_coordinate(charts.charts().size()), m_group(charts.charts().size())
+    : m_mesh(mesh), m_charts(charts), m_planes(planes),
+      m_coordinate(charts.charts().size()), m_group(charts.charts().size())
   {}
 
   // Returns whether there are such coordinates.

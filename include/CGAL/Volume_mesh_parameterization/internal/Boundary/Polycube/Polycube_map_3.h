@@ -42,7 +42,8 @@ public:
   // The faces get multiples of the spacing as coordinates, or any if it is 0.
   Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
                  const double spacing)
-    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels), m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
+    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
+      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
   {}
 
   Error_code run()
