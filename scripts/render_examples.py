@@ -258,17 +258,11 @@ def draw_grid(vtu, output, icon):
 
 def surface_with_field(grid):
     """Coloured by the references of the cells, from 0, orange, to 100, blue."""
-    def paint(mapper, _):
-        table = vtk.vtkLookupTable()
-        table.SetHueRange(0.08, 0.6)
-        table.SetSaturationRange(0.6, 0.6)
-        table.SetTableRange(0, 100)
-        table.Build()
-        mapper.SetScalarModeToUseCellFieldData()
-        mapper.SelectColorArray("reference")
-        mapper.SetLookupTable(table)
-        mapper.UseLookupTableScalarRangeOn()
-    return render.actor(grid, False, paint)
+    table = vtk.vtkLookupTable()
+    table.SetHueRange(0.08, 0.6)
+    table.SetSaturationRange(0.6, 0.6)
+    table.SetTableRange(0, 100)
+    return render.surface_by_table(grid, "reference", table)
 
 
 def draw_carried(folder, output):
@@ -281,6 +275,18 @@ def draw_carried(folder, output):
         join(panels, output)
 
 
+def draw_hexahedra(vtu, output):
+    """Hexahedra, and those of one half with their scaled Jacobians."""
+    direction, up, normal = VIEWS["polycube"]
+    mesh = render.read(str(vtu))
+    quality = render.quality_surface(render.cut(mesh, normal), "scaled_jacobian")
+    with tempfile.TemporaryDirectory() as name:
+        panels = [Path(name) / f"{i}.png" for i in range(2)]
+        render.picture(panels[0], [render.surface(mesh)], direction, up)
+        render.picture(panels[1], [quality], direction, up, legend=True)
+        join(panels, output)
+
+
 def main(folder, output_folder):
     draw_carried(folder, output_folder / "body_to_body.png")
     for name in VIEWS:
@@ -288,6 +294,7 @@ def main(folder, output_folder):
     if (folder / "convergence.json").exists():
         draw_convergence(folder / "convergence.json", output_folder / "convergence.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png", output_folder / "icon.png")
+    draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
 
 
 if __name__ == "__main__":

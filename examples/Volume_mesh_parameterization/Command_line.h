@@ -10,10 +10,12 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 struct Options
 {
   std::string source, target, domain, output, refined_source, report, energy, solver, boundary;
+  std::vector<std::string> hexahedra;
   int number_of_threads, number_of_iterations;
   double maximal_angle_distortion, time_limit;
   bool do_refine, do_slide, use_volume_weights, is_quiet;
@@ -61,6 +63,8 @@ inline boost::program_options::options_description describe(Options& options)
      "the map; *.mesh: the mesh with the new coordinates; *.vtu: the source with the map and its distortion as data")
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
      "the source (*.mesh) with the vertices that --refine has added; it has the cells of the output")
+    ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
+     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh or *.vtu)")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
   po::options_description boundary("Boundary", width);

@@ -26,6 +26,7 @@ struct Outcome
   Exit_code exit_code;
   std::string status_code; // the name of the result's status, or of what was thrown
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
+  std::string remark = {};     // for the console
 };
 
 inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Error_code code)
@@ -56,6 +57,9 @@ inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Err
     case VMP::ERROR_NO_POLYCUBE: return "ERROR_NO_POLYCUBE";
     case VMP::ERROR_INVALID_CORNERS: return "ERROR_INVALID_CORNERS";
     case VMP::ERROR_MIRRORED_CORNERS: return "ERROR_MIRRORED_CORNERS";
+    case VMP::ERROR_SPACING_TOO_COARSE: return "ERROR_SPACING_TOO_COARSE";
+    case VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL: return "ERROR_DOMAIN_NOT_AXIS_PARALLEL";
+    case VMP::ERROR_INVERTED_HEXAHEDRON: return "ERROR_INVERTED_HEXAHEDRON";
   }
   return "";
 }

@@ -3,6 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_OPTIONS_H
 
 #include "Command_line.h"
+#include "Hexahedra_file.h"
 #include "Named_choices.h"
 #include "Named_energy_3.h"
 #include "Output_file.h"
@@ -43,7 +44,8 @@ inline void check_files(const Options& options)
   std::vector<fs::path> others = {canonical(options.source)};
   if(!options.target.empty())
     others.push_back(canonical(options.target));
-  for(const std::string& name : {options.output, options.refined_source, options.report})
+  const std::string hexahedra = options.hexahedra.empty() ? "" : Hexahedra_file(options.hexahedra).name();
+  for(const std::string& name : {options.output, options.refined_source, options.report, hexahedra})
   {
     if(name.empty())
       continue;

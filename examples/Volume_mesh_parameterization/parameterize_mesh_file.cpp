@@ -1,5 +1,6 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, a ball, a box or a polycube.
 #include "Command_line.h"
+#include "Hexahedra_file.h"
 #include "Mesh_file.h"
 #include "Named_choices.h"
 #include "Named_energy_3.h"
@@ -24,6 +25,7 @@
 #include <functional>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <variant>
 
@@ -113,6 +115,23 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
   }
 }
 
+Outcome failed(const VMP::Hexahedral_mesh_result& hexahedra)
+{
+  Result result;
+  result.status = hexahedra.status;
+  result.message = hexahedra.message;
+  return { hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE : BAD_INPUT,
+           error_code_name(hexahedra.status), result };
+}
+
+std::string describe(const VMP::Hexahedral_mesh_result& hexahedra)
+{
+  std::ostringstream out;
+  out << hexahedra.number_of_cells << " hexahedra, scaled Jacobian: minimal " << hexahedra.minimal_scaled_jacobian
+      << ", mean " << hexahedra.mean_scaled_jacobian << "\n";
+  return out.str();
+}
+
 Outcome run(const Options& options, Progress_line& progress)
 {
   begin(progress, "reading " + options.source);
@@ -126,7 +145,15 @@ Outcome run(const Options& options, Progress_line& progress)
   begin(progress, "numbering cells and vertices, solving for a start");
   Points uvw;
   const Result result = parameterize(mesh, targets, options, progress, uvw);
-  const Outcome outcome = { exit_code(result), error_code_name(result.status), result };
+  Outcome outcome = { exit_code(result), error_code_name(result.status), result };
+  if(outcome.exit_code == SUCCESS && !options.hexahedra.empty())
+  {
+    begin(progress, "making hexahedra");
+    const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh.soup, uvw);
+    if(hexahedra.status != VMP::OK)
+      return failed(hexahedra);
+    outcome.remark = describe(hexahedra);
+  }
   if(result.has_valid_map)
   {
     progress.begin("writing"); // also if the computation was interrupted
@@ -182,7 +209,10 @@ int main(int argc, char* argv[])
     progress.finish();
     const Result& result = outcome.result;
     if(result.has_valid_map && !options.is_quiet)
+    {
       print(result);
+      std::cout << outcome.remark;
+    }
     if(outcome.exit_code != SUCCESS || result.status != VMP::OK)
       std::cerr << result.message << std::endl;
     if(outcome.exit_code == BOUNDARY_MISSED)

@@ -480,6 +480,29 @@ TEST_CASE("More threads than the machine has are told")
 }
 #endif
 
+TEST_CASE("Hexahedra are written for a box, and refused for what is none")
+{
+  const Folder folder;
+  const Soup source = cube(3);
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", source);
+  REQUIRE(folder.run("source.mesh target.mesh --quiet --hexahedra 1.5 hexahedra.mesh") == 0);
+  CHECK(folder.text("hexahedra.mesh").find("\nHexahedra\n8\n") != std::string::npos);
+  REQUIRE(folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.vtu") == 0);
+  CHECK(folder.text("hexahedra.vtu").find("NumberOfCells=\"27\"") != std::string::npos);
+  CHECK(folder.text("stdout").find("27 hexahedra, scaled Jacobian: minimal 1") != std::string::npos);
+
+  for(const char* option : {"1", "0 no.mesh", "1x no.mesh", "1 no.txt", "1 target.mesh"})
+    CHECK(folder.run("source.mesh target.mesh --hexahedra " + std::string(option)) == 2);
+  Soup sheared = source;
+  for(Point& p : sheared.points)
+    p[0] += 0.1 * p[1];
+  folder.write("target.mesh", sheared);
+  CHECK(folder.run("source.mesh target.mesh --output no.mesh --hexahedra 1 no.vtu") == 2);
+  CHECK(folder.text("stderr").find("not orthogonal to an axis") != std::string::npos);
+  CHECK(folder.names() == Names({"source.mesh", "target.mesh", "hexahedra.mesh", "hexahedra.vtu"}));
+}
+
 TEST_CASE("Vertices without a cell keep their place in the output")
 {
   const Folder folder;

@@ -856,7 +856,7 @@ TEST_CASE("Cells that the boundary map inverts or flattens are refused, with the
 TEST_CASE("Each status has a sentence")
 {
   std::unordered_set<std::string> sentences;
-  for(int code = VMP::OK; code <= VMP::ERROR_MIRRORED_CORNERS; ++code)
+  for(int code = VMP::OK; code <= VMP::ERROR_INVERTED_HEXAHEDRON; ++code)
   {
     const std::string sentence = VMP::get_error_message(static_cast<VMP::Error_code>(code));
     CHECK(sentences.insert(sentence).second);

@@ -103,17 +103,17 @@ struct Complex
 
   Complex(const Complex&) = delete;
 
-  VMP::Error_code parameterize()
+  VMP::Error_code parameterize(const double spacing = 0)
   {
     image.clear();
-    return Polycube().parameterize(c3t3, boost::make_assoc_property_map(image));
+    return Polycube(spacing).parameterize(c3t3, boost::make_assoc_property_map(image));
   }
 
-  VMP::Error_code parameterize_with_labels()
+  VMP::Error_code parameterize_with_labels(const double spacing = 0)
   {
     image.clear();
-    return Polycube().parameterize(c3t3, boost::make_assoc_property_map(labels),
-                                   boost::make_assoc_property_map(image));
+    return Polycube(spacing).parameterize(c3t3, boost::make_assoc_property_map(labels),
+                                          boost::make_assoc_property_map(image));
   }
 
   std::vector<Facet> boundary() const
@@ -235,6 +235,50 @@ TEST_CASE("bent polycubes are straightened, with one coordinate for each chart")
   check_bent(is_bracket, 8);
   check_bent(is_ring, 10);
   check_bent(is_stair, 11);
+}
+
+// The coordinates of faces, in units of the spacing; those that are no multiples, bit by bit, are lost.
+template <typename IsSolid>
+std::set<std::pair<std::size_t, double> > multiples_of_bent(const IsSolid& is_solid, const double spacing)
+{
+  const Complex straight(bricks(size, is_solid, stay));
+  Complex complex(bricks(size, is_solid, bend));
+  copy_labels(straight, complex);
+  REQUIRE(complex.parameterize_with_labels(spacing) == VMP::OK);
+  std::set<std::pair<std::size_t, double> > result;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) == complex.labels.at(f));
+    const double x = t[0][static_cast<int>(direction(t) / 2)];
+    REQUIRE(x == spacing * std::round(x / spacing));
+    result.emplace(direction(t) / 2, std::round(x / spacing));
+  }
+  return result;
+}
+
+TEST_CASE("faces of a polycube get multiples of a spacing")
+{
+  CHECK(multiples_of_bent(is_stair, 0.1).size() == 11);
+  CHECK(multiples_of_bent(is_ring, 0.3).size() == 10);
+  CHECK(multiples_of_bent(is_ring, 1).size() == 10);
+  CHECK(multiples_of_bent(is_bracket, 1.7).size() == 8);
+  CHECK(multiples_of_bent(is_ring, 50).size() == 10); // no edge is lost, although the body is smaller
+}
+
+TEST_CASE("a spacing that makes a polycube touch itself is named")
+{
+  // two columns in the middle face each other across a gap of 1
+  Complex complex(bricks({4, 3, 7}, [](const int x, const int y, const int z)
+  {
+    return x == 0 || z < 2 || z >= 5 || (x == 2 && y == 1 && z != 3);
+  }, stay));
+  CHECK(complex.parameterize(1) == VMP::OK);
+  CHECK(complex.parameterize() == VMP::OK);
+  copy_labels(complex, complex);
+  CHECK(complex.parameterize_with_labels(2) == VMP::ERROR_SPACING_TOO_COARSE);
+  CHECK(complex.image.empty());
+  CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
 }
 
 TEST_CASE("labels are proposed for a cylinder")

@@ -67,6 +67,22 @@ def colored_surface(grid, array, largest):
     table.SetTableRange(2, max(largest, 2.1))
     for i, color in enumerate(color_scale()):
         table.SetTableValue(i, *color)
+    return surface_by_table(grid, array, table)
+
+
+def quality_surface(grid, array):
+    """Colours by a quality, from dark red for 0 to light grey for 1."""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetTableRange(0, 1)
+    for i in range(256):
+        t = i / 255
+        table.SetTableValue(i, 0.6 + 0.25 * t, 0.85 * t, 0.87 * t)
+    return surface_by_table(grid, array, table, True)
+
+
+def surface_by_table(grid, array, table, edges=False):
+    """Colours by values of the cells."""
     table.Build()
 
     def paint(mapper, _):
@@ -74,7 +90,7 @@ def colored_surface(grid, array, largest):
         mapper.SelectColorArray(array)
         mapper.SetLookupTable(table)
         mapper.UseLookupTableScalarRangeOn()
-    return actor(grid, False, paint)
+    return actor(grid, edges, paint)
 
 
 def actor(grid, edges, paint):

@@ -22,7 +22,8 @@ How a parameterization ended.
 With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map
 without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
 `Parameterization_result::has_valid_map`. With the other values there is none. Those from
-`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`.
+`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last two from
+`Volume_mesh_parameterization::hexahedral_mesh()`.
 */
 enum Error_code
 {
@@ -48,7 +49,10 @@ enum Error_code
   ERROR_OTHER_CONNECTIVITY,          ///< the surface for the target has another connectivity than the boundary
   ERROR_NO_POLYCUBE,                 ///< no polycube was found whose faces have the directions of the labels
   ERROR_INVALID_CORNERS,             ///< the corners of a cube are not eight different vertices of the boundary
-  ERROR_MIRRORED_CORNERS             ///< the corners of a cube fit its mirror image
+  ERROR_MIRRORED_CORNERS,            ///< the corners of a cube fit its mirror image
+  ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
+  ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
+  ERROR_INVERTED_HEXAHEDRON          ///< a hexahedron has a corner that is flat or inverted
 };
 
 /*!
@@ -107,6 +111,13 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_MIRRORED_CORNERS:
       return "The corners are those of a mirrored cube; exchange opposite faces along one axis, for instance corners "
              "0 and 1, 2 and 3, 4 and 5, 6 and 7.";
+    case ERROR_SPACING_TOO_COARSE:
+      return "The faces of the polycube cannot be put to multiples of the spacing without merging; make it smaller.";
+    case ERROR_DOMAIN_NOT_AXIS_PARALLEL:
+      return "A boundary facet of the domain is not orthogonal to an axis; map the body to a box or a polycube.";
+    case ERROR_INVERTED_HEXAHEDRON:
+      return "A hexahedron has a corner that is flat or inverted; make the spacing smaller, or map the body with less "
+             "distortion.";
   }
   return "Unknown error code.";
 }

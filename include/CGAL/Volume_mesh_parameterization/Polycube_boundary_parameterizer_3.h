@@ -19,6 +19,7 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -42,6 +43,10 @@ finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered then, which
 On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
+With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
+All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
+faces are merged that an edge keeps apart.
+
 The boundary may have handles, and charts may have holes. Labels are proposed from the normals as they are: a
 mechanical part should be turned such that the most important ones are along the axes. The more the boundary differs
 from a polycube, the more distorted is the map, and the less certain that labels with a polycube are found.
@@ -53,6 +58,14 @@ from a polycube, the more distorted is the map, and the less certain that labels
 class Polycube_boundary_parameterizer_3
 {
 public:
+  /// chooses the spacing of the grid, in the units of the complex; 0 for faces with any coordinates.
+  ///
+  /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+  explicit Polycube_boundary_parameterizer_3(const double spacing = 0) : m_spacing(spacing)
+  {
+    internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is not negative.");
+  }
+
   /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
   ///
   /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}. They are
@@ -68,8 +81,9 @@ public:
   ///
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels,
-  ///         `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, or
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map
+  ///         `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat,
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_SPACING_TOO_COARSE` if there is a
+  ///         polycube, but not with multiples of the spacing
   ///
   /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus that
   /// of minimum cuts, at least one for each of the six labels and each weight that is tried, plus the solution of sparse
@@ -78,9 +92,9 @@ public:
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
     return map(c3t3, target, [](const internal::Boundary_surface_3<C3t3>& boundary,
-                                std::vector<Eigen::Vector3d>& images)
+                                const double spacing, std::vector<Eigen::Vector3d>& images)
     {
-      return internal::map_to_polycube_3(boundary.mesh(), images);
+      return internal::map_to_polycube_3(boundary.mesh(), spacing, images);
     });
   }
 
@@ -101,7 +115,7 @@ public:
   Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target) const
   {
     return map(c3t3, target, [&](const internal::Boundary_surface_3<C3t3>& boundary,
-                                 std::vector<Eigen::Vector3d>& images)
+                                 const double spacing, std::vector<Eigen::Vector3d>& images)
     {
       std::vector<std::size_t> label_of_face;
       for(const auto f : boundary.mesh().faces())
@@ -109,7 +123,7 @@ public:
         label_of_face.push_back(get(labels, boundary.facet(f)));
         internal::require(label_of_face.back() < 6, "The labels of a polycube are 0 to 5.");
       }
-      return internal::map_to_polycube_3(boundary.mesh(), label_of_face, images);
+      return internal::map_to_polycube_3(boundary.mesh(), label_of_face, spacing, images);
     });
   }
 
@@ -123,11 +137,15 @@ private:
     if(boundary.status() != OK)
       return boundary.status();
     std::vector<Eigen::Vector3d> images;
-    const Error_code status = map_boundary(boundary, images);
+    const Error_code status = map_boundary(boundary, m_spacing, images);
+    if(status != OK && m_spacing > 0 && map_boundary(boundary, 0, images) == OK)
+      return ERROR_SPACING_TOO_COARSE;
     for(std::size_t v = 0; v < images.size(); ++v)
       put(target, boundary.vertex(v), Point_3(images[v][0], images[v][1], images[v][2]));
     return status;
   }
+
+  double m_spacing;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

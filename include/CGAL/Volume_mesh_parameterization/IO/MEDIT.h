@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
@@ -27,16 +28,23 @@
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
-template <std::size_t N>
-void write_MEDIT_simplices(Text_writer& writer,
-                           const char* keyword,
-                           const std::vector<std::array<std::size_t, N> >& simplices,
-                           const std::vector<int>& references)
+inline void write_MEDIT_points(Text_writer& writer, const std::vector<std::array<double, 3> >& points)
 {
-  writer << keyword << "\n" << simplices.size() << "\n";
-  for(std::size_t i = 0; i < simplices.size(); ++i)
+  writer << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << points.size() << "\n";
+  for(const std::array<double, 3>& p : points)
+    writer << p[0] << " " << p[1] << " " << p[2] << " 0\n";
+}
+
+template <std::size_t N>
+void write_MEDIT_cells(Text_writer& writer,
+                       const char* keyword,
+                       const std::vector<std::array<std::size_t, N> >& cells,
+                       const std::vector<int>& references)
+{
+  writer << keyword << "\n" << cells.size() << "\n";
+  for(std::size_t i = 0; i < cells.size(); ++i)
   {
-    for(std::size_t v : simplices[i])
+    for(std::size_t v : cells[i])
       writer << v + 1 << " ";
     writer << references[i] << "\n";
   }
@@ -92,12 +100,24 @@ inline void read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup)
 inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 {
   internal::Text_writer writer(os);
-  writer << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << soup.points.size() << "\n";
-  for(const std::array<double, 3>& p : soup.points)
-    writer << p[0] << " " << p[1] << " " << p[2] << " 0\n";
+  internal::write_MEDIT_points(writer, soup.points);
   if(!soup.facets.empty())
-    internal::write_MEDIT_simplices(writer, "Triangles", soup.facets, soup.facet_references);
-  internal::write_MEDIT_simplices(writer, "Tetrahedra", soup.cells, soup.cell_references);
+    internal::write_MEDIT_cells(writer, "Triangles", soup.facets, soup.facet_references);
+  internal::write_MEDIT_cells(writer, "Tetrahedra", soup.cells, soup.cell_references);
+  writer << "End\n";
+}
+
+/// \ingroup PkgVolumeMeshParameterizationHexahedra
+///
+/// writes hexahedra in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format", with the reference 0.
+///
+/// \param os the stream
+/// \param mesh the hexahedra
+inline void write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
+{
+  internal::Text_writer writer(os);
+  internal::write_MEDIT_points(writer, mesh.points);
+  internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, std::vector<int>(mesh.cells.size(), 0));
   writer << "End\n";
 }
 

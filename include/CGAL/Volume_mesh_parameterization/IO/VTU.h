@@ -12,10 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/VTU_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 
 #include <array>
 #include <cstddef>
@@ -55,11 +57,7 @@ inline void write_VTU(std::ostream& os,
   writer.add_points("Points", soup.points);
   writer.end("Points");
 
-  writer.begin("Cells"); // cells may have different numbers of vertices, for VTK
-  writer.add<std::int32_t>("connectivity", 4 * number_of_cells, [&](std::size_t i) { return soup.cells[i / 4][i % 4]; });
-  writer.add<std::int64_t>("offsets", number_of_cells, [](std::size_t i) { return 4 * (i + 1); });
-  writer.add<std::uint8_t>("types", number_of_cells, [](std::size_t) { return vtk_tetra; });
-  writer.end("Cells");
+  writer.add_cells(soup.cells, vtk_tetra);
 
   writer.begin("PointData");
   writer.add_points("uvw", uvw);
@@ -99,6 +97,34 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
   for(typename C3t3::Triangulation::Vertex_handle v : vertices)
     uvw.push_back(internal::coordinates(get(uvw_map, v)));
   IO::write_VTU(os, soup, uvw);
+}
+
+/// \ingroup PkgVolumeMeshParameterizationHexahedra
+///
+/// writes hexahedra as a VTK XML file (`.vtu`). The cells have the values `scaled_jacobian`, as in
+/// `Hexahedral_mesh_result`.
+///
+/// \param os the stream
+/// \param mesh the hexahedra
+inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
+{
+  const std::size_t number_of_cells = mesh.cells.size();
+  const int vtk_hexahedron = 12;
+  const std::vector<double> quality = internal::scaled_jacobians(mesh);
+
+  internal::VTU_writer writer(mesh.points.size(), number_of_cells);
+
+  writer.begin("Points");
+  writer.add_points("Points", mesh.points);
+  writer.end("Points");
+
+  writer.add_cells(mesh.cells, vtk_hexahedron);
+
+  writer.begin("CellData");
+  writer.add<double>("scaled_jacobian", number_of_cells, [&](std::size_t i) { return quality[i]; });
+  writer.end("CellData");
+
+  writer.write(os);
 }
 
 } // namespace IO

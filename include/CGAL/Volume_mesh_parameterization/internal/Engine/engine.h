@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
@@ -56,6 +57,12 @@ Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, co
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
                  const Map_options_3& options, Progress_3& progress, Found_map_3& found);
+
+// Makes the corners of hexahedra, which are the cells, positive and as near to right angles as possible. Starts from
+// the targets of all vertices, which move in the directions of their projectors; `edge` is about the length of an edge.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, double edge,
+                      Linear_solver_3& solver, bool is_parallel);
 
 // The result but for the counts of the complex.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

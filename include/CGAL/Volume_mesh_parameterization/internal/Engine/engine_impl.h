@@ -21,6 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
 
@@ -66,6 +67,13 @@ void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linea
                  const Map_options_3& options, Progress_3& progress, Found_map_3& found)
 {
   improve_map_3(mesh, energy, solver, options, progress, found);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, const double edge,
+                      Linear_solver_3& solver, const bool is_parallel)
+{
+  return improve_corners_3(mesh, projectors, edge, solver, is_parallel);
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -59,6 +59,17 @@ public:
     add<double>(name, 3 * points.size(), [&](const std::size_t i) { return points[i / 3][i % 3]; }, 3);
   }
 
+  // Cells of one type, by the number that VTK gives it.
+  template <std::size_t n>
+  void add_cells(const std::vector<std::array<std::size_t, n> >& cells, const int type)
+  {
+    begin("Cells");
+    add<std::int32_t>("connectivity", n * cells.size(), [&](const std::size_t i) { return cells[i / n][i % n]; });
+    add<std::int64_t>("offsets", cells.size(), [](const std::size_t i) { return n * (i + 1); });
+    add<std::uint8_t>("types", cells.size(), [&](std::size_t) { return type; });
+    end("Cells");
+  }
+
   void write(std::ostream& os) const
   {
     os << m_xml << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << m_data

@@ -33,16 +33,27 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// The planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0.
+struct Grid_planes_3
+{
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  double spacing = 0;
+};
+
 // Finds the coordinates of the faces of a polycube for valid charts, along their axes: those that minimize
 //   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
 // such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis
 // that meet in a corner have the same coordinate. The axes are independent of each other, and small quadratic programs.
 // If edges of a face intersect then, they get the order that they have on the surface, too.
+//
+// With planes of a grid, in units of its spacing, distances are rounded up to integers and the solution to the nearest
+// ones. As floor(x + 1/2) is monotone and commutes with adding integers, this keeps all distances.
 class Polycube_coordinates_3
 {
 public:
-  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
-    : m_mesh(mesh), m_charts(charts), m_coordinate(charts.charts().size()), m_group(charts.charts().size())
+  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes)
+    : m_mesh(mesh), m_charts(charts), m_planes(planes),
+      m_coordinate(charts.charts().size()), m_group(charts.charts().size())
   {}
 
   // Returns whether there are such coordinates.
@@ -155,6 +166,8 @@ private:
 
   bool solve(const int axis)
   {
+    const bool has_planes = m_planes.spacing > 0;
+    const double unit = has_planes ? m_planes.spacing : 1, origin = has_planes ? m_planes.origin[axis] : 0;
     Quadratic_program<double> program(LARGER, false, 0, false, 0);
     std::vector<std::size_t> groups;
     std::vector<int> variable(m_group.size(), -1);
@@ -163,7 +176,7 @@ private:
       {
         const int i = variable[c] = static_cast<int>(groups.size());
         program.set_d(i, i, 2 * m_area[c]);
-        program.set_c(i, -2 * m_moment[c]);
+        program.set_c(i, -2 * (m_moment[c] - m_area[c] * origin) / unit);
         groups.push_back(c);
       }
 
@@ -176,7 +189,7 @@ private:
         return false;
       program.set_a(variable[order.first], row, -1);
       program.set_a(variable[order.second], row, 1);
-      program.set_b(row++, order.distance);
+      program.set_b(row++, has_planes ? std::ceil(order.distance / unit) : order.distance);
     }
 
     const auto solution = solve_quadratic_program(program, Exact_rational());
@@ -184,8 +197,20 @@ private:
       return false;
     auto value = solution.variable_values_begin();
     for(const std::size_t c : groups)
-      m_coordinate[c] = CGAL::to_double(*value++);
+    {
+      m_coordinate[c] = origin + unit * (has_planes ? nearest_integer(*value) : CGAL::to_double(*value));
+      ++value;
+    }
     return true;
+  }
+
+  // floor(x + 1/2)
+  template <typename NT>
+  static double nearest_integer(const NT& x)
+  {
+    const NT y = x + NT(1) / NT(2);
+    const double floor = std::floor(CGAL::to_double(y)); // up to the rounding of y
+    return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
   }
 
   // Returns whether there were any.
@@ -228,6 +253,7 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
+  const Grid_planes_3& m_planes;
   std::vector<double> m_coordinate; // of groups, as the next ones
   std::vector<double> m_area, m_moment;
   std::vector<std::size_t> m_group;

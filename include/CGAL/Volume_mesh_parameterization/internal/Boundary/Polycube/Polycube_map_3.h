@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>
@@ -38,13 +39,18 @@ class Polycube_map_3
 public:
   using Face = Boundary_mesh_3::Face_index;
 
-  Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels)
-    : m_mesh(mesh), m_box(box), m_charts(mesh, labels), m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
+  // The faces get multiples of the spacing as coordinates, or any if it is 0.
+  Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
+                 const double spacing)
+    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
+      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
   {}
 
   Error_code run()
   {
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts);
+    const double size = m_box.sizes().maxCoeff();
+    const Grid_planes_3 planes = { -m_box.center() / size, m_spacing / size };
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes);
     if(!m_charts.are_valid() || !coordinates.run())
       return ERROR_NO_POLYCUBE;
     for(const Polycube_chain_3& chain : m_charts.chains())
@@ -151,6 +157,8 @@ private:
   {
     for(Eigen::Vector3d& image : m_images)
       image = m_box.center() + m_box.sizes().maxCoeff() * image;
+    if(m_spacing > 0)
+      remove_rounding();
     const auto faces = m_mesh.faces();
     if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
       return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
@@ -159,8 +167,19 @@ private:
     return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
   }
 
+  // Makes the coordinates of faces multiples of the spacing again.
+  void remove_rounding()
+  {
+    for(const auto h : m_mesh.halfedges())
+    {
+      double& x = m_images[m_mesh.target(h)][m_charts.charts()[m_charts.chart(h)].axis()];
+      x = m_spacing * std::round(x / m_spacing);
+    }
+  }
+
   const Boundary_mesh_3& m_mesh;
   const Eigen::AlignedBox3d m_box;
+  const double m_spacing;
   const Polycube_charts_3 m_charts;
   std::vector<Eigen::Vector3d> m_images;
   std::vector<Face> m_flipped_faces;

@@ -25,13 +25,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a surface onto a polycube for given labels.
-inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, const std::vector<std::size_t>& labels,
+// Maps a surface onto a polycube for given labels. The coordinates of its faces are multiples of the spacing, or any if
+// that is 0.
+inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, const std::vector<std::size_t>& labels, const double spacing,
                                     std::vector<Eigen::Vector3d>& images)
 {
   const Eigen::AlignedBox3d box = bounding_box(mesh);
   set_points(mesh, unit_points(mesh));
-  Polycube_map_3 map(mesh, box, labels);
+  Polycube_map_3 map(mesh, box, labels, spacing);
   const Error_code status = map.run();
   if(status == OK)
     images = map.images();
@@ -40,7 +41,7 @@ inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, const std::vector<std:
 
 // Maps a surface onto a polycube whose faces are close to it, with as many details as possible: proposes
 // labels with more and more smoothing until there is a polycube for them.
-inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, std::vector<Eigen::Vector3d>& images)
+inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, const double spacing, std::vector<Eigen::Vector3d>& images)
 {
   const Eigen::AlignedBox3d box = bounding_box(mesh);
   set_points(mesh, unit_points(mesh));
@@ -51,7 +52,7 @@ inline Error_code map_to_polycube_3(Boundary_mesh_3 mesh, std::vector<Eigen::Vec
     std::vector<std::size_t> labels = costs.minimize(smoothing);
     for(int attempt = 0; attempt < 10 && repair_labels_3(mesh, costs, smoothing, labels); ++attempt)
     {
-      Polycube_map_3 map(mesh, box, labels);
+      Polycube_map_3 map(mesh, box, labels, spacing);
       const Error_code status_of_map = map.run();
       if(status_of_map == OK)
       {

@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+"""Maps models of CGAL's data to a cube and a polycube, and makes hexahedra of the maps.
+
+run_hexahedra.py PROGRAM MESHER DATA [--output PREFIX]
+
+PROGRAM is map_to_hexahedra, MESHER is mesh_model, and DATA the folder data/meshes of CGAL. A line is printed for each
+case: the numbers of tetrahedra and hexahedra, whether they have a layer of padding, the minimal and mean scaled
+Jacobian, the Hausdorff distance of the surfaces relative to the diagonal of the model, and the seconds for the map and
+for the hexahedra. The files that are written are read again, and the exit status is 1 if a corner in one of them is not
+positive.
+"""
+import argparse
+import itertools
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+from pathlib import Path
+
+from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, is_mechanical, make_mesh
+from tables import write_csv, write_json
+
+NEIGHBORS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]  # of VTK's corners
+LINE = [("case", "<24"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("padding", ">4"),
+        ("minimal_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("hausdorff_distance", ">10.6f"),
+        ("seconds_map", ">7.2f"), ("seconds_hexahedra", ">7.2f"), ("status", "")]
+TITLES = ["case", "tets", "hexes", "pad", "min SJ", "mean SJ", "Hausdorff", "s map", "s hexes", "status"]
+
+
+def determinant(a, b, c):
+    return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
+
+
+def corners_not_positive(filename):
+    """In exact arithmetic on the numbers of the file."""
+    words = filename.read_text().split()
+    begin, cells = words.index("Vertices") + 2, words.index("Hexahedra") + 2
+    points = [[Fraction(float(x)) for x in words[i:i + 3]] for i in range(begin, cells - 2, 4)]
+    result = 0
+    for first in range(cells, len(words) - 1, 9):
+        cell = [int(v) - 1 for v in words[first:first + 8]]
+        for k, neighbors in enumerate(NEIGHBORS):
+            p = points[cell[k]]
+            edges = [[x - y for x, y in zip(points[cell[n]], p)] for n in neighbors]
+            result += determinant(*edges) <= 0
+    return result
+
+
+def domains_of(model):
+    return ["cube"] * (model not in MECHANICAL_WITH_HANDLES) + ["polycube"] * is_mechanical(model)
+
+
+def value(word):
+    try:
+        return float(word) if "." in word or "e-" in word else int(word)
+    except ValueError:
+        return word
+
+
+def run_case(arguments, name, domain, number):
+    row = {"case": f"{name.name}_{domain}_{number}"}
+    output = name.with_name(row["case"] + "_hexahedra.mesh")
+    output.unlink(missing_ok=True)
+    command = [arguments.program, name.with_name(name.name + ".mesh"), domain, str(number), output]
+    try:
+        run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                             timeout=arguments.time_limit)
+    except subprocess.TimeoutExpired:
+        return {**row, "status": "time limit"}
+    said = dict(text.split(": ", 1) for text in run.stdout.splitlines() if ": " in text)
+    row.update((key, value(word)) for key, word in said.items())
+    row.setdefault("status", run.stdout.strip() or f"exit code {run.returncode}")
+    if output.exists():
+        row["refuted_corners"] = corners_not_positive(output)
+    return row
+
+
+def line(row):
+    return " ".join(format(row[key], form) if key in row else format("-", form.split(".")[0]) for key, form in LINE)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", help="the program map_to_hexahedra")
+    parser.add_argument("mesher", help="the program mesh_model")
+    parser.add_argument("data", type=Path, help="the folder with the surfaces")
+    parser.add_argument("--models", nargs="+", default=SMOOTH + MECHANICAL + MECHANICAL_WITH_HANDLES, metavar="NAME")
+    parser.add_argument("--domains", nargs="+", default=["cube", "polycube"], metavar="DOMAIN")
+    parser.add_argument("--sizes", nargs="+", type=float, default=[0.05, 0.035, 0.025], metavar="SIZE",
+                        help="of the tetrahedra, relative to the diagonal of the model")
+    parser.add_argument("--numbers", nargs="+", type=int, default=[10, 20], metavar="NUMBER",
+                        help="of hexahedra along the longest side")
+    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
+    parser.add_argument("--meshes", metavar="FOLDER", help="keeps the meshes that are made, for the next time")
+    parser.add_argument("--time-limit", type=float, default=120, metavar="SECONDS", help="of each mesh and each case")
+    arguments = parser.parse_args()
+
+    rows = []
+    print(" ".join(format(title, form.split(".")[0]) for title, (_, form) in zip(TITLES, LINE)))
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(arguments.meshes or temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        for model, size in itertools.product(arguments.models, arguments.sizes):
+            name = folder / f"{model}_{size:g}"
+            make_mesh(arguments, model, size, name)
+            for domain, number in itertools.product(domains_of(model), arguments.numbers):
+                if domain in arguments.domains:
+                    rows.append(run_case(arguments, name, domain, number))
+                    print(line(rows[-1]), flush=True)
+
+    for domain in arguments.domains:
+        chosen = [row for row in rows if f"_{domain}_" in row["case"]]
+        print(f"{domain}: {sum(row['status'] == 'OK' for row in chosen)} of {len(chosen)} OK")
+    refuted = sum(row.get("refuted_corners", 0) for row in rows)
+    print(f"corners that are not positive in meshes that were written: {refuted}")
+    if arguments.output:
+        write_csv(arguments.output + ".csv", rows)
+        write_json(arguments.output + ".json", rows)
+    sys.exit(refuted > 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+// The option --hexahedra of parameterize_mesh_file: hexahedra of a map to a box or a polycube, in a file.
+#ifndef HEXAHEDRA_FILE_H
+#define HEXAHEDRA_FILE_H
+
+#include "Output_file.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+class Hexahedra_file
+{
+public:
+  // The values of the option: the spacing of the grid, and the name of the file.
+  explicit Hexahedra_file(const std::vector<std::string>& words)
+  {
+    if(words.size() != 2)
+      throw std::runtime_error("--hexahedra takes a spacing and the name of a file");
+    char* end;
+    m_spacing = std::strtod(words[0].c_str(), &end);
+    m_name = words[1];
+    if(*end != '\0' || !(m_spacing > 0))
+      throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a positive number");
+    if(extension() != ".mesh" && extension() != ".vtu")
+      throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu");
+  }
+
+  const std::string& name() const { return m_name; }
+
+  // Writes the file only if the status is `OK`.
+  CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
+  write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
+        const std::vector<std::array<double, 3> >& uvw) const
+  {
+    namespace VMP = CGAL::Volume_mesh_parameterization;
+    VMP::Hexahedron_soup_3 mesh;
+    const VMP::Hexahedral_mesh_result result
+      = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(source.points, source.cells, uvw, m_spacing, mesh);
+    if(result.status == VMP::OK)
+    {
+      Output_file file(m_name);
+      if(extension() == ".vtu")
+        VMP::IO::write_VTU(file.stream(), mesh);
+      else
+        VMP::IO::write_MEDIT(file.stream(), mesh);
+      file.commit();
+    }
+    return result;
+  }
+
+private:
+  std::string extension() const { return std::filesystem::path(m_name).extension().string(); }
+
+  double m_spacing;
+  std::string m_name;
+};
+
+#endif // HEXAHEDRA_FILE_H

@@ -1,0 +1,73 @@
+// From a surface in a file to hexahedra: a mechanical part is mapped onto a polycube, and a grid pulled back.
+#include "mesh_surface.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <unordered_map>
+
+using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+int main(int argc, char* argv[])
+{
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
+  const std::string output_filename = (argc > 2) ? argv[2] : "hexahedra.vtu";
+  const double number = (argc > 3) ? std::atof(argv[3]) : 15; // of hexahedra along the longest side
+
+  Surface_mesh surface;
+  if(!CGAL::IO::read_polygon_mesh(filename, surface) || !(number > 0))
+  {
+    std::cerr << "Usage: hexahedral_mesh SURFACE [OUTPUT.vtu [NUMBER]]" << std::endl;
+    return EXIT_FAILURE;
+  }
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
+  const double spacing = (std::max)({ box.x_span(), box.y_span(), box.z_span() }) / number;
+  C3t3 c3t3 = mesh_mechanical_part(surface);
+
+  // onto a polycube whose faces fit the grid
+  Point_map target;
+  const auto target_map = VMP::make_vertex_point_map(target);
+  const VMP::Error_code status = VMP::Polycube_boundary_parameterizer_3(spacing).parameterize(c3t3, target_map);
+  if(status != VMP::OK)
+  {
+    std::cerr << VMP::get_error_message(status) << std::endl;
+    return EXIT_FAILURE;
+  }
+  Point_map uvw;
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
+  const VMP::Parameterization_result map = CGAL::stretch_minimizing_volume_parameterization(
+    c3t3, uvw_map, params::boundary_map(target_map).do_refine(true).do_slide_boundary(true));
+  if(map.status != VMP::OK)
+  {
+    std::cerr << map.message << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  // and back
+  VMP::Hexahedron_soup_3 hexahedra;
+  const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh(c3t3, uvw_map, spacing, hexahedra);
+  std::cout << result.message << "\n"
+            << result.number_of_cells << " hexahedra, " << result.number_of_vertices << " vertices\n"
+            << "scaled Jacobian: minimal " << result.minimal_scaled_jacobian
+            << ", mean " << result.mean_scaled_jacobian << std::endl;
+  if(result.status != VMP::OK)
+    return EXIT_FAILURE;
+
+  std::ofstream out(output_filename);
+  VMP::IO::write_VTU(out, hexahedra);
+  out.close();
+  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,49 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_HEXAHEDRAL_MESH_RESULT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_HEXAHEDRAL_MESH_RESULT_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationHexahedra
+
+What `hexahedral_mesh()` returns.
+
+The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges divided by their lengths: 1 if
+they are orthogonal, and positive if and only if the corner is neither flat nor inverted. That of a hexahedron is the
+smallest one of its eight corners.
+*/
+struct Hexahedral_mesh_result
+{
+  Error_code status = OK;                ///< how it ended
+  std::string message;                   ///< sentences about the status, with its place
+  std::size_t number_of_vertices = 0;          ///< of the mesh
+  std::size_t number_of_boundary_vertices = 0; ///< those of them on the boundary of the body
+  std::size_t number_of_cells = 0;             ///< hexahedra
+  std::size_t number_of_inverted_corners = 0;  ///< or flat ones, by exact predicates
+  bool has_padding = false;                    ///< has a layer of hexahedra been added along the boundary?
+  /// of all hexahedra; not a number if there is none
+  double minimal_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
+  /// of all hexahedra; not a number if there is none
+  double mean_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
+};
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_HEXAHEDRAL_MESH_RESULT_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BOX_GRID_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BOX_GRID_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of
+// the grid, and between two of them planes are put at equal distances near the spacing. So a box is inside the domain
+// or outside, but not both.
+class Box_grid_3
+{
+public:
+  // The domain is the image of the cells.
+  Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& images,
+             const double spacing)
+  {
+    std::vector<std::array<int, 4> > numbered(cells.size());
+    for(std::size_t c = 0; c < cells.size(); ++c)
+      std::transform(cells[c].begin(), cells[c].end(), numbered[c].begin(),
+                     [](const std::size_t v) { return static_cast<int>(v); });
+    for(const std::array<int, 3>& facet : boundary_facets_3(numbered))
+      if(!add_plane_of(facet, images))
+        return;
+    double number_of_boxes = 1;
+    for(int axis = 0; axis < 3; ++axis)
+    {
+      std::vector<double>& planes = m_planes[axis];
+      std::sort(planes.begin(), planes.end());
+      planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+      double number = 0;
+      for(std::size_t i = 1; i < planes.size(); ++i)
+        number += number_of_parts(planes[i] - planes[i - 1], spacing);
+      number_of_boxes *= number;
+    }
+    constexpr double most_boxes = 1e9;
+    if(!(number_of_boxes <= most_boxes))
+      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes,
+                             " boxes; make the spacing larger.");
+    else
+      for(std::vector<double>& planes : m_planes)
+        planes = divided(planes, spacing);
+  }
+
+  const Input_check_3& check() const { return m_check; }
+
+  // The boxes for whose centers, all at once, `are_inside` returns a value that is true.
+  template <typename Predicate>
+  Hexahedron_soup_3 boxes(const Predicate& are_inside) const
+  {
+    std::vector<std::array<std::size_t, 3> > boxes;
+    std::vector<Exact_point_3> centers;
+    for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
+      for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
+        for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
+        {
+          boxes.push_back({ x, y, z });
+          centers.emplace_back(middle(0, x), middle(1, y), middle(2, z));
+        }
+    const auto is_inside = are_inside(centers);
+
+    Hexahedron_soup_3 result;
+    constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+    std::vector<std::size_t> number(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none);
+    for(std::size_t i = 0; i < boxes.size(); ++i)
+    {
+      if(!is_inside[i])
+        continue;
+      std::array<std::size_t, 8> cell;
+      for(std::size_t k = 0; k < 8; ++k)
+      {
+        constexpr std::size_t offset[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
+        const auto& [dx, dy, dz] = offset[k];
+        const std::size_t x = boxes[i][0] + dx, y = boxes[i][1] + dy, z = boxes[i][2] + dz;
+        std::size_t& n = number[(x * m_planes[1].size() + y) * m_planes[2].size() + z];
+        if(n == none)
+        {
+          n = result.points.size();
+          result.points.push_back({ m_planes[0][x], m_planes[1][y], m_planes[2][z] });
+        }
+        cell[k] = n;
+      }
+      result.cells.push_back(cell);
+    }
+    return result;
+  }
+
+private:
+  bool add_plane_of(const std::array<int, 3>& facet, const std::vector<std::array<double, 3> >& images)
+  {
+    const auto& p = images[facet[0]];
+    const auto& q = images[facet[1]];
+    const auto& r = images[facet[2]];
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      if(p[axis] == q[axis] && q[axis] == r[axis])
+      {
+        m_planes[axis].push_back(p[axis]);
+        return true;
+      }
+    m_check = failed_check(ERROR_DOMAIN_NOT_AXIS_PARALLEL, "The facet at ", describe(to_vector(p)), ", ",
+                           describe(to_vector(q)), ", ", describe(to_vector(r)), " is not orthogonal to an axis.");
+    return false;
+  }
+
+  static double number_of_parts(const double length, const double spacing)
+  {
+    return (std::max)(1., std::round(length / spacing));
+  }
+
+  static std::vector<double> divided(const std::vector<double>& planes, const double spacing)
+  {
+    std::vector<double> result(planes.begin(), planes.begin() + (planes.empty() ? 0 : 1));
+    for(std::size_t i = 1; i < planes.size(); ++i)
+    {
+      const double n = number_of_parts(planes[i] - planes[i - 1], spacing);
+      for(double k = 1; k < n; ++k)
+        result.push_back(planes[i - 1] + (planes[i] - planes[i - 1]) * (k / n));
+      result.push_back(planes[i]);
+    }
+    return result;
+  }
+
+  double middle(const std::size_t axis, const std::size_t i) const
+  {
+    return m_planes[axis][i] + (m_planes[axis][i + 1] - m_planes[axis][i]) / 2;
+  }
+
+  std::array<std::vector<double>, 3> m_planes; // their coordinates, along each axis
+  Input_check_3 m_check;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BOX_GRID_3_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_CORNERS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_CORNERS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The reference of each cell is the corner of a cube with that edge.
+inline Scaled_cells_3 cube_corners_3(const Numbered_mesh_3& mesh, const double edge)
+{
+  const double unit = std::exp2(-std::round(std::log2(edge)));
+  const Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity() / (edge * unit);
+  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+}
+
+// Makes the corners of hexahedra, which are the cells and overlap, positive and as near to right angles as possible:
+// untangles, from the targets of all vertices on, and minimizes an energy of angles, with corners of cubes of that edge
+// as reference. Each free vertex moves in the directions onto which its projector projects.
+inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
+                               const double edge, Linear_solver_3& solver, const bool is_parallel)
+{
+  constexpr std::size_t maximal_number_of_steps = 100;
+  constexpr double theta = 0.5; // how much volumes count while untangling
+  Map_3 map = judged(mesh, mesh.target);
+  const auto is_prescribed = [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
+  };
+  if(mesh.number_of_free_vertices == 0 || inverted_cells(mesh, mesh.target, is_prescribed).number > 0)
+    return map;
+
+  Progress_3 progress([](const Parameterization_step&) { return true; }, maximal_number_of_steps,
+                      (std::numeric_limits<double>::infinity)());
+  Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
+  Untangling_3 untangling(mesh, system, mesh.target, theta);
+  progress.run(untangling, progress.seconds());
+  map = judged(mesh, untangling.positions());
+  if(!map.is_valid())
+    return map;
+  const Cell_energy_of<MIPS_energy_3> energy{MIPS_energy_3()};
+  Minimization_3 minimization(system, energy, map.positions);
+  progress.run(minimization, progress.seconds());
+  Map_3 improved = judged(mesh, snapped(mesh, minimization.positions()));
+  return improved.is_valid() ? improved : map;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_CORNERS_3_H

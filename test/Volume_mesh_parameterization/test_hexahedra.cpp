@@ -1,0 +1,334 @@
+// Hexahedra: a grid of boxes pulled back from a domain whose facets are orthogonal to the axes.
+#include "catch.h"
+#include "cube_complex.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Eigen::Vector3d;
+using VMP::Hexahedral_mesh_result;
+using VMP::Hexahedron_soup_3;
+using VMP::Tetrahedron_soup_3;
+using Points = std::vector<std::array<double, 3> >;
+
+namespace {
+
+Vector3d vector(const std::array<double, 3>& p) { return Vector3d(p[0], p[1], p[2]); }
+
+// The cube [0, n]^3, six cells for each unit cube, as the domain; the body is its image under f.
+struct Body
+{
+  Tetrahedron_soup_3 soup;
+  Points images;
+
+  template <typename Function>
+  Body(const int n, const double jitter, const Function& f)
+    : soup(source_soup(cube_mesh(n, jitter))), images(soup.points)
+  {
+    for(std::array<double, 3>& p : soup.points)
+    {
+      const Vector3d q = f(vector(p));
+      p = { q[0], q[1], q[2] };
+    }
+  }
+
+  Vector3d center_of_image(const std::array<std::size_t, 4>& cell) const
+  {
+    return (vector(images[cell[0]]) + vector(images[cell[1]]) + vector(images[cell[2]]) + vector(images[cell[3]])) / 4;
+  }
+
+  template <typename Tag = CGAL::Sequential_tag>
+  Hexahedral_mesh_result mesh(const double spacing, Hexahedron_soup_3& hexahedra) const
+  {
+    return VMP::hexahedral_mesh<Tag>(soup.points, soup.cells, images, spacing, hexahedra);
+  }
+
+  // The smallest distance to a boundary facet, one after the other.
+  double distance_to_boundary(const std::array<double, 3>& p) const
+  {
+    using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+    const auto point = [](const std::array<double, 3>& q) { return K::Point_3(q[0], q[1], q[2]); };
+    std::map<std::set<std::size_t>, int> cells_of_facet;
+    for(const auto& c : soup.cells)
+      for(std::size_t i = 0; i < 4; ++i)
+        ++cells_of_facet[{ c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4] }];
+    double result = std::numeric_limits<double>::infinity();
+    for(const auto& [facet, number] : cells_of_facet)
+    {
+      const std::vector<std::size_t> v(facet.begin(), facet.end());
+      const K::Triangle_3 triangle(point(soup.points[v[0]]), point(soup.points[v[1]]), point(soup.points[v[2]]));
+      if(number == 1)
+        result = (std::min)(result, std::sqrt(CGAL::squared_distance(point(p), triangle)));
+    }
+    return result;
+  }
+};
+
+Vector3d same(const Vector3d& p) { return p; }
+
+// Most of a ring, whose inner side is short.
+Vector3d bent(const Vector3d& p)
+{
+  const double angle = 1.2 * p[0], radius = 1 + p[1];
+  return Vector3d(radius * std::sin(angle), radius * std::cos(angle), p[2]);
+}
+
+// The cube [0, 8]^3 to a ball of radius 4: each sphere in the maximum norm becomes one in the Euclidean norm.
+Vector3d rounded(const Vector3d& p)
+{
+  const Vector3d q = p - Vector3d::Constant(4);
+  return q.isZero() ? q : Vector3d(q * (q.lpNorm<Eigen::Infinity>() / q.norm()));
+}
+
+// By the divergence theorem, with two triangles for each quadrangle: independent of the corners.
+double enclosed_volume(const Hexahedron_soup_3& mesh)
+{
+  double sum = 0;
+  for(const auto& [a, b, c, d] : VMP::internal::boundary_quadrangles_3(mesh))
+    for(const auto& triangle : { std::array<std::size_t, 3>{a, b, c}, std::array<std::size_t, 3>{a, c, d} })
+      sum += vector(mesh.points[triangle[0]]).dot(
+        vector(mesh.points[triangle[1]]).cross(vector(mesh.points[triangle[2]]))) / 6;
+  return sum;
+}
+
+// The determinants of all corners, by the definition of VTK's order.
+double smallest_determinant(const Hexahedron_soup_3& mesh)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for(const auto& cell : mesh.cells)
+    for(int z = 0; z < 2; ++z)
+      for(int i = 0; i < 4; ++i)
+      {
+        const auto corner = [&](const int k, const int height)
+        {
+          return vector(mesh.points[cell[4 * height + k % 4]]);
+        };
+        Eigen::Matrix3d edges;
+        edges << corner(i + 1, z) - corner(i, z), corner(i + 3, z) - corner(i, z), corner(i, 1) - corner(i, 0);
+        smallest = (std::min)(smallest, edges.determinant());
+      }
+  return smallest;
+}
+
+std::vector<int> boundary_quadrangles_of_cells(const Hexahedron_soup_3& mesh)
+{
+  std::map<std::set<std::size_t>, std::vector<std::size_t> > cells;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for(const auto& q : VMP::internal::quadrangles_of_hexahedron)
+      cells[{ mesh.cells[c][q[0]], mesh.cells[c][q[1]], mesh.cells[c][q[2]], mesh.cells[c][q[3]] }].push_back(c);
+  std::vector<int> result(mesh.cells.size(), 0);
+  for(const auto& entry : cells)
+    if(entry.second.size() == 1)
+      ++result[entry.second[0]];
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("A box of tetrahedra becomes cubes")
+{
+  const Body box(3, 0.2, same);
+  Hexahedron_soup_3 mesh;
+  for(const int n : {1, 2})
+  {
+    const Hexahedral_mesh_result result = box.mesh(1. / n, mesh);
+    REQUIRE(result.status == VMP::OK);
+    CHECK(result.number_of_cells == static_cast<std::size_t>(27 * n * n * n));
+    CHECK(mesh.cells.size() == result.number_of_cells);
+    CHECK(mesh.points.size() == static_cast<std::size_t>((3 * n + 1) * (3 * n + 1) * (3 * n + 1)));
+    CHECK(result.number_of_vertices - result.number_of_boundary_vertices
+          == static_cast<std::size_t>((3 * n - 1) * (3 * n - 1) * (3 * n - 1)));
+    CHECK_FALSE(result.has_padding);
+    CHECK(result.minimal_scaled_jacobian == Approx(1));
+    CHECK(result.mean_scaled_jacobian == Approx(1));
+    CHECK(smallest_determinant(mesh) == Approx(1. / (n * n * n)));
+    CHECK(enclosed_volume(mesh) == Approx(27));
+  }
+}
+
+TEST_CASE("The grid has the planes of the domain, whatever the spacing")
+{
+  Body box(2, 0, same);
+  for(std::array<double, 3>& q : box.images) // boxes of 1.5 x 0.7 x 1
+    q = { 0.75 * q[0], 0.35 * q[1], 0.5 * q[2] };
+  Hexahedron_soup_3 mesh;
+  REQUIRE(box.mesh(0.5, mesh).status == VMP::OK);
+  CHECK(mesh.cells.size() == 3 * 1 * 2);
+  REQUIRE(box.mesh(100, mesh).status == VMP::OK);
+  CHECK(mesh.cells.size() == 1);
+  CHECK(smallest_determinant(mesh) == Approx(8));
+}
+
+TEST_CASE("A bent bar with an L-shaped section becomes hexahedra")
+{
+  Body bar(4, 0, [](const Vector3d& p) { return bent(p); });
+  auto& cells = bar.soup.cells;
+  cells.erase(std::remove_if(cells.begin(), cells.end(), [&](const std::array<std::size_t, 4>& cell)
+              { const Vector3d p = bar.center_of_image(cell); return p[1] > 2 && p[2] > 2; }), cells.end());
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = bar.mesh(1, mesh);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.number_of_cells == 4 * 12);
+  CHECK(result.minimal_scaled_jacobian > 0.5);
+  CHECK(smallest_determinant(mesh) > 0);
+  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      CHECK(bar.distance_to_boundary(mesh.points[v]) < 1e-13);
+
+  // the edge inside the L, where y = z = 2 in the domain, is an edge of the hexahedra
+  for(int x = 0; x <= 4; ++x)
+  {
+    const Vector3d corner = bent(Vector3d(x, 2, 2));
+    CHECK(std::any_of(mesh.points.begin(), mesh.points.end(), [&](const std::array<double, 3>& p)
+                      { return (vector(p) - corner).norm() < 1e-12; }));
+  }
+}
+
+TEST_CASE("A ball gets a layer along its boundary")
+{
+  const Body ball(8, 0, rounded);
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = ball.mesh(1, mesh);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.has_padding); // otherwise hexahedra along the edges of the cube would have flat corners
+  CHECK(result.number_of_cells == 512 + 384);
+  CHECK(result.number_of_boundary_vertices == 386);
+  CHECK(result.minimal_scaled_jacobian > 0.3);
+  CHECK(smallest_determinant(mesh) > 0);
+  const std::vector<int> numbers = boundary_quadrangles_of_cells(mesh);
+  CHECK(*std::max_element(numbers.begin(), numbers.end()) == 1);
+  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      CHECK(ball.distance_to_boundary(mesh.points[v]) < 1e-13);
+}
+
+TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
+{
+  const Body box(5, 0, same);
+  Hexahedron_soup_3 mesh;
+  REQUIRE(box.mesh(1, mesh).status == VMP::OK);
+  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  std::mt19937 engine;
+  std::uniform_real_distribution<double> noise(-1, 1);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    for(double& x : mesh.points[v])
+      x += is_outer[v] ? 0 : noise(engine);
+  const Points before = mesh.points;
+  REQUIRE(smallest_determinant(mesh) < 0);
+  REQUIRE(VMP::internal::judged(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
+
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+  std::vector<Eigen::Matrix3d> projectors;
+  for(const bool is_fixed : is_outer)
+    projectors.push_back(Eigen::Matrix3d::Identity() * (is_fixed ? 0 : 1));
+  VMP::internal::improve_hexahedra_3(mesh, projectors, linear_solver, false);
+  const Hexahedral_mesh_result result = VMP::internal::judged(mesh, false);
+  CHECK(result.status == VMP::OK);
+  CHECK(result.minimal_scaled_jacobian > 0.99); // the cubes are the minimum
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      CHECK(mesh.points[v] == before[v]);
+}
+
+TEST_CASE("Vertices slide where the map has turned the faces of a box")
+{
+  Body box(6, 0, same);
+  for(std::array<double, 3>& q : box.images)
+  {
+    const double x = q[0] - 3, y = q[1] - 3, part = (1 - x * x / 9) * (1 - y * y / 9); // 0 on the sides
+    const double angle = 1.3 * part;
+    q[0] = 3 + std::cos(angle) * x - std::sin(angle) * y;
+    q[1] = 3 + std::sin(angle) * x + std::cos(angle) * y;
+  }
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = box.mesh(1, mesh);
+  REQUIRE(result.status == VMP::OK);
+  CHECK_FALSE(result.has_padding);
+  CHECK(result.minimal_scaled_jacobian > 0.5);
+  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      CHECK(box.distance_to_boundary(mesh.points[v]) < 1e-13);
+  CHECK(enclosed_volume(mesh) == Approx(216)); // the edges of the box are edges of hexahedra
+}
+
+TEST_CASE("Hexahedra do not depend on the number of threads")
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Body ball(8, 0, rounded);
+  Hexahedron_soup_3 sequential, parallel;
+  REQUIRE(ball.mesh(2, sequential).status == VMP::OK);
+  REQUIRE(ball.mesh<CGAL::Parallel_tag>(2, parallel).status == VMP::OK);
+  CHECK(sequential.points == parallel.points);
+  CHECK(sequential.cells == parallel.cells);
+#endif
+}
+
+TEST_CASE("What is no box or polycube is named, and nothing is written")
+{
+  Body box(2, 0, same);
+  Hexahedron_soup_3 mesh;
+  mesh.points.push_back({ 7, 7, 7 });
+  const auto status = [&](const double spacing)
+  {
+    const Hexahedral_mesh_result result = box.mesh(spacing, mesh);
+    CHECK_FALSE(result.message.empty());
+    CHECK(mesh.points.size() == 1);
+    return result.status;
+  };
+  CHECK(status(1e-9) == VMP::ERROR_SIZE_OUT_OF_RANGE);
+  CHECK_THROWS_AS(status(0), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(status(-1), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(status(std::numeric_limits<double>::quiet_NaN()), CGAL::Precondition_exception);
+
+  const Points images = box.images;
+  box.images.back()[0] = std::nextafter(box.images.back()[0], -1.); // on the boundary
+  CHECK(status(1) == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
+  box.images.back()[0] = std::numeric_limits<double>::infinity();
+  CHECK(status(1) == VMP::ERROR_NON_FINITE_COORDINATE);
+  box.images.assign(images.size(), { 0, 0, 0 });
+  CHECK(status(1) == VMP::ERROR_INVERTED_TARGET_BOUNDARY);
+  box.soup.cells.clear();
+  CHECK(status(1) == VMP::ERROR_EMPTY_COMPLEX);
+
+  // the boundary of the body turned inside out: corners on it cannot become positive
+  Body mirrored(2, 0, [](const Vector3d& p) { return Vector3d(-p[0], p[1], p[2]); });
+  CHECK(mirrored.mesh(1, mesh).status == VMP::ERROR_INVERTED_HEXAHEDRON);
+}
+
+TEST_CASE("Hexahedra are written for VTK and MEDIT")
+{
+  const Body box(1, 0, same);
+  Hexahedron_soup_3 mesh;
+  REQUIRE(box.mesh(1, mesh).status == VMP::OK);
+  std::ostringstream medit, vtu;
+  VMP::IO::write_MEDIT(medit, mesh);
+  CHECK(medit.str().find("Vertices\n8\n0 0 0 0\n") != std::string::npos);
+  CHECK(medit.str().find("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n") != std::string::npos);
+  VMP::IO::write_VTU(vtu, mesh);
+  const std::string text = vtu.str();
+  CHECK(text.find("NumberOfPoints=\"8\" NumberOfCells=\"1\"") != std::string::npos);
+  CHECK(text.find("Name=\"types\" NumberOfComponents=\"1\" format=\"ascii\">\n12\n") != std::string::npos);
+  CHECK(text.find("Name=\"offsets\" NumberOfComponents=\"1\" format=\"ascii\">\n8\n") != std::string::npos);
+  CHECK(text.find("Name=\"scaled_jacobian\" NumberOfComponents=\"1\" format=\"ascii\">\n1\n") != std::string::npos);
+}
