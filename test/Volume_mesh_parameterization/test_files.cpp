@@ -1,5 +1,6 @@
 // Files to a soup and back, and a soup to a C3t3.
 #include "catch.h"
+#include "array_of_vtu_file.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
@@ -301,27 +302,6 @@ TEST_CASE("Writing and reading a MEDIT file restores each bit, whatever the loca
   CHECK(copy.facets == soup.facets);
   CHECK(copy.facet_references == soup.facet_references);
 }
-
-namespace {
-
-// the values of type T of an array in a VTU file, whose declaration must have that type
-template <typename T = double>
-std::vector<T> array_of(const std::string& file, const std::string& name, const std::string& type = "Float64")
-{
-  std::smatch match;
-  REQUIRE(std::regex_search(file, match, std::regex("type=\"" + type + "\" Name=\"" + name
-    + "\" NumberOfComponents=\"[13]\" format=\"appended\" offset=\"([0-9]+)\"")));
-  const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(match[1]);
-  std::uint64_t number_of_bytes = 0;
-  REQUIRE(begin + sizeof(number_of_bytes) <= file.size());
-  std::memcpy(&number_of_bytes, file.data() + begin, sizeof(number_of_bytes));
-  REQUIRE(number_of_bytes <= file.size() - begin - sizeof(number_of_bytes));
-  std::vector<T> values(number_of_bytes / sizeof(T));
-  std::memcpy(values.data(), file.data() + begin + sizeof(number_of_bytes), number_of_bytes);
-  return values;
-}
-
-} // namespace
 
 TEST_CASE("A VTU file has the map and its distortions, bit by bit")
 {
