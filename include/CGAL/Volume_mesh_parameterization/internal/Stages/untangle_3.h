@@ -71,7 +71,7 @@ public:
   void untangle_patches(const Eigen::Matrix3Xd& start)
   {
     constexpr std::size_t most_for_patches = 100; // otherwise inverted cells are no exceptions
-    if(inverted_cells(m_mesh, start).number > most_for_patches)
+    if(!m_mesh.communicator->is_alone() || inverted_cells(m_mesh, start).number > most_for_patches)
       return;
     Patch_untangling_3 patches(m_mesh, m_solver, start);
     run(patches);
