@@ -104,7 +104,7 @@ PT-Scotch; so points and cells may come in any order.
 The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative
 (`KSPSTCG`) with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for
 instance `-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two
-calls with the same number of processes give the same bits. With fixed boundary, all is tried that is tried for one process,
+runs of a program with the same number of processes give the same bits. With fixed boundary, all is tried that is tried for one process,
 except to untangle small patches of the mesh. Connected components of the target are not looked at one by one: the
 volume of all must be positive.
 

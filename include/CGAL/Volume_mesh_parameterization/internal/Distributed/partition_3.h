@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -65,6 +66,7 @@ inline std::vector<int> partition_3(const MPI_communicator_3& communicator, cons
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
+  setenv("SCOTCH_PTHREAD_NUMBER", "1", 0); // with threads, PT-Scotch finds another partition in each run
   communicator.synchronize();
   const auto check = [&](const PetscErrorCode error) { PetscCallAbort(communicator.get(), error); };
   PetscInt *row_begin, *columns; // which the graph takes over
