@@ -68,9 +68,9 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
   {
     PETSc_solver_3 solver(communicator, distributed);
     if(problem.verbose)
-      std::cout << "process 0 of " << communicator.size() << ": " << mesh.number_of_own_cells() << " cells, and "
-                << mesh.number_of_copied_cells << " of others; " << distributed.number_of_own_rows() << " free vertices, and "
-                << mesh.number_of_copied_vertices << " of others; " << solver.name() << std::endl;
+      std::cout << "process 0 of " << communicator.size() << ": " << mesh.number_of_own_cells() << " cells and "
+                << mesh.number_of_copied_cells << " of others, " << distributed.number_of_own_rows()
+                << " free vertices and " << mesh.number_of_copied_vertices << " of others; " << solver.name() << std::endl;
     Map_options_3 options = problem.options;
     options.mode = Boundary_mode::FIXED;
     const Found_map_3 found = engine::find_map(mesh, check, problem.energy, solver, options, problem.progress);
@@ -104,14 +104,14 @@ PT-Scotch; so points and cells may come in any order.
 The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative
 (`KSPSTCG`) with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for
 instance `-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two
-runs of a program with the same number of processes give the same bits. With fixed boundary, all is tried that is tried for one process,
-except to untangle small patches of the mesh. Connected components of the target are not looked at one by one: the
-volume of all must be positive.
+runs of a program with the same number of processes give the same bits. All is tried that is tried for one process with
+fixed boundary, except to untangle small patches of the mesh. Connected components of the target are not looked at one by
+one: the volume of all must be positive.
 
 \param soup this process's slice of the mesh
-\param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The others
-       are not read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing
-       target.
+\param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The
+       others are not read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a
+       missing target.
 \param images receives the image of each point of the slice if the map is valid, and is left alone otherwise. Points
        without a cell receive coordinates that are not numbers. May be the same array as `targets`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `energy`, `use_volume_weights`,
@@ -121,8 +121,9 @@ volume of all must be positive.
 
 \return the same in all processes, but for times. If a visitor or a clock ends the computation in one process, then in all.
 
-What the function for arrays throws, or an energy, a visitor or a lack of memory in one process, is thrown in all
-processes, with the sentence of the first one. Errors within PETSc end all processes by `MPI_Abort()`.
+What the function for arrays throws, or an energy or a visitor in one process, is thrown in all processes:
+`Volume_mesh_parameterization::Input_error` and `std::bad_alloc` as such, all else as `std::runtime_error` with the
+sentence of the first process. Errors within PETSc end all processes by `MPI_Abort()`.
 
 Each process needs memory linear in the number of cells around its own vertices. A Newton step has a number of messages
 proportional to the number of iterations of the linear solver.

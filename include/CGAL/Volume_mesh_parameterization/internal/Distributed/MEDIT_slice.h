@@ -140,7 +140,8 @@ private:
   {
     std::size_t keyword = 1;
     std::size_t mine = 0;
-    for(const Segment& segment : communicator.exchanged(std::vector<std::vector<Segment> >(communicator.size(), m_segments)))
+    const std::vector<std::vector<Segment> > to_all(communicator.size(), m_segments);
+    for(const Segment& segment : communicator.exchanged(to_all))
     {
       if(segment.keyword > 1 && m_number_of_words.count(segment.keyword) != 0)
         throw Input_error("there is a second section '" + std::string(m_keywords[segment.keyword]) + "'");

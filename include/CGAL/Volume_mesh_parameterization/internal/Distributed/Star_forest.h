@@ -25,12 +25,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Star_forest
 {
 public:
-  Star_forest(const MPI_communicator_3& communicator, const std::size_t size_of_slice, const std::vector<PetscInt>& indices)
+  Star_forest(const MPI_communicator_3& communicator, const std::size_t size_of_slice,
+              const std::vector<PetscInt>& indices)
     : m_communicator(communicator), m_size(indices.size())
   {
     communicator.synchronize();
     PetscLayout layout;
-    check(PetscLayoutCreateFromSizes(communicator.get(), static_cast<PetscInt>(size_of_slice), PETSC_DETERMINE, 1, &layout));
+    check(PetscLayoutCreateFromSizes(communicator.get(), static_cast<PetscInt>(size_of_slice), PETSC_DETERMINE, 1,
+                                     &layout));
     check(PetscSFCreate(communicator.get(), &m_sf));
     check(PetscSFSetGraphLayout(m_sf, layout, static_cast<PetscInt>(m_size), nullptr, PETSC_OWN_POINTER, indices.data()));
     check(PetscSFSetUp(m_sf));
