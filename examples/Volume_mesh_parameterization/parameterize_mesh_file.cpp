@@ -25,7 +25,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -252,18 +251,7 @@ void check(const Options& options)
   if(!options.output.empty() && extension != ".mesh" && extension != ".vtu")
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu");
 
-  const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
-  std::vector<fs::path> others = {canonical(options.source), canonical(options.target)};
-  for(const std::string& name : {options.output, options.refined_source, options.report})
-  {
-    if(name.empty())
-      continue;
-    const fs::path path = canonical(name);
-    if(std::find(others.begin(), others.end(), path) != others.end())
-      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
-    others.push_back(path);
-    Output_file can_be_written(name);
-  }
+  check_files({options.source, options.target}, {options.output, options.refined_source, options.report});
 }
 
 Exit_code run(const Options& options, Result& result)

@@ -56,9 +56,8 @@ void check(const Options& options)
     throw std::runtime_error("the number of iterations is too small");
   if(!options.output.empty() && std::filesystem::path(options.output).extension() != ".pvtu")
     throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
-  for(const std::string& name : {options.output, options.report})
-    if(!name.empty() && rank() == 0)
-      Output_file can_be_written(name);
+  if(rank() == 0)
+    check_files({options.source, options.target}, {options.output, options.report});
 }
 
 Exit_code run(const Options& options, Result& result)

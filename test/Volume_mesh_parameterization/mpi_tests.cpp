@@ -334,6 +334,7 @@ TEST_CASE("each process reads a part of the files")
   }
   CHECK(number_of_cells == expected.soup.cells.size());
   CHECK_THROWS_AS(VMP::IO::write_PVTU("no/such/folder.pvtu", soup, images), std::runtime_error);
+  CHECK(text_of(name + "_0.vtu.tmp").empty());
 }
 
 TEST_CASE("a bad line is named in all processes")

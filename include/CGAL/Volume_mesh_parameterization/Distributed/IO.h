@@ -30,8 +30,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <ostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -140,6 +142,43 @@ inline std::vector<Target_of_vertex> read_targets(const MPI_communicator_3& comm
   return result;
 }
 
+// The cells of this process with their points and the images of these.
+inline std::pair<Tetrahedron_soup_3, std::vector<Point_of_file> >
+piece_of_process(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup,
+                 const std::vector<Point_of_file>& uvw)
+{
+  std::vector<PetscInt> vertices;
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
+    vertices.insert(vertices.end(), cell.begin(), cell.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const Star_forest star_forest(communicator, soup.points.size(), vertices);
+  Tetrahedron_soup_3 piece = { star_forest.get(soup.points), soup.cells, soup.cell_references, {}, {} };
+  for(std::array<std::size_t, 4>& cell : piece.cells)
+    for(std::size_t& v : cell)
+      v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), static_cast<PetscInt>(v))
+                                   - vertices.begin());
+  return { std::move(piece), star_forest.get(uvw) };
+}
+
+// Names the files of all processes, which have the arrays of `IO::write_VTU()`.
+template <typename NameOf>
+void write_PVTU(std::ostream& os, const int number_of_processes, const NameOf& name_of)
+{
+  os << "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "<PUnstructuredGrid GhostLevel=\"0\">\n"
+        "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n"
+        "<PPointData>\n<PDataArray type=\"Float64\" Name=\"uvw\" NumberOfComponents=\"3\"/>\n</PPointData>\n"
+        "<PCellData>\n<PDataArray type=\"Int32\" Name=\"reference\"/>\n";
+  for(const char* name : { "angle_distortion", "volume_distortion", "det_J" })
+    os << "<PDataArray type=\"Float64\" Name=\"" << name << "\"/>\n";
+  os << "</PCellData>\n";
+  for(int rank = 0; rank < number_of_processes; ++rank)
+    os << "<Piece Source=\"" << std::filesystem::path(name_of(rank)).filename().string() << "\"/>\n";
+  os << "</PUnstructuredGrid>\n</VTKFile>\n";
+}
+
 } // namespace internal
 
 namespace IO {
@@ -223,53 +262,40 @@ inline void write_PVTU(const std::string& filename, const Distributed_tetrahedro
                        const std::vector<std::array<double, 3> >& uvw)
 {
   const internal::MPI_communicator_3 communicator(soup.communicator);
-  communicator.together([&]()
+  const auto name_of = [&](const int rank)
+  { return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu"; };
+  std::vector<std::string> names; // of what this process writes
+  try
   {
-    std::vector<PetscInt> vertices;
-    for(const std::array<std::size_t, 4>& cell : soup.cells)
-      vertices.insert(vertices.end(), cell.begin(), cell.end());
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    const internal::Star_forest star_forest(communicator, soup.points.size(), vertices);
-    Tetrahedron_soup_3 piece = { star_forest.get(soup.points), soup.cells, soup.cell_references, {}, {} };
-    for(std::array<std::size_t, 4>& cell : piece.cells)
-      for(std::size_t& v : cell)
-        v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), static_cast<PetscInt>(v))
-                                     - vertices.begin());
-    const std::vector<std::array<double, 3> > images = star_forest.get(uvw);
-
-    const auto name_of = [&](const int rank)
-    { return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu"; };
-    const auto write = [&](const std::string& name, const auto& write_to)
+    communicator.together([&]()
     {
-      std::ofstream os(name + ".tmp", std::ios::binary);
-      write_to(os);
-      os.close();
-      if(!os)
-        throw std::runtime_error(name + ": the file cannot be written completely");
-    };
-    write(name_of(communicator.rank()), [&](std::ostream& os) { write_VTU(os, piece, images); });
-    if(communicator.rank() == 0)
-      write(filename, [&](std::ostream& os)
+      const auto write = [&](const std::string& name, const auto& write_to)
       {
-        os << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-              "<PUnstructuredGrid GhostLevel=\"0\">\n"
-              "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n"
-              "<PPointData>\n<PDataArray type=\"Float64\" Name=\"uvw\" NumberOfComponents=\"3\"/>\n</PPointData>\n"
-              "<PCellData>\n<PDataArray type=\"Int32\" Name=\"reference\"/>\n";
-        for(const char* name : { "angle_distortion", "volume_distortion", "det_J" })
-          os << "<PDataArray type=\"Float64\" Name=\"" << name << "\"/>\n";
-        os << "</PCellData>\n";
-        for(int rank = 0; rank < communicator.size(); ++rank)
-          os << "<Piece Source=\"" << std::filesystem::path(name_of(rank)).filename().string() << "\"/>\n";
-        os << "</PUnstructuredGrid>\n</VTKFile>\n";
-      });
-    communicator.synchronize();
-    std::filesystem::rename(name_of(communicator.rank()) + ".tmp", name_of(communicator.rank()));
-    if(communicator.rank() == 0)
-      std::filesystem::rename(filename + ".tmp", filename);
-    return 0;
-  });
+        names.push_back(name);
+        std::ofstream os(name + ".tmp", std::ios::binary);
+        write_to(os);
+        os.close();
+        if(!os)
+          throw std::runtime_error(name + ": the file cannot be written completely");
+      };
+      const auto [piece, images] = internal::piece_of_process(communicator, soup, uvw);
+      write(name_of(communicator.rank()), [&, &piece = piece, &images = images](std::ostream& os)
+                                          { write_VTU(os, piece, images); });
+      if(communicator.rank() == 0)
+        write(filename, [&](std::ostream& os) { internal::write_PVTU(os, communicator.size(), name_of); });
+      communicator.synchronize();
+      for(const std::string& name : names)
+        std::filesystem::rename(name + ".tmp", name);
+      return 0;
+    });
+  }
+  catch(...)
+  {
+    std::error_code ignored;
+    for(const std::string& name : names)
+      std::filesystem::remove(name + ".tmp", ignored);
+    throw;
+  }
 }
 
 } // namespace IO
