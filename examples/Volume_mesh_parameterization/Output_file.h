@@ -3,14 +3,12 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <vector>
 
 // A file that appears under its name when it is complete, and never if `commit()` is not reached.
 class Output_file
@@ -50,25 +48,5 @@ private:
   std::filesystem::path m_path, m_temporary;
   std::ofstream m_stream;
 };
-
-// Can these outputs be written, and are they neither inputs nor the same file? Empty names are skipped.
-inline void check_files(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs)
-{
-  namespace fs = std::filesystem;
-  const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
-  std::vector<fs::path> others;
-  for(const std::string& name : inputs)
-    others.push_back(canonical(name));
-  for(const std::string& name : outputs)
-  {
-    if(name.empty())
-      continue;
-    const fs::path path = canonical(name);
-    if(std::find(others.begin(), others.end(), path) != others.end())
-      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
-    others.push_back(path);
-    Output_file can_be_written(name);
-  }
-}
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H

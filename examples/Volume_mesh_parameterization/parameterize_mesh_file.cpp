@@ -1,11 +1,12 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes.
 #include "Command_line.h"
+#include "JSON_object.h"
 #include "Named_energy_3.h"
 #include "Output_file.h"
-#include "Report.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
@@ -23,8 +24,10 @@
 #  include <tbb/global_control.h>
 #endif
 
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -49,9 +52,12 @@ using Vertex_handle = C3t3::Vertex_handle;
 using Cell_handle = C3t3::Cell_handle;
 using Points = std::vector<std::array<double, 3> >;
 using Index_map = std::unordered_map<Vertex_handle, std::size_t>;   // to the order of the file
+using Result = VMP::Parameterization_result;
 
 // The number of threads is limited at run time; results do not depend on it.
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
+
+enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
 // Calls `f` with the linear solver of that name.
 template <typename F>
@@ -164,6 +170,27 @@ struct Point_map
   Points* points;
 };
 
+// Keeps one line of a terminal up to date.
+struct Progress
+{
+  bool after_step(const VMP::Parameterization_step& step) const
+  {
+    if(is_shown)
+      std::cerr << clear_line << "iteration " << step.iteration << ", " << step.number_of_inverted_cells
+                << " inverted cells, energy " << step.energy << ", " << step.seconds << " s" << std::flush;
+    return true;
+  }
+
+  void finish() const
+  {
+    if(is_shown)
+      std::cerr << clear_line << std::flush;
+  }
+
+  static constexpr const char* clear_line = "\r\033[K";
+  bool is_shown;
+};
+
 Result parameterize(Problem& problem, const Options& options, Points& uvw)
 {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -199,6 +226,19 @@ Result parameterize(Problem& problem, const Options& options, Points& uvw)
   return result;
 }
 
+Exit_code exit_code(const Result& result)
+{
+  if(result.has_valid_map)
+    return (result.boundary_residual == 0) ? SUCCESS : BOUNDARY_MISSED;
+  switch(result.status)
+  {
+    case VMP::ERROR_NOT_FLIP_FREE:
+    case VMP::ERROR_INTERRUPTED:
+    case VMP::ERROR_LINEAR_SOLVER_FAILED: return NOT_FLIP_FREE;
+    default: return BAD_INPUT;
+  }
+}
+
 void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh)
 {
   Output_file file(filename);
@@ -222,11 +262,46 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
   }
 }
 
+std::size_t peak_memory_bytes()
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024 * static_cast<std::size_t>(usage.ru_maxrss);
+}
+
+JSON_object json(const VMP::Distortion_3& d)
+{
+  return JSON_object().add("angle_mean", d.angle_mean).add("angle_max", d.angle_max)
+                      .add("volume_mean", d.volume_mean).add("volume_max", d.volume_max);
+}
+
+// Of bad input there is nothing to tell but the message.
 void write_report(const std::string& filename, const Result& result, Exit_code code)
 {
-  JSON_object report = json(result, code);
+  JSON_object report;
+  report.add("status", result.message);
   if(code != BAD_INPUT)
-    report.add("peak_memory_bytes", peak_memory_bytes());
+    report.add("vertices", result.number_of_vertices)
+          .add("cells", result.number_of_cells)
+          .add("boundary_vertices", result.number_of_boundary_vertices)
+          .add("added_vertices", result.number_of_added_vertices)
+          .add("sliding_vertices", result.number_of_sliding_vertices)
+          .add("inverted_cells", result.number_of_inverted_cells)
+          .add("boundary_residual", result.boundary_residual)
+          .add("iterations", result.number_of_iterations)
+          .add("untangling_iterations", result.number_of_untangling_iterations)
+          .add("seconds_total", result.seconds_total)
+          .add("seconds_to_flip_free", result.seconds_to_flip_free)
+          .add("seconds_numbering", result.seconds_numbering)
+          .add("seconds_start", result.seconds_start)
+          .add("seconds_untangling", result.seconds_untangling)
+          .add("seconds_minimization", result.seconds_minimization)
+          .add("seconds_check", result.seconds_check)
+          .add("energy_value", result.energy)
+          .add("distortion", json(result.distortion))
+          .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
+          .add("peak_memory_bytes", peak_memory_bytes());
+
   Output_file file(filename);
   file.stream() << report.text() << "\n";
   file.commit();
@@ -251,7 +326,29 @@ void check(const Options& options)
   if(!options.output.empty() && extension != ".mesh" && extension != ".vtu")
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu");
 
-  check_files({options.source, options.target}, {options.output, options.refined_source, options.report});
+  const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
+  std::vector<fs::path> others = {canonical(options.source), canonical(options.target)};
+  for(const std::string& name : {options.output, options.refined_source, options.report})
+  {
+    if(name.empty())
+      continue;
+    const fs::path path = canonical(name);
+    if(std::find(others.begin(), others.end(), path) != others.end())
+      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+    others.push_back(path);
+    Output_file can_be_written(name);
+  }
+}
+
+void print(const Result& result)
+{
+  const VMP::Distortion_3& d = result.distortion;
+  std::cout << result.number_of_cells << " cells, " << result.number_of_vertices << " vertices, "
+            << result.number_of_boundary_vertices << " on the boundary\n"
+            << result.number_of_iterations << " iterations in " << result.seconds_total << " s, "
+            << result.number_of_inverted_cells << " inverted cells, energy " << result.energy << "\n"
+            << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
+            << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n";
 }
 
 Exit_code run(const Options& options, Result& result)
