@@ -303,6 +303,8 @@ TEST_CASE("each process reads a part of the files")
   VMP::IO::read_MEDIT(mesh, soup);
   VMP::IO::read_boundary_targets(targets, soup, slice);
   CHECK(whole(soup.points) == expected.soup.points);
+  CHECK(soup.points.size() <= expected.soup.points.size() / size() + 1);
+  CHECK(soup.cells.size() <= expected.soup.cells.size() / size() + 1);
   const Points read = whole(slice);
   for(std::size_t v = 0; v < read.size(); ++v)
     CHECK((read[v] == expected.targets[v] || (std::isnan(read[v][0]) && std::isnan(expected.targets[v][0]))));

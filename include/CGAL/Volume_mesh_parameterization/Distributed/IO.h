@@ -186,8 +186,8 @@ namespace IO {
 /// \ingroup PkgVolumeMeshParameterizationDistributed
 ///
 /// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format": each process of
-/// `soup.communicator` its range of bytes. All of them must call this function, and see the file. Each vertex and each cell
-/// must have a line of its own. Triangles are not read.
+/// `soup.communicator` its range of bytes; the slices of `soup` become equally long. All of them must call this function,
+/// and see the file. Each vertex and each cell must have a line of its own. Triangles are not read.
 ///
 /// \exception Input_error names the file and the line that are wrong, in all processes; `soup` is then unchanged.
 inline void read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup)
@@ -202,6 +202,10 @@ inline void read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup
     internal::read_cells(slice, result);
     if(slice.number_of_elements("Tetrahedra", 5) == 0)
       throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    // a range of bytes has many points and no cells, or the other way round
+    result.points = communicator.evenly(result.points);
+    result.cells = communicator.evenly(result.cells);
+    result.cell_references = communicator.evenly(result.cell_references);
     communicator.synchronize();
     std::swap(soup, result);
   });

@@ -104,6 +104,25 @@ public:
     return received;
   }
 
+  // The same elements in slices of equal length, those of the ranks one behind the other before and after.
+  template <typename T>
+  std::vector<T> evenly(const std::vector<T>& elements) const
+  {
+    const std::vector<double> sizes = gathered(static_cast<double>(elements.size()));
+    const auto n = static_cast<std::size_t>(m_size);
+    const auto total = static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), 0.));
+    auto place = static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.begin() + m_rank, 0.));
+    std::vector<std::vector<T> > parts(n);
+    std::size_t part = 0;
+    for(const T& element : elements)
+    {
+      for(; place >= total * (part + 1) / n; ++part) {}
+      parts[part].push_back(element);
+      ++place;
+    }
+    return exchanged(parts);
+  }
+
   // Runs f, which ends in all processes alike: if it throws in one, then in all.
   template <typename Function>
   auto together(const Function& f) const
