@@ -49,4 +49,5 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/${PROJECT_NAME}Config.cmake
   ${PROJECT_SOURCE_DIR}/cmake/${PROJECT_NAME}Dependencies.cmake
   ${PROJECT_SOURCE_DIR}/cmake/CGAL_CHOLMOD_support.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/CGAL_PETSc_support.cmake
   DESTINATION ${_config_dir})

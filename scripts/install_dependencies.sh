@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(g++ make cmake libcgal-dev libboost-program-options-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial
-  libtbb-dev catch2 "$@")
+  libtbb-dev catch2 pkg-config libpetsc-real-dev libopenmpi-dev openmpi-bin "$@")
 models=/usr/share/doc/libcgal-dev/data.tar.gz # CGAL's models, in package libcgal-demo
 
 missing=()

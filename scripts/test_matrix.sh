@@ -9,7 +9,8 @@ Without a configuration, all of these:
   default      the compiler, the standard and the libraries that CMake finds
   assertions   with the assertions of this package, of CGAL and of Eigen
   clang        clang++
-  minimal      C++20, without TBB and CHOLMOD
+  minimal      C++20, without TBB, CHOLMOD and PETSc
+  petsc        the tests with several processes, with the assertions of this package, of CGAL and of Eigen
   cgal         the CGAL installed in the folder given by --cgal
   eigen        the Eigen installed in the folder given by --eigen, and that CGAL
   headers      each header compiled alone by g++ and clang++; no test is run
@@ -30,7 +31,7 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions clang minimal ${cgal:+cgal} ${eigen:+eigen} headers)
+  configurations=(default assertions clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers)
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$CMAKE_BUILD_PARALLEL_LEVEL}
@@ -44,6 +45,13 @@ build_and_test()
     -DPython3_EXECUTABLE=/usr/bin/python3 "$@" &&
     cmake --build "$build" &&
     ctest --test-dir "$build" --output-on-failure
+}
+
+build_and_test_processes()
+{
+  cmake -S "$root" -B "$folder/petsc" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O1 &&
+    cmake --build "$folder/petsc" --target mpi_tests parameterize_mesh_file_mpi &&
+    ctest --test-dir "$folder/petsc" --output-on-failure --tests-regex '^mpi_'
 }
 
 build_headers()
@@ -60,7 +68,9 @@ run()
     default) build_and_test "$1" ;;
     assertions) build_and_test "$1" -DCMAKE_BUILD_TYPE=Debug ;;
     clang) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ ;;
-    minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF ;;
+    minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF \
+               -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON ;;
+    petsc) build_and_test_processes ;;
     cgal) CMAKE_PREFIX_PATH="$cgal" build_and_test "$1" ;;
     eigen) CMAKE_PREFIX_PATH="$eigen:$cgal" build_and_test "$1" ;;
     headers) build_headers ;;

@@ -226,7 +226,11 @@ the number of cells, plus what the solver needs.
 template <typename ConcurrencyTag = Sequential_tag,
           typename C3t3,
           typename VertexUVWMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , typename = typename C3t3::Triangulation // otherwise it is another overload
+#endif
+          >
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(C3t3& c3t3,
                                            VertexUVWMap uvw_map,

@@ -65,7 +65,7 @@ Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_
 double mean_energy(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 {
   const double to_source_volume
-    = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells) / VMP::internal::volume(image, mesh.cells));
+    = std::cbrt(VMP::internal::volume(mesh, mesh.source) / VMP::internal::volume(mesh, image));
   return mean_energy_3(mesh, singular_values_of_cells_3(mesh, image), Stretch{VMP::Stretch_energy_3()},
                        to_source_volume);
 }

@@ -52,7 +52,7 @@ Map minimize(const Numbered_mesh_3& mesh, const Energy& energy)
   Map map;
   map.status = search.status();
   const Matrix3Xd u = search.positions();
-  const double scale = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells) / VMP::internal::volume(u, mesh.cells));
+  const double scale = std::cbrt(VMP::internal::volume(mesh, mesh.source) / VMP::internal::volume(mesh, u));
   for(const std::array<int, 4>& cell : mesh.cells)
   {
     if(*std::min_element(cell.begin(), cell.end()) >= mesh.number_of_free_vertices)

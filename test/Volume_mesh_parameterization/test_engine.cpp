@@ -68,8 +68,8 @@ double psi(const Energy& energy, const Numbered_mesh_3& mesh, const Matrix3Xd& u
 template <typename Energy>
 double mean_energy(const Energy& energy, const Numbered_mesh_3& mesh, const Matrix3Xd& u)
 {
-  const double scale = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells)
-                                 / VMP::internal::volume(mesh.target, mesh.cells));
+  const double scale = std::cbrt(VMP::internal::volume(mesh, mesh.source)
+                                 / VMP::internal::volume(mesh, mesh.target));
   double sum = 0;
   for(const std::array<int, 4>& cell : mesh.cells)
     sum += psi(energy, mesh, u, cell, scale);
@@ -443,7 +443,7 @@ TEST_CASE("The reference cells of a system can be exchanged")
     CHECK((edges.col(i) - edges.col((i + 1) % 3)).norm() == Approx(edges.col(0).norm()));
   }
   CHECK(edges.determinant() / 6 * mesh.cells.size()
-        == Approx(std::pow(regular.unit, 3) * VMP::internal::volume(mesh.target, mesh.cells)));
+        == Approx(std::pow(regular.unit, 3) * VMP::internal::volume(mesh, mesh.target)));
 }
 
 TEST_CASE("Untangling ends without success where there is no map")
@@ -640,8 +640,8 @@ TEST_CASE("The energy of a step counts the cells without a free vertex")
   const Outcome outcome = run(mesh);
   REQUIRE(outcome.status == VMP::OK);
   CHECK(outcome.energy == Approx(mean_energy(energy, mesh, outcome.positions)).epsilon(1e-10));
-  const double factor = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells)
-                                  / VMP::internal::volume(outcome.positions, mesh.cells));
+  const double factor = std::cbrt(VMP::internal::volume(mesh, mesh.source)
+                                  / VMP::internal::volume(mesh, outcome.positions));
   const double energy_of_result
     = VMP::internal::mean_energy_3(mesh, VMP::internal::singular_values_of_cells_3(mesh, outcome.positions),
                                    VMP::internal::Cell_energy_of<VMP::Stretch_energy_3>(energy), factor);

@@ -116,8 +116,8 @@ template <typename Function>
 double mean(const Complex& complex, const Function& psi)
 {
   const Numbered_mesh_3& mesh = complex.mesh;
-  const double scale = std::cbrt(VMP::internal::volume(mesh.source, mesh.cells)
-                                 / VMP::internal::volume(mesh.target, mesh.cells));
+  const double scale = std::cbrt(VMP::internal::volume(mesh, mesh.source)
+                                 / VMP::internal::volume(mesh, mesh.target));
   double sum = 0;
   for(const std::array<int, 4>& cell : mesh.cells)
     sum += psi(singular_values(complex, cell, scale));

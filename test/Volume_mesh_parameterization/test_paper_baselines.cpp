@@ -44,8 +44,8 @@ namespace {
 Numbered_mesh_3 scaled(Numbered_mesh_3 mesh)
 {
   const double n = static_cast<double>(mesh.cells.size());
-  mesh.source *= std::cbrt(n / VMP::internal::volume(mesh.source, mesh.cells));
-  mesh.target *= std::cbrt(n / VMP::internal::volume(mesh.target, mesh.cells)); // depends on its boundary only
+  mesh.source *= std::cbrt(n / VMP::internal::volume(mesh, mesh.source));
+  mesh.target *= std::cbrt(n / VMP::internal::volume(mesh, mesh.target)); // depends on its boundary only
   return mesh;
 }
 
@@ -101,7 +101,7 @@ Matrix3Xd derivatives(const Function& f, Matrix3Xd u, const Eigen::Index number)
 // The sum of |J - G|^2 over the cells, which count by their volume.
 double squared_distance(const Numbered_mesh_3& mesh, const Matrix3Xd& u, const std::vector<Matrix3d>& G)
 {
-  const double total = VMP::internal::volume(mesh.source, mesh.cells);
+  const double total = VMP::internal::volume(mesh, mesh.source);
   double sum = 0;
   for(std::size_t t = 0; t < mesh.cells.size(); ++t)
     sum += edge_matrix(mesh.source, mesh.cells[t]).determinant() / 6 / total

@@ -145,8 +145,8 @@ private:
     using CGAL::Volume_mesh_parameterization::internal::volume;
     const double n = static_cast<double>(m_mesh.cells.size());
     // the volume of the target depends on its boundary only
-    m_target_scale = std::cbrt(n / std::abs(volume(m_mesh.target, m_mesh.cells)));
-    m_source_scale = std::cbrt(n / volume(m_mesh.source, m_mesh.cells));
+    m_target_scale = std::cbrt(n / std::abs(volume(m_mesh, m_mesh.target)));
+    m_source_scale = std::cbrt(n / volume(m_mesh, m_mesh.source));
     m_mesh.target *= m_target_scale;
     m_mesh.source *= m_source_scale;
   }

@@ -28,7 +28,7 @@ std::string measure(const Map_problem::Mesh& mesh, const Eigen::Matrix3Xd& image
 {
   VMP::Distortion_3 distortion = {0, 0, 0, 0};
   std::size_t number_of_inverted_cells = 0;
-  const double source_volume = VMP::internal::volume(mesh.source, mesh.cells);
+  const double source_volume = VMP::internal::volume(mesh, mesh.source);
   for(const std::array<int, 4>& cell : mesh.cells)
   {
     if(!VMP::internal::is_positive(image, cell))

@@ -31,8 +31,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Text_scanner
 {
 public:
-  explicit Text_scanner(std::string_view text)
-    : m_text(text)
+  explicit Text_scanner(std::string_view text, const std::size_t first_line = 1)
+    : m_text(text), m_line(first_line)
   {}
 
   // the next word, empty at the end of the text
@@ -134,7 +134,7 @@ private:
 
   std::string_view m_text;
   std::size_t m_position = 0;
-  std::size_t m_line = 1;
+  std::size_t m_line;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Communicator_3.h>
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -21,7 +23,8 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A tetrahedral mesh as plain arrays, and where its prescribed vertices go, in the units of the user. The free vertices
-// come first: 0, ..., number_of_free_vertices - 1.
+// come first: 0, ..., number_of_free_vertices - 1. Where several processes share a mesh, each has a part: the cells around
+// its own vertices. Its last cells and its last free vertices are copies of those that other processes own.
 struct Numbered_mesh_3
 {
   Eigen::Matrix3Xd source;               // one column a vertex
@@ -31,8 +34,13 @@ struct Numbered_mesh_3
   int number_of_free_vertices = 0;
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
   std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
+  const Communicator_3* communicator = &single_process();
+  std::size_t number_of_copied_cells = 0;
+  int number_of_copied_vertices = 0;     // free ones
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
+  std::size_t number_of_own_cells() const { return cells.size() - number_of_copied_cells; }
+  double number_of_all_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
@@ -49,21 +57,34 @@ inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd po
 inline double largest_distance_to_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-  return n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+  return mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
 }
 
 // Are the prescribed vertices exactly on their targets?
 inline bool is_on_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-  return positions.rightCols(n) == mesh.target.rightCols(n);
+  return mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
 }
 
-// The diagonal of the bounding box of the targets.
+// The diagonal of the bounding box of points of all processes.
+template <typename Points>
+double diagonal(const Communicator_3& communicator, const Points& points)
+{
+  Eigen::AlignedBox3d box;
+  for(Eigen::Index i = 0; i < points.cols(); ++i)
+    box.extend(points.col(i));
+  for(int i = 0; i < 3; ++i)
+  {
+    box.min()[i] = communicator.minimum(box.min()[i]);
+    box.max()[i] = communicator.maximum(box.max()[i]);
+  }
+  return box.diagonal().norm();
+}
+
 inline double target_diagonal(const Numbered_mesh_3& mesh)
 {
-  const auto targets = mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices);
-  return (targets.rowwise().maxCoeff() - targets.rowwise().minCoeff()).norm();
+  return diagonal(*mesh.communicator, mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices));
 }
 
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
@@ -87,21 +108,21 @@ inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3
 }
 
 template <typename Positions>
-double volume(const Positions& positions, const std::vector<std::array<int, 4> >& cells)
+double volume(const Numbered_mesh_3& mesh, const Positions& positions)
 {
   double sum = 0;
-  for(const std::array<int, 4>& cell : cells)
-    sum += edge_matrix(positions, cell).determinant() / 6;
-  return sum;
+  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
+    sum += edge_matrix(positions, mesh.cells[c]).determinant() / 6;
+  return mesh.communicator->sum(sum);
 }
 
 // How much each cell counts; the sum is 1.
 inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
 {
-  std::vector<double> result(mesh.cells.size(), 1. / static_cast<double>(mesh.cells.size()));
+  std::vector<double> result(mesh.cells.size(), 1. / mesh.number_of_all_cells());
   if(mesh.has_volume_weights)
   {
-    const double total = volume(mesh.source, mesh.cells);
+    const double total = volume(mesh, mesh.source);
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
       result[c] = edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / total;
   }

@@ -33,10 +33,10 @@ struct Scaled_cells_3
 // The unit gives the cells of the target a volume near 1.
 inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
-  const double target_volume = volume(mesh.target, mesh.cells);
-  const double mean_volume = target_volume / static_cast<double>(mesh.cells.size());
+  const double target_volume = volume(mesh, mesh.target);
+  const double mean_volume = target_volume / mesh.number_of_all_cells();
   const double unit = std::exp2(-std::round(std::log2(mean_volume) / 3));
-  const double factor = std::cbrt(volume(mesh.source, mesh.cells) / target_volume) / unit;
+  const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
@@ -44,7 +44,7 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 // for, slivers of the source must not stiffen it.
 inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
-  const double mean_volume = volume(mesh.target, mesh.cells) / static_cast<double>(mesh.cells.size());
+  const double mean_volume = volume(mesh, mesh.target) / mesh.number_of_all_cells();
   const double unit = std::exp2(-std::round(std::log2(mean_volume) / 3));
   Eigen::Matrix3d edges; // of a cell with volume 1/3
   edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
@@ -56,7 +56,7 @@ inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh
 inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
 {
   const double unit = std::exp2(-std::round(std::log2(length)));
-  const double factor = std::cbrt(volume(mesh.source, mesh.cells)) / (unit * length);
+  const double factor = std::cbrt(volume(mesh, mesh.source)) / (unit * length);
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 

@@ -68,11 +68,9 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 }
 
 // The volume of a cell is a product of three lengths, and energies have their fourth powers.
-template <typename Points>
-Input_check_3 check_size(const Points& points, const char* name)
+inline Input_check_3 check_diagonal(const double diagonal, const char* name)
 {
   constexpr double smallest = 1e-70, largest = 1e70;
-  const double diagonal = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
   if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
     return {};
   return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
@@ -81,12 +79,12 @@ Input_check_3 check_size(const Points& points, const char* name)
 
 inline Input_check_3 check_source_size(const Numbered_mesh_3& mesh)
 {
-  return check_size(mesh.source, "source");
+  return check_diagonal(diagonal(*mesh.communicator, mesh.source), "source");
 }
 
 inline Input_check_3 check_target_size(const Numbered_mesh_3& mesh)
 {
-  return check_size(mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices), "prescribed points");
+  return check_diagonal(target_diagonal(mesh), "prescribed points");
 }
 
 inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
@@ -100,12 +98,13 @@ inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 {
   const Inverted_cells inverted = inverted_cells(mesh, mesh.source);
-  if(inverted.number == 0)
+  const double number_of_cells = mesh.number_of_all_cells();
+  if(!inverted.has_first)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
                       " cells of the source have no positive volume; the first one is cell ", mesh.user_number(inverted.first),
                       " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6,
-                      inverted.number == mesh.cells.size() ? "; exchange two vertices of each cell." : ".");
+                      static_cast<double>(inverted.number) == number_of_cells ? "; exchange two vertices of each cell." : ".");
 }
 
 // The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
@@ -124,23 +123,26 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
   return {};
 }
 
-// Each connected component of the target must have a positive volume, which depends on its boundary only.
+// Each connected component of the target must have a positive volume, which depends on its boundary only. Where processes
+// share the mesh, none knows the components, and they count as one.
 inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
   Disjoint_sets components(mesh.number_of_vertices());
+  std::vector<double> volumes(mesh.number_of_vertices(), volume(mesh, mesh.target));
+  if(mesh.communicator->is_alone())
+  {
+    for(const std::array<int, 4>& cell : mesh.cells)
+      for(int i = 1; i < 4; ++i)
+        components.unite(cell[0], cell[i]);
+    std::fill(volumes.begin(), volumes.end(), 0.);
+    for(const std::array<int, 4>& cell : mesh.cells)
+      volumes[components.find(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
+  }
+  const double flat = 1e-12 * std::pow(target_diagonal(mesh), 3);
   for(const std::array<int, 4>& cell : mesh.cells)
-    for(int i = 1; i < 4; ++i)
-      components.unite(cell[0], cell[i]);
-
-  std::vector<double> volume(mesh.number_of_vertices(), 0.);
-  for(const std::array<int, 4>& cell : mesh.cells)
-    volume[components.find(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
-  for(const std::array<int, 4>& cell : mesh.cells)
-    if(!(volume[components.find(cell[0])] > 0))
-      return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ",
-                          volume[components.find(cell[0])], ", which must be positive: it is ",
-                          volume[components.find(cell[0])] > -1e-12 * std::pow(target_diagonal(mesh), 3)
-                            ? "flat." : "turned inside out.");
+    if(const double volume = volumes[components.find(cell[0])]; !(volume > 0))
+      return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ", volume,
+                          ", which must be positive: it is ", volume > -flat ? "flat." : "turned inside out.");
   return {};
 }
 
@@ -150,7 +152,7 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
   {
     return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
   });
-  if(inverted.number == 0)
+  if(!inverted.has_first)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
                       " cells have four prescribed vertices and no positive volume in the target; the first one is cell ",
@@ -160,14 +162,15 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 // Can there be a map? Names the first reason against it.
 inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
-  if(mesh.cells.empty())
+  if(mesh.number_of_all_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   for(const auto check : { check_coordinates, check_source_size, check_target_size, check_initial_size,
                            check_source_cells, check_source_determinants, check_target_volume, check_prescribed_cells })
   {
     const Input_check_3 result = check(mesh);
-    if(result.status != OK)
-      return result;
+    const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);
+    if(code != OK)
+      return { static_cast<Error_code>(code), message };
   }
   return {};
 }

@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -38,16 +39,21 @@ struct Inverted_cells
 {
   std::size_t number = 0;
   std::size_t first = 0;
+  bool has_first = false; // does this process own it?
 };
 
 template <typename Condition>
 Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Condition& condition)
 {
   Inverted_cells result;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
     if(condition(mesh.cells[c]) && !is_positive(positions, mesh.cells[c])
        && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
       result.first = c;
+  const double first = result.number > 0 ? static_cast<double>(mesh.user_number(result.first))
+                                         : std::numeric_limits<double>::infinity();
+  result.has_first = mesh.communicator->minimum(first) == first && result.number > 0;
+  result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.number)));
   return result;
 }
 

@@ -55,13 +55,14 @@ inline void replace_by_infinity(Distortion_3& distortion)
     distortion.volume_mean = distortion.volume_max = infinity;
 }
 
-// The signed singular values of a map in each cell.
+// The signed singular values of a map in each cell that this process owns.
 inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
 {
   std::vector<Eigen::Vector3d> result;
-  result.reserve(mesh.cells.size());
-  for(const std::array<int, 4>& cell : mesh.cells)
-    result.push_back(signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse()));
+  result.reserve(mesh.number_of_own_cells());
+  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
+    result.push_back(signed_singular_values_3(edge_matrix(image, mesh.cells[c])
+                                              * edge_matrix(mesh.source, mesh.cells[c]).inverse()));
   return result;
 }
 
@@ -69,10 +70,13 @@ inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_me
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
                                          const double factor = 1)
 {
-  const double source_volume = volume(mesh.source, mesh.cells);
+  const double source_volume = volume(mesh, mesh.source);
   Distortion_3 result = {0, 0, 0, 0};
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  for(std::size_t c = 0; c < s.size(); ++c)
     add_cell(result, edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / source_volume, factor * s[c]);
+  const Communicator_3& communicator = *mesh.communicator;
+  result = { communicator.sum(result.angle_mean), communicator.maximum(result.angle_max),
+             communicator.sum(result.volume_mean), communicator.maximum(result.volume_max) };
   replace_by_infinity(result);
   return result;
 }
@@ -105,7 +109,8 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
                             const Cell_energy_3& energy, const double factor)
 {
   const std::vector<double> psi = energies_of_cells_3(s, energy, factor), weights = cell_weights(mesh);
-  const double result = std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.);
+  const double result
+    = mesh.communicator->sum(std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.));
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 

@@ -30,7 +30,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The packs, in chunks that are the units of parallel work, and the chunks in an order of rounds: those of a round share
 // no unknown vertex (a coloring), so they may add to the same matrix at the same time, and each vertex receives its
-// contributions in the same order whatever the number of threads.
+// contributions in the same order whatever the number of threads. Cells that are copies of another process's have packs and
+// chunks of their own, behind the others.
 class Cell_packs_3
 {
 public:
@@ -38,21 +39,28 @@ public:
   Cell_packs_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns,
                const Sparsity_pattern_3& pattern)
   {
-    std::vector<std::pair<int, int> > cells, others; // with their lowest row
+    std::vector<std::pair<int, int> > cells, copies, others; // with their lowest row
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     {
       int lowest = order(unknowns, mesh.cells[c][0]);
       for(const int v : mesh.cells[c])
         lowest = (std::min)(lowest, order(unknowns, v));
-      (lowest < unknowns.size() ? cells : others).emplace_back(lowest, static_cast<int>(c));
+      const bool is_own = c < mesh.number_of_own_cells();
+      if(lowest < unknowns.size())
+        (is_own ? cells : copies).emplace_back(lowest, static_cast<int>(c));
+      else if(is_own)
+        others.emplace_back(lowest, static_cast<int>(c));
     }
     std::sort(cells.begin(), cells.end());
-    m_packs = packed(cells, mesh, unknowns, pattern);
-    m_others = packed(others, mesh, unknowns, pattern);
-    for(const auto& [lowest, c] : cells)
-      m_cells.push_back(c);
-    for(const auto& [lowest, c] : others)
-      m_other_cells.push_back(c);
+    std::sort(copies.begin(), copies.end());
+    append(cells, m_cells);
+    if(!copies.empty())
+      append_padding(cells_per_pack * packs_per_chunk, m_cells);
+    m_number_of_own_packs = m_cells.size() / cells_per_pack;
+    append(copies, m_cells);
+    append(others, m_other_cells);
+    m_packs = packed(m_cells, mesh, unknowns, pattern);
+    m_others = packed(m_other_cells, mesh, unknowns, pattern);
     set_references(mesh, scaled, unknowns);
     distribute_to_rounds(unknowns.size());
   }
@@ -67,6 +75,7 @@ public:
   std::size_t number_of_packs() const { return m_packs.size(); }
 
   std::size_t number_of_chunks() const { return (m_packs.size() + packs_per_chunk - 1) / packs_per_chunk; }
+  std::size_t number_of_own_chunks() const { return (m_number_of_own_packs + packs_per_chunk - 1) / packs_per_chunk; }
   const Cell_pack_3* chunk_begin(const std::size_t chunk) const { return m_packs.data() + chunk * packs_per_chunk; }
   const Cell_pack_3* chunk_end(const std::size_t chunk) const
   { return m_packs.data() + (std::min)(m_packs.size(), (chunk + 1) * packs_per_chunk); }
@@ -88,23 +97,41 @@ private:
     return unknowns.contains(v) ? unknowns.row(v) : unknowns.size() + v;
   }
 
-  static std::vector<Cell_pack_3> packed(const std::vector<std::pair<int, int> >& cells, const Numbered_mesh_3& mesh,
+  // Packs are filled up with the last cell, as what `padding()` tells.
+  static int padding(const int c) { return -1 - c; }
+  static bool is_padding(const int c) { return c < 0; }
+  static int cell_of(const int c) { return is_padding(c) ? padding(c) : c; }
+
+  static void append_padding(const std::size_t multiple, std::vector<int>& result)
+  {
+    while(result.size() % multiple != 0)
+      result.push_back(padding(cell_of(result.back())));
+  }
+
+  static void append(const std::vector<std::pair<int, int> >& cells, std::vector<int>& result)
+  {
+    result.reserve(result.size() + cells.size() + cells_per_pack);
+    for(const auto& [lowest, c] : cells)
+      result.push_back(c);
+    append_padding(cells_per_pack, result);
+  }
+
+  static std::vector<Cell_pack_3> packed(const std::vector<int>& cells, const Numbered_mesh_3& mesh,
                                          const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
   {
-    std::vector<Cell_pack_3> packs((cells.size() + cells_per_pack - 1) / cells_per_pack);
-    for(std::size_t i = 0; i < cells_per_pack * packs.size(); ++i)
+    std::vector<Cell_pack_3> packs(cells.size() / cells_per_pack);
+    for(std::size_t i = 0; i < cells.size(); ++i)
     {
       Cell_pack_3& pack = packs[i / cells_per_pack];
       const int lane = static_cast<int>(i % cells_per_pack);
-      const bool is_padding = i >= cells.size();
-      std::array<int, 4> cell = mesh.cells[(is_padding ? cells.back() : cells[i]).second];
+      std::array<int, 4> cell = mesh.cells[cell_of(cells[i])];
       std::sort(cell.begin(), cell.end(), [&](const int v, const int w) { return order(unknowns, v) < order(unknowns, w); });
       for(int a = 0; a < 4; ++a)
       {
         pack.vertices[a][lane] = cell[a];
-        pack.rows[a][lane] = is_padding ? -1 : unknowns.row(cell[a]);
+        pack.rows[a][lane] = is_padding(cells[i]) ? -1 : unknowns.row(cell[a]);
         for(int b = a; b < 4; ++b)
-          pack.blocks[Cell_pack_3::index_of_block(a, b)][lane] = !is_padding && unknowns.contains(cell[b])
+          pack.blocks[Cell_pack_3::index_of_block(a, b)][lane] = !is_padding(cells[i]) && unknowns.contains(cell[b])
             ? pattern.position(unknowns.row(cell[a]), unknowns.row(cell[b])) : -1;
       }
     }
@@ -114,13 +141,12 @@ private:
   static void set_references(const std::vector<int>& cells, const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled,
                              const Unknowns_3& unknowns, std::vector<Cell_pack_3>& packs)
   {
-    for(std::size_t i = 0; i < cells_per_pack * packs.size(); ++i)
+    for(std::size_t i = 0; i < cells.size(); ++i)
     {
       Cell_pack_3& pack = packs[i / cells_per_pack];
       const int lane = static_cast<int>(i % cells_per_pack);
-      const bool is_padding = i >= cells.size();
-      const int c = is_padding ? cells.back() : cells[i];
-      pack.weight[lane] = is_padding ? 0 : scaled.weights[c];
+      const int c = cell_of(cells[i]);
+      pack.weight[lane] = is_padding(cells[i]) ? 0 : scaled.weights[c];
       const Eigen::Matrix3d inverse_source = for_sorted_vertices(unknowns, mesh.cells[c], scaled.inverse_sources[c]);
       for(int k = 0; k < 9; ++k)
         pack.inverse_source[k][lane] = inverse_source(k);
@@ -182,7 +208,8 @@ private:
   }
 
   std::vector<Cell_pack_3> m_packs, m_others;
-  std::vector<int> m_cells, m_other_cells; // in the order of the packs
+  std::vector<int> m_cells, m_other_cells; // in the order of the packs, with the padding
+  std::size_t m_number_of_own_packs;
   std::vector<std::size_t> m_chunks;
   std::vector<std::size_t> m_round_begin;
 };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
@@ -25,6 +26,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -42,7 +44,9 @@ public:
 
   Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
                   Linear_solver_3& solver, const bool is_parallel, const Quadratic_penalty_3* const penalty = nullptr)
-    : m_unknowns(std::move(unknowns)),
+    : m_communicator(*mesh.communicator),
+      m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices),
+      m_unknowns(std::move(unknowns)),
       m_penalty(penalty),
       m_unit(scaled.unit),
       m_hessian(solver.make_matrix()),
@@ -71,7 +75,7 @@ public:
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
-    Energy_evaluation evaluation = evaluate_energy(m_packs, energy, u, m_is_parallel);
+    Energy_evaluation evaluation = sum(m_communicator, evaluate_energy(m_packs, energy, u, m_is_parallel));
     if(m_penalty != nullptr)
       evaluation.energy += m_penalty->value(u);
     return evaluation;
@@ -82,7 +86,7 @@ public:
   {
     Energy_evaluation evaluation;
     cell_kernels_3().evaluate(m_packs.others_begin(), m_packs.others_end(), u.data(), energy, evaluation);
-    return evaluation.energy;
+    return m_communicator.sum(evaluation.energy);
   }
 
   // One column a row.
@@ -120,7 +124,7 @@ public:
   // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
   double largest_step(const Positions& u, const Positions& d) const
   {
-    return largest_step_3(m_packs, u, d, m_is_parallel);
+    return m_communicator.minimum(largest_step_3(m_packs, u, d, m_is_parallel));
   }
 
 private:
@@ -142,7 +146,7 @@ private:
   {
     const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
     Newton_direction_3 result;
-    result.gradient_norm = columns.norm();
+    result.gradient_norm = std::sqrt(dot(gradient, gradient));
     result.status = m_solver.factorize(m_hessian);
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
@@ -150,7 +154,7 @@ private:
     result.status = m_solver.solve(-gradient, solution, tolerance);
     if(result.status == Linear_solver_status::SUCCESS || result.status == Linear_solver_status::TRUNCATED)
     {
-      result.slope = gradient.dot(solution);
+      result.slope = dot(gradient, solution);
       if(!(result.slope < 0) && result.gradient_norm > 0) // otherwise it would pass for a minimum
         result.status = Linear_solver_status::NOT_POSITIVE_DEFINITE;
       Positions direction = Eigen::Map<const Positions>(solution.data(), 3, columns.cols());
@@ -160,6 +164,16 @@ private:
     return result;
   }
 
+  // of all rows, each counted by the process that owns it
+  template <typename A, typename B>
+  double dot(const A& a, const B& b) const
+  {
+    const Eigen::Index n = 3 * Eigen::Index(m_number_of_own_rows);
+    return m_communicator.sum(a.head(n).dot(b.head(n)));
+  }
+
+  const Communicator_3& m_communicator;
+  int m_number_of_own_rows; // they come first; the others are copies
   Unknowns_3 m_unknowns;
   const Quadratic_penalty_3* m_penalty;
   double m_unit;

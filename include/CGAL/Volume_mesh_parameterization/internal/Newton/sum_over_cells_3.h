@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Energy_evaluation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
 
 #include <Eigen/Core>
@@ -29,12 +30,12 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
-// the cells.
+// the cells: those that this process owns.
 inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy,
                                          const Eigen::Matrix3Xd& u, const bool is_parallel)
 {
   const Cell_kernels_3& kernels = cell_kernels_3();
-  std::vector<Energy_evaluation> parts(packs.number_of_chunks());
+  std::vector<Energy_evaluation> parts(packs.number_of_own_chunks());
   for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t chunk)
   {
     kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]);
@@ -43,6 +44,14 @@ inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_e
   for(const Energy_evaluation& part : parts)
     result.add(part);
   return result;
+}
+
+// The same over all processes.
+inline Energy_evaluation sum(const Communicator_3& communicator, const Energy_evaluation& part)
+{
+  const double number = communicator.sum(static_cast<double>(part.number_of_inverted_cells));
+  return { communicator.sum(part.energy), communicator.minimum(part.smallest_determinant),
+           static_cast<std::size_t>(number) };
 }
 
 // Calls f for each chunk of packs, such that its calls may add to the rows of the chunk.
@@ -101,7 +110,7 @@ inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& 
                              const bool is_parallel)
 {
   const Cell_kernels_3& kernels = cell_kernels_3();
-  std::vector<double> parts(packs.number_of_chunks(), 1.);
+  std::vector<double> parts(packs.number_of_own_chunks(), 1.);
   for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t chunk)
   {
     parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data());

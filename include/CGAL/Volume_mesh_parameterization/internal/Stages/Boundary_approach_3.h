@@ -59,7 +59,7 @@ public:
       m_patience(start.patience),
       m_number_of_raises(start.number_of_raises),
       m_aligned_source(similarity_alignment_3(mesh)),
-      m_length(std::cbrt(volume(snapped(mesh, m_aligned_source), mesh.cells))),
+      m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
       m_scaled(cells_scaled_to_length(mesh, m_length)),
       m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
       m_system(mesh, m_scaled, all_vertices(mesh), solver, is_parallel, &m_penalty)
@@ -133,7 +133,7 @@ private:
   double diameter() const
   {
     const Eigen::Vector3d box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
-    return box.norm() / std::cbrt(volume(m_mesh.source, m_mesh.cells));
+    return box.norm() / std::cbrt(volume(m_mesh, m_mesh.source));
   }
 
   void minimize(const Eigen::Matrix3Xd& u)

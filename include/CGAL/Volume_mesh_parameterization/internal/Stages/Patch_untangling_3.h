@@ -138,7 +138,7 @@ private:
     patch.target.leftCols(free.size()).setZero();
 
     // the volume does not depend on the free vertices
-    if(volume(patch.target, patch.cells) > 0 && improve(patch, positions))
+    if(volume(patch, patch.target) > 0 && improve(patch, positions))
       for(std::size_t i = 0; i < free.size(); ++i)
         m_positions.col(vertices[i]) = positions.col(i);
   }

@@ -122,7 +122,7 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
       && found.map.number_of_inverted_cells <= options.untangling.most_inverted_cells_to_split;
     if(found.is_stuck)
       return found;
-    if(found.status == ERROR_NOT_FLIP_FREE)
+    if(found.status == ERROR_NOT_FLIP_FREE && mesh.communicator->is_alone())
       found.diagnosis = diagnose_3(mesh, found.map.positions);
   }
   if(check.allows_soft_boundary() && options.mode != Boundary_mode::FIXED && !found.map.is_valid()

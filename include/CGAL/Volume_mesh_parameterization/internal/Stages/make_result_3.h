@@ -81,7 +81,8 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   result.message = get_error_message(result.status) + reason_of(result.status, found, check);
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
     result.message += describe_missed_boundary(mesh, found.map.positions);
-  if(result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
+  if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
+     && mesh.communicator->is_alone()) // otherwise facets between processes would seem to be on the boundary
     result.message += describe_self_intersection(mesh);
   result.has_valid_map = found.map.is_valid();
   result.number_of_sliding_vertices = found.number_of_sliding_vertices;
@@ -92,7 +93,7 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   {
     const std::vector<Eigen::Vector3d> s = singular_values_of_cells_3(mesh, found.map.positions);
     const double to_source_volume
-      = std::cbrt(volume(mesh.source, mesh.cells) / volume(found.map.positions, mesh.cells));
+      = std::cbrt(volume(mesh, mesh.source) / volume(mesh, found.map.positions));
     result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
     result.distortion = measure_distortion_3(mesh, s);
     result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);

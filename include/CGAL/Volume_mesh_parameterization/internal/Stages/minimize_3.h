@@ -51,7 +51,8 @@ inline void minimize_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
   Dominant_cells_3 dominant;
   const auto is_dominated = [&](const Eigen::Matrix3Xd& positions)
   {
-    dominant = dominant_cells_3(mesh, energy, positions);
+    if(mesh.communicator->is_alone()) // the median of a part is not that of all
+      dominant = dominant_cells_3(mesh, energy, positions);
     return dominant.hold_most();
   };
   Minimization_3 minimization(system, energy, found.map.positions, is_dominated, negative_curvature);

@@ -52,10 +52,15 @@ public:
       m_best{ start, inverted_cells(mesh, start).number }
   {}
 
-  // With the cells of the source again.
-  ~Untangling_search_3() { m_system.set_references(m_mesh, cells_scaled_to_target(m_mesh)); }
-
   const Untangled_3& best() const { return m_best; }
+
+  // The best result, with the cells of the source again.
+  Untangled_3 finish()
+  {
+    m_system.set_references(m_mesh, cells_scaled_to_target(m_mesh));
+    return std::move(m_best);
+  }
+
   bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
   // The whole mesh, and then patches of it.
@@ -71,7 +76,7 @@ public:
   void untangle_patches(const Eigen::Matrix3Xd& start)
   {
     constexpr std::size_t most_for_patches = 100; // otherwise inverted cells are no exceptions
-    if(inverted_cells(m_mesh, start).number > most_for_patches)
+    if(!m_mesh.communicator->is_alone() || inverted_cells(m_mesh, start).number > most_for_patches)
       return;
     Patch_untangling_3 patches(m_mesh, m_solver, start);
     run(patches);
@@ -111,7 +116,7 @@ inline Untangled_3 untangle_3(const Numbered_mesh_3& mesh, Newton_system_3& syst
   for(const Untangling_setting& setting : untangling_settings)
     if(search.goes_on())
       search.untangle(setting, start);
-  return search.best();
+  return search.finish();
 }
 
 // Goes on from images that an earlier search has left with few inverted cells, or none.
@@ -122,7 +127,7 @@ inline Untangled_3 untangle_on_3(const Numbered_mesh_3& mesh, Newton_system_3& s
   search.untangle_patches(start);
   if(search.goes_on())
     search.untangle(setting_to_go_on, search.best().positions);
-  return search.best();
+  return search.finish();
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

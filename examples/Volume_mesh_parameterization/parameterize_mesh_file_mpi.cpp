@@ -1,0 +1,292 @@
+// Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, with several processes:
+// mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [PETSc's options, with one dash]
+#include "JSON_object.h"
+#include "Named_energy_3.h"
+#include "Output_file.h"
+
+#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
+
+#include <boost/program_options.hpp>
+
+#include <petscsys.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Result = VMP::Parameterization_result;
+
+enum Exit_code { SUCCESS = 0, BAD_INPUT = 2, NOT_FLIP_FREE = 3 }; // as of parameterize_mesh_file
+
+struct Options
+{
+  std::string source, target, output, report, energy;
+  int number_of_iterations;
+  bool use_volume_weights, is_quiet;
+};
+
+int rank()
+{
+  int result;
+  MPI_Comm_rank(MPI_COMM_WORLD, &result);
+  return result;
+}
+
+// False if only help was asked for.
+bool parse(const int argc, char* argv[], Options& options)
+{
+  for(const std::string name : { "--boundary", "--refine", "--refined-source", "--slide", "--max-angle-distortion",
+                                 "--solver", "--threads" })
+    if(std::find(argv, argv + argc, name) != argv + argc)
+      throw std::runtime_error(name + " is not for several processes, but for parameterize_mesh_file");
+
+  namespace po = boost::program_options;
+  po::options_description visible("Options", 100);
+  visible.add_options()
+    ("output", po::value(&options.output)->value_name("NAME.pvtu"), "the map, with a file NAME_RANK.vtu of each process")
+    ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions")
+    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
+     "what is minimized: stretch, symmetric_dirichlet, mips, arap, dirichlet, lscm or lpm")
+    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
+    ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
+     "largest number of Newton steps")
+    ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
+    ("help", "print this text");
+  po::options_description all;
+  all.add(visible).add_options()("source", po::value(&options.source))("target", po::value(&options.target));
+  po::positional_options_description positional;
+  positional.add("source", 1).add("target", 1);
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
+  po::notify(given);
+  if(given.count("help") != 0)
+  {
+    std::cout << "Usage: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [options of PETSc]\n\n"
+                 "Files and exit status are those of parameterize_mesh_file. Options of PETSc have one dash and come last.\n\n"
+              << visible;
+    return false;
+  }
+  if(options.source.empty() || options.target.empty())
+    throw std::runtime_error("SOURCE.mesh and TARGET are needed; --help tells more");
+  return true;
+}
+
+// Finds faults in the options before anything expensive is done.
+void check(const Options& options)
+{
+  Named_energy_3{options.energy};
+  if(options.number_of_iterations < 0)
+    throw std::runtime_error("the number of iterations is too small");
+  if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu")
+    throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
+  for(const std::string& name : {options.output, options.report})
+  {
+    if(name.empty() || rank() != 0)
+      continue;
+    for(const std::string& input : {options.source, options.target})
+      if(fs::weakly_canonical(name) == fs::weakly_canonical(input))
+        throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+    Output_file can_be_written(name);
+  }
+}
+
+// Rank 0 keeps one line of a terminal up to date.
+struct Progress
+{
+  bool after_step(const VMP::Parameterization_step& step) const
+  {
+    if(is_shown)
+      std::cerr << "\r\033[Kiteration " << step.iteration << ", " << step.number_of_inverted_cells
+                << " inverted cells, energy " << step.energy << ", " << step.seconds << " s" << std::flush;
+    return true;
+  }
+
+  bool is_shown;
+};
+
+Exit_code exit_code(const Result& result)
+{
+  if(result.has_valid_map)
+    return SUCCESS;
+  return result.status == VMP::ERROR_NOT_FLIP_FREE || result.status == VMP::ERROR_INTERRUPTED
+    || result.status == VMP::ERROR_LINEAR_SOLVER_FAILED ? NOT_FLIP_FREE : BAD_INPUT;
+}
+
+void print(const Result& result)
+{
+  const VMP::Distortion_3& d = result.distortion;
+  std::cout << result.number_of_cells << " cells, " << result.number_of_vertices << " vertices, "
+            << result.number_of_boundary_vertices << " on the boundary\n"
+            << result.number_of_iterations << " iterations in " << result.seconds_total << " s, "
+            << result.number_of_inverted_cells << " inverted cells, energy " << result.energy << "\n"
+            << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
+            << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n";
+}
+
+Exit_code run(const Options& options, Result& result)
+{
+  VMP::Distributed_tetrahedron_soup_3 source;
+  std::vector<std::array<double, 3> > targets, uvw;
+  VMP::IO::read_MEDIT(options.source, source);
+  VMP::IO::read_boundary_targets(options.target, source, targets);
+  const Progress progress{!options.is_quiet && rank() == 0 && isatty(STDERR_FILENO) != 0};
+  result = CGAL::stretch_minimizing_volume_parameterization(source, targets, uvw,
+    params::energy(Named_energy_3(options.energy))
+      .use_volume_weights(options.use_volume_weights)
+      .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
+      .visitor(progress));
+  if(progress.is_shown)
+    std::cerr << "\r\033[K" << std::flush;
+  const Exit_code code = exit_code(result);
+  if(code == SUCCESS && !options.output.empty())
+    VMP::IO::write_PVTU(options.output, source, uvw);
+  if(code == SUCCESS && !options.is_quiet && rank() == 0)
+    print(result);
+  return code;
+}
+
+// The same, with what is thrown, in all processes, as a message of the result.
+Exit_code run_and_catch(const Options& options, Result& result)
+{
+  try
+  {
+    return run(options, result);
+  }
+  catch(const std::bad_alloc&)
+  {
+    result.message = "There is not enough memory.";
+    return NOT_FLIP_FREE;
+  }
+  catch(const std::exception& error)
+  {
+    result.message = error.what();
+    return BAD_INPUT;
+  }
+}
+
+// A number of each process; rank 0 gets those of all.
+JSON_object of_processes(const double x)
+{
+  int size;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  std::vector<double> all(size);
+  MPI_Gather(&x, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  JSON_object result;
+  for(int i = 0; i < size; ++i)
+    result.add(std::to_string(i).c_str(), all[i]);
+  return result;
+}
+
+JSON_object json(const VMP::Distortion_3& d)
+{
+  return JSON_object().add("angle_mean", d.angle_mean).add("angle_max", d.angle_max)
+                      .add("volume_mean", d.volume_mean).add("volume_max", d.volume_max);
+}
+
+// Of bad input there is nothing to tell but the message.
+void write_report(const std::string& filename, const Result& result, const Exit_code code)
+{
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  const double seconds = static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+  JSON_object report;
+  report.add("status", result.message);
+  if(code != BAD_INPUT)
+    report.add("vertices", result.number_of_vertices)
+          .add("cells", result.number_of_cells)
+          .add("boundary_vertices", result.number_of_boundary_vertices)
+          .add("inverted_cells", result.number_of_inverted_cells)
+          .add("boundary_residual", result.boundary_residual)
+          .add("iterations", result.number_of_iterations)
+          .add("untangling_iterations", result.number_of_untangling_iterations)
+          .add("seconds_total", result.seconds_total)
+          .add("seconds_to_flip_free", result.seconds_to_flip_free)
+          .add("seconds_numbering", result.seconds_numbering)
+          .add("seconds_start", result.seconds_start)
+          .add("seconds_untangling", result.seconds_untangling)
+          .add("seconds_minimization", result.seconds_minimization)
+          .add("seconds_check", result.seconds_check)
+          .add("energy_value", result.energy)
+          .add("distortion", json(result.distortion))
+          .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
+          .add("user_seconds_of_processes", of_processes(seconds))
+          .add("peak_memory_bytes_of_processes", of_processes(1024 * static_cast<double>(usage.ru_maxrss)));
+  if(rank() != 0)
+    return;
+  Output_file file(filename);
+  file.stream() << report.text() << "\n";
+  file.commit();
+}
+
+// Rank 0 speaks, and decides about the options.
+int run(const int argc, char* argv[])
+{
+  Options options;
+  std::string message;
+  bool goes_on = false;
+  try
+  {
+    goes_on = parse(argc, argv, options);
+    if(goes_on)
+      check(options);
+  }
+  catch(const std::exception& error)
+  {
+    message = error.what();
+  }
+  int code = message.empty() ? SUCCESS : BAD_INPUT;
+  MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  if(code == SUCCESS && goes_on)
+  {
+    Result result;
+    code = run_and_catch(options, result);
+    if(code != SUCCESS || result.status != VMP::OK)
+      message = result.message;
+    try
+    {
+      if(!options.report.empty())
+        write_report(options.report, result, static_cast<Exit_code>(code));
+    }
+    catch(const std::exception& error) // of rank 0, after all communication
+    {
+      message = error.what();
+      code = BAD_INPUT;
+    }
+  }
+  if(!message.empty() && rank() == 0)
+    std::cerr << message << std::endl;
+  return code;
+}
+
+int main(int argc, char* argv[])
+{
+  char** const petsc = std::find_if(argv + 1, argv + argc, [](const char* a) { return a[0] == '-' && a[1] != '-'; });
+  std::vector<char*> of_petsc(petsc, argv + argc);
+  of_petsc.insert(of_petsc.begin(), argv[0]);
+  int number = static_cast<int>(of_petsc.size());
+  of_petsc.push_back(nullptr);
+  char** begin = of_petsc.data();
+  if(PetscInitialize(&number, &begin, nullptr, nullptr) != 0)
+    return BAD_INPUT;
+  if(rank() != 0)
+    std::cout.setstate(std::ios::failbit); // of help, too, only one prints
+  const int code = run(static_cast<int>(petsc - argv), argv);
+  PetscFinalize();
+  return code;
+}

@@ -1,0 +1,308 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_DISTRIBUTED_IO_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_DISTRIBUTED_IO_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Input_error.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MEDIT_slice.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Star_forest.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_scanner.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+using Point_of_file = std::array<double, 3>;
+
+// Runs `read(communicator)` and puts the name of the file in front of the sentence of a failure.
+template <typename Read>
+void read_together(const MPI_Comm comm, const std::string& filename, const Read& read)
+{
+  const MPI_communicator_3 communicator(comm);
+  try
+  {
+    communicator.together([&]() { read(communicator); return 0; });
+  }
+  catch(const Input_error& error)
+  {
+    throw Input_error(filename + ": " + error.what());
+  }
+}
+
+inline Point_of_file next_point(Text_scanner& scanner)
+{
+  Point_of_file point;
+  for(double& x : point)
+    x = scanner.next_number<double>("a finite coordinate");
+  return point;
+}
+
+inline std::vector<Point_of_file> read_points(const MEDIT_slice& slice, std::size_t& first)
+{
+  std::vector<Point_of_file> points;
+  first = slice.for_each_element("Vertices", 4, [&](Text_scanner& scanner)
+  {
+    points.push_back(next_point(scanner));
+    scanner.next_number<int>("an integral reference");
+  });
+  return points;
+}
+
+inline void read_cells(const MEDIT_slice& slice, Distributed_tetrahedron_soup_3& soup)
+{
+  const std::size_t n = slice.number_of_elements("Vertices", 4);
+  slice.for_each_element("Tetrahedra", 5, [&](Text_scanner& scanner)
+  {
+    soup.cells.emplace_back();
+    for(std::size_t& v : soup.cells.back())
+    {
+      v = scanner.next_number<std::size_t>("the number of a vertex") - 1;
+      if(v >= n)
+        scanner.fail("vertex " + std::to_string(v + 1) + " does not exist, the vertices are numbered from 1 to "
+                     + std::to_string(n));
+    }
+    soup.cell_references.push_back(scanner.next_number<int>("an integral reference"));
+  });
+}
+
+// A number that depends on the vertices of all cells, but not on their order.
+inline std::vector<double> connectivity(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup)
+{
+  double sum = 0;
+  for(std::array<std::size_t, 4> cell : soup.cells)
+  {
+    std::sort(cell.begin(), cell.end());
+    sum += static_cast<double>(boost::hash_range(cell.begin(), cell.end()) % (1 << 20)); // exact up to 2^33 cells
+  }
+  return { communicator.sum(sum), communicator.sum(static_cast<double>(soup.cells.size())),
+           communicator.sum(static_cast<double>(soup.points.size())) };
+}
+
+struct Target_of_vertex
+{
+  std::size_t vertex;
+  Point_of_file point;
+};
+
+inline std::vector<Target_of_vertex> read_targets(const MPI_communicator_3& communicator, const std::string& filename,
+                                                  const Distributed_tetrahedron_soup_3& soup)
+{
+  std::vector<Target_of_vertex> result;
+  if(std::filesystem::path(filename).extension() == ".mesh")
+  {
+    const MEDIT_slice slice(communicator, filename);
+    Distributed_tetrahedron_soup_3 target;
+    std::size_t v;
+    target.points = read_points(slice, v);
+    read_cells(slice, target);
+    if(connectivity(communicator, target) != connectivity(communicator, soup))
+      throw Input_error("the cells of the target join other vertices than those of the source");
+    for(const Point_of_file& point : target.points)
+      result.push_back({ v++, point });
+    return result;
+  }
+  const Text_slice slice(communicator, filename);
+  Text_scanner scanner(slice.text, slice.first_line);
+  while(scanner.has_word())
+  {
+    const std::size_t v = scanner.next_number<std::size_t>("the index of a vertex");
+    result.push_back({ v, next_point(scanner) });
+    if(scanner.has_word_on_line())
+      scanner.fail("the line does not end after the three coordinates of vertex " + std::to_string(v));
+  }
+  return result;
+}
+
+// The cells of this process with their points and the images of these.
+inline std::pair<Tetrahedron_soup_3, std::vector<Point_of_file> >
+piece_of_process(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup,
+                 const std::vector<Point_of_file>& uvw)
+{
+  std::vector<PetscInt> vertices;
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
+    vertices.insert(vertices.end(), cell.begin(), cell.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const Star_forest star_forest(communicator, soup.points.size(), vertices);
+  Tetrahedron_soup_3 piece = { star_forest.get(soup.points), soup.cells, soup.cell_references, {}, {} };
+  for(std::array<std::size_t, 4>& cell : piece.cells)
+    for(std::size_t& v : cell)
+      v = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), static_cast<PetscInt>(v))
+                                   - vertices.begin());
+  return { std::move(piece), star_forest.get(uvw) };
+}
+
+// Names the files of all processes, which have the arrays of `IO::write_VTU()`.
+template <typename NameOf>
+void write_PVTU(std::ostream& os, const int number_of_processes, const NameOf& name_of)
+{
+  os << "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "<PUnstructuredGrid GhostLevel=\"0\">\n"
+        "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n"
+        "<PPointData>\n<PDataArray type=\"Float64\" Name=\"uvw\" NumberOfComponents=\"3\"/>\n</PPointData>\n"
+        "<PCellData>\n<PDataArray type=\"Int32\" Name=\"reference\"/>\n";
+  for(const char* name : { "angle_distortion", "volume_distortion", "det_J" })
+    os << "<PDataArray type=\"Float64\" Name=\"" << name << "\"/>\n";
+  os << "</PCellData>\n";
+  for(int rank = 0; rank < number_of_processes; ++rank)
+    os << "<Piece Source=\"" << std::filesystem::path(name_of(rank)).filename().string() << "\"/>\n";
+  os << "</PUnstructuredGrid>\n</VTKFile>\n";
+}
+
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgVolumeMeshParameterizationDistributed
+///
+/// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format": each process of
+/// `soup.communicator` its range of bytes; the slices of `soup` become equally long. All of them must call this function,
+/// and see the file. Each vertex and each cell must have a line of its own. Triangles are not read.
+///
+/// \exception Input_error names the file and the line that are wrong, in all processes; `soup` is then unchanged.
+inline void read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup)
+{
+  internal::read_together(soup.communicator, filename, [&](const internal::MPI_communicator_3& communicator)
+  {
+    const internal::MEDIT_slice slice(communicator, filename);
+    Distributed_tetrahedron_soup_3 result;
+    result.communicator = soup.communicator;
+    std::size_t first;
+    result.points = internal::read_points(slice, first);
+    internal::read_cells(slice, result);
+    if(slice.number_of_elements("Tetrahedra", 5) == 0)
+      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    // a range of bytes has many points and no cells, or the other way round
+    result.points = communicator.evenly(result.points);
+    result.cells = communicator.evenly(result.cells);
+    result.cell_references = communicator.evenly(result.cell_references);
+    communicator.synchronize();
+    std::swap(soup, result);
+  });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationDistributed
+///
+/// reads target points, each process its range of bytes: from a file `*.mesh` the points of a mesh with the vertices and
+/// cells of `soup` (cells in any order), from any other file lines `vertex_index x y z`.
+///
+/// \param filename the name of the file, which all processes see
+/// \param soup the mesh whose boundary is to be mapped
+/// \param targets gets a point for each point of this slice; a vertex without a line gets not-a-number coordinates
+///
+/// \exception Input_error names the file and what is wrong, in all processes; `targets` is then unchanged.
+inline void read_boundary_targets(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
+                                  std::vector<std::array<double, 3> >& targets)
+{
+  internal::read_together(soup.communicator, filename, [&](const internal::MPI_communicator_3& communicator)
+  {
+    std::vector<std::size_t> ends;
+    for(const double n : communicator.gathered(static_cast<double>(soup.points.size())))
+      ends.push_back((ends.empty() ? 0 : ends.back()) + static_cast<std::size_t>(n));
+    std::vector<std::vector<internal::Target_of_vertex> > to_holders(ends.size());
+    for(const internal::Target_of_vertex& target : internal::read_targets(communicator, filename, soup))
+    {
+      if(target.vertex >= ends.back())
+        throw Input_error("vertex " + std::to_string(target.vertex) + " does not exist, the mesh has "
+                          + std::to_string(ends.back()) + " vertices, counted from 0");
+      to_holders[std::upper_bound(ends.begin(), ends.end(), target.vertex) - ends.begin()].push_back(target);
+    }
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::array<double, 3> > points(soup.points.size(), {none, none, none});
+    const std::size_t first = ends[communicator.rank()] - soup.points.size();
+    for(const internal::Target_of_vertex& target : communicator.exchanged(to_holders))
+    {
+      std::array<double, 3>& point = points[target.vertex - first];
+      if(!std::isnan(point[0]))
+        throw Input_error("vertex " + std::to_string(target.vertex) + " has a second line");
+      point = target.point;
+    }
+    communicator.synchronize();
+    targets.swap(points);
+  });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationDistributed
+///
+/// writes a distributed mesh with its parameterization for ParaView: a file `.vtu` for the cells of each process,
+/// as `write_VTU()` does, and one that names them. All files appear when all are complete.
+///
+/// \param filename the name of the latter, `NAME.pvtu`; those of the processes are `NAME_0.vtu`, `NAME_1.vtu`, ...
+/// \param soup the mesh
+/// \param uvw the image of each point of the slice
+///
+/// \exception std::runtime_error names the file that cannot be written, in all processes.
+inline void write_PVTU(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
+                       const std::vector<std::array<double, 3> >& uvw)
+{
+  const internal::MPI_communicator_3 communicator(soup.communicator);
+  const auto name_of = [&](const int rank)
+  { return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu"; };
+  std::vector<std::string> names; // of what this process writes
+  try
+  {
+    communicator.together([&]()
+    {
+      const auto write = [&](const std::string& name, const auto& write_to)
+      {
+        names.push_back(name);
+        std::ofstream os(name + ".tmp", std::ios::binary);
+        write_to(os);
+        os.close();
+        if(!os)
+          throw std::runtime_error(name + ": the file cannot be written completely");
+      };
+      const auto [piece, images] = internal::piece_of_process(communicator, soup, uvw);
+      write(name_of(communicator.rank()), [&, &piece = piece, &images = images](std::ostream& os)
+                                          { write_VTU(os, piece, images); });
+      if(communicator.rank() == 0)
+        write(filename, [&](std::ostream& os) { internal::write_PVTU(os, communicator.size(), name_of); });
+      communicator.synchronize();
+      for(const std::string& name : names)
+        std::filesystem::rename(name + ".tmp", name);
+      return 0;
+    });
+  }
+  catch(...)
+  {
+    std::error_code ignored;
+    for(const std::string& name : names)
+      std::filesystem::remove(name + ".tmp", ignored);
+    throw;
+  }
+}
+
+} // namespace IO
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_DISTRIBUTED_IO_H

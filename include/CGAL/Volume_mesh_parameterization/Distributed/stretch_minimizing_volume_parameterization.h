@@ -1,0 +1,184 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_DISTRIBUTED_STRETCH_MINIMIZING_VOLUME_PARAMETERIZATION_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_DISTRIBUTED_STRETCH_MINIMIZING_VOLUME_PARAMETERIZATION_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/require.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Volume_mesh_parameterization::internal {
+
+// Goes on as long as the visitors and the clocks of all processes agree to.
+template <typename Visitor>
+struct Common_visitor
+{
+  bool after_step(const Parameterization_step& step)
+  {
+    return communicator.all(visitor.after_step(step) && step.seconds <= maximum_running_time);
+  }
+
+  const MPI_communicator_3& communicator;
+  Visitor& visitor;
+  double maximum_running_time;
+};
+
+// From the slices of a mesh to the images of their points.
+template <typename Problem>
+Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3& communicator,
+                                                        const Distributed_tetrahedron_soup_3& soup,
+                                                        const std::vector<std::array<double, 3> >& targets,
+                                                        const Problem& problem,
+                                                        std::vector<std::array<double, 3> >& images)
+{
+  const auto is_constrained = [&](const std::size_t v) { return get(problem.is_constrained, v); };
+  const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights);
+  const Numbered_mesh_3& mesh = distributed.mesh();
+  const Input_check_3 check = engine::check_input(mesh);
+  problem.progress.add_numbering(0);
+  Parameterization_result result;
+  if(check.allows_fixed_boundary())
+  {
+    PETSc_solver_3 solver(communicator, distributed);
+    if(problem.verbose)
+      std::cout << "process 0 of " << communicator.size() << ": " << mesh.number_of_own_cells() << " cells and "
+                << mesh.number_of_copied_cells << " of others, " << distributed.number_of_own_rows()
+                << " free vertices and " << mesh.number_of_copied_vertices << " of others; " << solver.name() << std::endl;
+    Map_options_3 options = problem.options;
+    options.mode = Boundary_mode::FIXED;
+    const Found_map_3 found = engine::find_map(mesh, check, problem.energy, solver, options, problem.progress);
+    result = engine::make_result(mesh, check, found, problem.energy, problem.progress);
+    if(result.has_valid_map)
+      distributed.write(found.map.positions, images);
+    if(problem.verbose)
+      std::cout << solver.number_of_iterations() << " iterations of the linear solver" << std::endl;
+  }
+  else
+  {
+    result.status = check.status;
+    result.message = check.message;
+    result.seconds_numbering = result.seconds_total = problem.progress.seconds();
+  }
+  result.number_of_vertices = distributed.number_of_vertices();
+  result.number_of_cells = static_cast<std::size_t>(mesh.number_of_all_cells());
+  result.number_of_boundary_vertices = distributed.number_of_boundary_vertices();
+  return result;
+}
+
+} // namespace Volume_mesh_parameterization::internal
+
+/*!
+\ingroup PkgVolumeMeshParameterizationDistributed
+
+computes the same map for a mesh that several processes share, by MPI and PETSc. All processes of the communicator must
+call this function, after `PetscInitialize()`, with the same named parameters. A partition of the mesh is computed by
+PT-Scotch; so points and cells may come in any order.
+
+The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative
+(`KSPSTCG`) with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for
+instance `-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two
+runs of a program with the same number of processes give the same bits. All is tried that is tried for one process with
+fixed boundary, except to untangle small patches of the mesh. Connected components of the target are not looked at one by
+one: the volume of all must be positive.
+
+\param soup this process's slice of the mesh
+\param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The
+       others are not read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a
+       missing target.
+\param images receives the image of each point of the slice if the map is valid, and is left alone otherwise. Points
+       without a cell receive coordinates that are not numbers. May be the same array as `targets`.
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `energy`, `use_volume_weights`,
+       `vertex_is_constrained_map` (for indices of points in the whole mesh), `number_of_iterations`,
+       `maximum_running_time` (which is tested after each Newton step), `visitor` and `verbose` (of which rank 0 prints).
+       The boundary is fixed; the other parameters of the function for a complex are not compiled.
+
+\return the same in all processes, but for times. If a visitor or a clock ends the computation in one process, then in all.
+
+What the function for arrays throws, or an energy or a visitor in one process, is thrown in all processes:
+`Volume_mesh_parameterization::Input_error` and `std::bad_alloc` as such, all else as `std::runtime_error` with the
+sentence of the first process. Errors within PETSc end all processes by `MPI_Abort()`.
+
+Each process needs memory linear in the number of cells around its own vertices. A Newton step has a number of messages
+proportional to the number of iterations of the linear solver.
+*/
+template <typename NamedParameters = parameters::Default_named_parameters>
+Volume_mesh_parameterization::Parameterization_result
+stretch_minimizing_volume_parameterization(
+  const Volume_mesh_parameterization::Distributed_tetrahedron_soup_3& soup,
+  const std::vector<std::array<double, 3> >& targets,
+  std::vector<std::array<double, 3> >& images,
+  const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using parameters::is_default_parameter;
+  namespace VMP = Volume_mesh_parameterization;
+  using Result = VMP::Parameterization_result;
+  static_assert(is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
+                "boundary_map must not be passed for arrays: the targets are an argument.");
+  static_assert(is_default_parameter<NamedParameters, internal_np::boundary_mode_t>::value
+                && is_default_parameter<NamedParameters, internal_np::soft_boundary_parameters_t>::value
+                && is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value,
+                "boundary_mode must not be passed for a distributed mesh: the boundary is fixed.");
+  static_assert(is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+                && is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value,
+                "do_slide_boundary must not be passed for a distributed mesh: the boundary is fixed.");
+  static_assert(is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
+                "do_refine must not be passed for a distributed mesh: call make_parameterizable() before.");
+  static_assert(is_default_parameter<NamedParameters, internal_np::solver_traits_t>::value,
+                "solver_traits must not be passed for a distributed mesh: PETSc's options choose the solver.");
+
+  using Visitor = VMP::internal::Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, NamedParameters, VMP::Default_visitor>::reference>;
+  VMP::Default_visitor default_visitor;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double maximum_running_time
+    = static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time), infinity));
+
+  const VMP::internal::MPI_communicator_3 communicator(soup.communicator);
+  const bool is_printing = communicator.rank() == 0 && choose_parameter(get_parameter(np, internal_np::verbose), false);
+  VMP::internal::Common_visitor<std::remove_reference_t<Visitor> > common_visitor
+    = { communicator, visitor, maximum_running_time };
+  return communicator.together([&]() -> Result
+  {
+    VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");
+    return VMP::internal::run_problem<Sequential_tag, std::size_t>(
+      np.visitor(common_visitor).maximum_running_time(infinity).verbose(is_printing), nullptr, [&](const auto& problem)
+    {
+      return VMP::internal::parameterize_distributed_mesh_3(communicator, soup, targets, problem, images);
+    });
+  });
+}
+
+} // namespace CGAL
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_DISTRIBUTED_STRETCH_MINIMIZING_VOLUME_PARAMETERIZATION_H

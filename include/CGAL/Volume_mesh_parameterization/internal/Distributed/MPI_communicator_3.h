@@ -1,0 +1,205 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DISTRIBUTED_MPI_COMMUNICATOR_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DISTRIBUTED_MPI_COMMUNICATOR_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Input_error.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Communicator_3.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Processes that fail together. All communication begins with a round in which each tells a number and whether it has
+// failed; where one has, all throw what the first of them has thrown. So none waits for one that is gone. Numbers are
+// added in the order of the ranks: all processes get the same bits, in each run.
+class MPI_communicator_3 final : public Communicator_3
+{
+public:
+  explicit MPI_communicator_3(const MPI_Comm communicator)
+  {
+    MPI_Comm_dup(communicator, &m_communicator); // messages of others are never mistaken for ours
+    MPI_Comm_rank(m_communicator, &m_rank);
+    MPI_Comm_size(m_communicator, &m_size);
+  }
+
+  MPI_communicator_3(const MPI_communicator_3&) = delete;
+  MPI_communicator_3& operator=(const MPI_communicator_3&) = delete;
+  ~MPI_communicator_3() override { MPI_Comm_free(&m_communicator); }
+
+  MPI_Comm get() const { return m_communicator; }
+  int rank() const { return m_rank; }
+  int size() const { return m_size; }
+
+  // Also with one process, so that the same is computed with any number of them.
+  bool is_alone() const override { return false; }
+
+  double sum(const double x) const override
+  {
+    const std::vector<double> all = gathered(x);
+    return std::accumulate(all.begin(), all.end(), 0.);
+  }
+
+  double minimum(const double x) const override
+  {
+    const std::vector<double> all = gathered(x);
+    return *std::min_element(all.begin(), all.end());
+  }
+
+  std::pair<int, std::string> first_failure(const int code, const std::string& sentence) const override
+  {
+    const std::vector<double> codes = gathered(code);
+    const auto first = std::find_if(codes.begin(), codes.end(), [](const double c) { return c != 0; });
+    if(first == codes.end())
+      return { 0, "" };
+    return { static_cast<int>(*first), text_of(static_cast<int>(first - codes.begin()), sentence) };
+  }
+
+  // The number of each process, in the order of the ranks.
+  std::vector<double> gathered(const double x) const { return gathered(Kind::NONE, "", x); }
+
+  // Has no process failed? To be called before communication that is not ours.
+  void synchronize() const { gathered(0); }
+
+  // The elements for each process; returns those for this one, in the order of the ranks that they come from.
+  template <typename T>
+  std::vector<T> exchanged(const std::vector<std::vector<T> >& elements) const
+  {
+    std::vector<int> counts, begins(m_size, 0), new_counts(m_size), new_begins(m_size, 0);
+    std::vector<T> sent, received;
+    for(const std::vector<T>& part : elements)
+    {
+      counts.push_back(static_cast<int>(part.size()));
+      sent.insert(sent.end(), part.begin(), part.end());
+    }
+    synchronize();
+    MPI_Alltoall(counts.data(), 1, MPI_INT, new_counts.data(), 1, MPI_INT, m_communicator);
+    std::partial_sum(counts.begin(), counts.end() - 1, begins.begin() + 1);
+    std::partial_sum(new_counts.begin(), new_counts.end() - 1, new_begins.begin() + 1);
+    received.resize(static_cast<std::size_t>(new_begins.back()) + static_cast<std::size_t>(new_counts.back()));
+    synchronize();
+    MPI_Datatype type;
+    MPI_Type_contiguous(sizeof(T), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    MPI_Alltoallv(sent.data(), counts.data(), begins.data(), type,
+                  received.data(), new_counts.data(), new_begins.data(), type, m_communicator);
+    MPI_Type_free(&type);
+    return received;
+  }
+
+  // The same elements in slices of equal length, those of the ranks one behind the other before and after.
+  template <typename T>
+  std::vector<T> evenly(const std::vector<T>& elements) const
+  {
+    const std::vector<double> sizes = gathered(static_cast<double>(elements.size()));
+    const auto n = static_cast<std::size_t>(m_size);
+    const auto total = static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), 0.));
+    auto place = static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.begin() + m_rank, 0.));
+    std::vector<std::vector<T> > parts(n);
+    std::size_t part = 0;
+    for(const T& element : elements)
+    {
+      for(; place >= total * (part + 1) / n; ++part) {}
+      parts[part].push_back(element);
+      ++place;
+    }
+    return exchanged(parts);
+  }
+
+  // Runs f, which ends in all processes alike: if it throws in one, then in all.
+  template <typename Function>
+  auto together(const Function& f) const
+  {
+    try
+    {
+      auto result = f();
+      synchronize();
+      return result;
+    }
+    catch(const Failure&) { throw_again(); }
+    catch(const std::bad_alloc&) { tell(Kind::MEMORY, ""); }
+    catch(const Input_error& error) { tell(Kind::INPUT, error.what()); }
+    catch(const std::exception& error) { tell(Kind::OTHER, error.what()); }
+    catch(...) { tell(Kind::OTHER, "an exception of unknown type"); }
+    throw_again();
+  }
+
+private:
+  enum class Kind { NONE, MEMORY, INPUT, OTHER };
+  struct Failure {};      // of some process, which all know
+  struct Message { double number; double kind; };
+
+  std::vector<double> gathered(const Kind kind, const std::string& sentence, const double x) const
+  {
+    const Message mine = { x, static_cast<double>(kind) };
+    m_messages.resize(m_size);
+    MPI_Allgather(&mine, 2, MPI_DOUBLE, m_messages.data(), 2, MPI_DOUBLE, m_communicator);
+    std::vector<double> numbers;
+    for(int i = 0; i < m_size; ++i)
+    {
+      if(m_messages[i].kind != 0)
+      {
+        m_kind = static_cast<Kind>(static_cast<int>(m_messages[i].kind));
+        m_sentence = text_of(i, sentence);
+        throw Failure();
+      }
+      numbers.push_back(m_messages[i].number);
+    }
+    return numbers;
+  }
+
+  void tell(const Kind kind, const std::string& sentence) const
+  {
+    try
+    {
+      gathered(kind, sentence, 0);
+    }
+    catch(const Failure&) {}
+  }
+
+  [[noreturn]] void throw_again() const
+  {
+    switch(m_kind)
+    {
+      case Kind::MEMORY: throw std::bad_alloc();
+      case Kind::INPUT: throw Input_error(m_sentence);
+      default: throw std::runtime_error(m_sentence);
+    }
+  }
+
+  std::string text_of(const int rank, std::string text) const
+  {
+    int length = static_cast<int>(text.size());
+    MPI_Bcast(&length, 1, MPI_INT, rank, m_communicator);
+    text.resize(length);
+    MPI_Bcast(text.data(), length, MPI_CHAR, rank, m_communicator);
+    return text;
+  }
+
+  MPI_Comm m_communicator;
+  int m_rank, m_size;
+  mutable std::vector<Message> m_messages;
+  mutable Kind m_kind = Kind::NONE;
+  mutable std::string m_sentence;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DISTRIBUTED_MPI_COMMUNICATOR_3_H

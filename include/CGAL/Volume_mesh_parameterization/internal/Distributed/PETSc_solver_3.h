@@ -1,0 +1,194 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DISTRIBUTED_PETSC_SOLVER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DISTRIBUTED_PETSC_SOLVER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+
+#include <Eigen/Core>
+
+#include <petscksp.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Solves Newton systems of which each process has its own rows, and copies of those of its halo behind them. By default
+// conjugate gradients that stop where the curvature is negative, with the inverses of the diagonal blocks, as
+// `Conjugate_gradient_solver_traits_3`; the options database may choose others.
+class PETSc_solver_3 final : public Linear_solver_3
+{
+public:
+  PETSc_solver_3(const MPI_communicator_3& communicator, const Distributed_mesh_3& mesh)
+    : m_communicator(communicator), m_mesh(mesh)
+  {
+    constexpr int maximal_number_of_iterations = 2000;
+    communicator.synchronize();
+    const PetscInt n = number_of_own_rows();
+    const std::vector<PetscInt>& rows = mesh.rows();
+    check(VecCreateGhostBlock(communicator.get(), 3, 3 * n, PETSC_DETERMINE, static_cast<PetscInt>(rows.size()) - n,
+                              rows.data() + n, &m_x));
+    check(VecDuplicate(m_x, &m_b));
+    check(KSPCreate(communicator.get(), &m_ksp));
+    check(KSPSetType(m_ksp, KSPSTCG));
+    check(KSPCGSetRadius(m_ksp, 0)); // no trust region
+    check(KSPSetNormType(m_ksp, KSP_NORM_NATURAL));
+    check(KSPSetTolerances(m_ksp, PETSC_DEFAULT, 0, PETSC_DEFAULT, maximal_number_of_iterations));
+    PC preconditioner;
+    check(KSPGetPC(m_ksp, &preconditioner));
+    check(PCSetType(preconditioner, PCPBJACOBI));
+    check(KSPSetFromOptions(m_ksp));
+    check(PCGAMGSetUseSAEstEig(preconditioner, PETSC_FALSE)); // the eigenvalues of the first matrix do not fit later ones
+    PetscBool has_blocks;
+    check(PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(preconditioner), &has_blocks,
+                                    PCPBJACOBI, PCBJACOBI, PCJACOBI, PCNONE, ""));
+    check(MatCreate(communicator.get(), &m_matrix));
+    check(MatSetSizes(m_matrix, 3 * n, 3 * n, PETSC_DETERMINE, PETSC_DETERMINE));
+    check(MatSetBlockSize(m_matrix, 3)); // for algebraic multigrid, the three translations as near-null space
+    check(MatSetType(m_matrix, has_blocks ? MATBAIJ : MATAIJ));
+    check(KSPSetOperators(m_ksp, m_matrix, m_matrix));
+  }
+
+  PETSc_solver_3(const PETSc_solver_3&) = delete;
+  PETSc_solver_3& operator=(const PETSc_solver_3&) = delete;
+
+  ~PETSc_solver_3() override
+  {
+    KSPDestroy(&m_ksp);
+    MatDestroy(&m_matrix);
+    VecDestroy(&m_x);
+    VecDestroy(&m_b);
+  }
+
+  std::string name() const override
+  {
+    KSPType solver;
+    PC preconditioner;
+    PCType type;
+    check(KSPGetType(m_ksp, &solver));
+    check(KSPGetPC(m_ksp, &preconditioner));
+    check(PCGetType(preconditioner, &type));
+    return std::string("PETSc, -ksp_type ") + solver + " -pc_type " + type;
+  }
+
+  PetscInt number_of_iterations() const { return m_number_of_iterations; } // of all solutions so far
+
+  Newton_matrix_3 make_matrix() const override { return Matrix(); }
+
+  void analyze_pattern(const Newton_matrix_3& A) override
+  {
+    const Matrix& matrix = std::get<Matrix>(A);
+    const PetscInt n = number_of_own_rows();
+    std::vector<PetscInt> own(n), others(n);
+    int longest = 0;
+    for(PetscInt row = 0; row < n; ++row)
+    {
+      for(int k = matrix.row_begin(row); k < matrix.row_end(row); ++k)
+        ++(matrix.column(k) < n ? own : others)[row];
+      longest = (std::max)(longest, matrix.row_end(row) - matrix.row_begin(row));
+    }
+    m_columns.resize(longest);
+    m_values.resize(9 * longest);
+    m_communicator.synchronize();
+    check(MatXAIJSetPreallocation(m_matrix, 3, own.data(), others.data(), nullptr, nullptr));
+    check(MatSetOption(m_matrix, MAT_ROW_ORIENTED, PETSC_FALSE));
+    check(MatSetOption(m_matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE)); // each process has all cells around its vertices
+  }
+
+  Linear_solver_status factorize(const Newton_matrix_3& A) override
+  {
+    const Matrix& matrix = std::get<Matrix>(A);
+    m_communicator.synchronize();
+    for(PetscInt row = 0; row < number_of_own_rows(); ++row)
+    {
+      const int begin = matrix.row_begin(row), size = matrix.row_end(row) - begin;
+      for(int k = 0; k < size; ++k)
+        m_columns[k] = m_mesh.rows()[matrix.column(begin + k)];
+      std::copy(matrix.values(begin), matrix.values(begin) + 9 * size, m_values.begin());
+      check(MatSetValuesBlocked(m_matrix, 1, &m_mesh.rows()[row], size, m_columns.data(), m_values.data(), INSERT_VALUES));
+    }
+    check(MatAssemblyBegin(m_matrix, MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(m_matrix, MAT_FINAL_ASSEMBLY));
+    return Linear_solver_status::SUCCESS;
+  }
+
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
+  {
+    x.setZero(b.size());
+    if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // for which KSPSTCG finds no direction
+      return Linear_solver_status::SUCCESS;
+    PetscScalar* values;
+    check(VecGetArray(m_b, &values));
+    std::copy(b.data(), b.data() + 3 * number_of_own_rows(), values);
+    check(VecRestoreArray(m_b, &values));
+    check(KSPSetTolerances(m_ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    check(KSPSolve(m_ksp, m_b, m_x));
+
+    check(VecGhostUpdateBegin(m_x, INSERT_VALUES, SCATTER_FORWARD));
+    check(VecGhostUpdateEnd(m_x, INSERT_VALUES, SCATTER_FORWARD));
+    Vec local;
+    check(VecGhostGetLocalForm(m_x, &local));
+    check(VecGetArray(local, &values));
+    std::copy(values, values + x.size(), x.data());
+    check(VecRestoreArray(local, &values));
+    check(VecGhostRestoreLocalForm(m_x, &local));
+    return status();
+  }
+
+private:
+  using Matrix = Block_sparse_matrix_3<float>;
+
+  PetscInt number_of_own_rows() const { return m_mesh.number_of_own_rows(); }
+
+  Linear_solver_status status()
+  {
+    PetscInt number_of_iterations;
+    KSPConvergedReason reason;
+    check(KSPGetIterationNumber(m_ksp, &number_of_iterations));
+    check(KSPGetConvergedReason(m_ksp, &reason));
+    m_number_of_iterations += number_of_iterations;
+    switch(reason)
+    {
+      case KSP_CONVERGED_CG_NEG_CURVE: // the first iteration counts although it finds no solution then
+      case KSP_DIVERGED_INDEFINITE_MAT:
+      case KSP_DIVERGED_INDEFINITE_PC:
+        return number_of_iterations <= 1 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::TRUNCATED;
+      case KSP_DIVERGED_ITS:
+        return Linear_solver_status::SUCCESS;
+      default:
+        return reason > 0 ? Linear_solver_status::SUCCESS : Linear_solver_status::FAILED;
+    }
+  }
+
+  // PETSc's errors are those of one process, while others may wait for it: all end.
+  void check(const PetscErrorCode error) const { PetscCallAbort(m_communicator.get(), error); }
+
+  const MPI_communicator_3& m_communicator;
+  const Distributed_mesh_3& m_mesh;
+  Vec m_x, m_b;
+  Mat m_matrix;
+  KSP m_ksp;
+  PetscInt m_number_of_iterations = 0;
+  std::vector<PetscInt> m_columns;   // of one row
+  std::vector<PetscScalar> m_values; // of one row
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_DISTRIBUTED_PETSC_SOLVER_3_H

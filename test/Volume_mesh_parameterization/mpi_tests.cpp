@@ -1,0 +1,377 @@
+// Meshes that several processes share. All processes run all tests; mpirun -n 1, 2, 3 mpi_tests.
+#define CATCH_CONFIG_RUNNER
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <petscsys.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Point = std::array<double, 3>;
+using Points = std::vector<Point>;
+using Result = VMP::Parameterization_result;
+using Soup = VMP::Tetrahedron_soup_3;
+using Distributed_soup = VMP::Distributed_tetrahedron_soup_3;
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+int process(const bool is_rank)
+{
+  int result;
+  (is_rank ? MPI_Comm_rank : MPI_Comm_size)(MPI_COMM_WORLD, &result);
+  return result;
+}
+int rank() { return process(true); }
+int size() { return process(false); }
+int culprit() { return size() / 2; } // which alone does something wrong
+
+bool is_same_everywhere(const std::string& text)
+{
+  std::array<unsigned long, 2> mine = { std::hash<std::string>()(text), ~std::hash<std::string>()(text) }, largest;
+  MPI_Allreduce(mine.data(), largest.data(), 2, MPI_UNSIGNED_LONG, MPI_MAX, MPI_COMM_WORLD);
+  return largest == mine;
+}
+
+// A mesh that all processes know, with the targets of all its points.
+struct Problem
+{
+  Soup soup;
+  Points targets;
+
+  std::size_t begin(const int r) const { return soup.points.size() * r / size(); }
+
+  // The slice of a process; its cells have nothing to do with its points.
+  Distributed_soup slice() const
+  {
+    Distributed_soup result;
+    result.points.assign(soup.points.begin() + begin(rank()), soup.points.begin() + begin(rank() + 1));
+    for(std::size_t c = rank(); c < soup.cells.size(); c += size())
+      result.cells.push_back(soup.cells[soup.cells.size() - 1 - c]);
+    result.cell_references.assign(result.cells.size(), 0);
+    return result;
+  }
+
+  Points slice_of_targets() const
+  {
+    return Points(targets.begin() + begin(rank()), targets.begin() + begin(rank() + 1));
+  }
+};
+
+// Put together from the slices of all processes.
+Points whole(const Points& slice)
+{
+  int n = static_cast<int>(3 * slice.size());
+  std::vector<int> counts(size()), begins(size(), 0);
+  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  for(int i = 1; i < size(); ++i)
+    begins[i] = begins[i - 1] + counts[i - 1];
+  Points result((begins.back() + counts.back()) / 3);
+  MPI_Allgatherv(slice.data(), n, MPI_DOUBLE, result.data(), counts.data(), begins.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+  return result;
+}
+
+// Only the targets of the boundary may be read.
+Problem problem_of(const VMP::internal::Numbered_mesh_3& mesh)
+{
+  Problem problem = { source_soup(mesh), {} };
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    problem.targets.push_back({ mesh.target(0, v), mesh.target(1, v), mesh.target(2, v) });
+  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
+    problem.targets[v].fill(none);
+  return problem;
+}
+
+bool is_valid(const Soup& soup, const Points& images)
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto p = [&](const std::size_t v) { return Kernel::Point_3(images[v][0], images[v][1], images[v][2]); };
+  return std::all_of(soup.cells.begin(), soup.cells.end(), [&](const std::array<std::size_t, 4>& c)
+  {
+    return CGAL::orientation(p(c[0]), p(c[1]), p(c[2]), p(c[3])) == CGAL::POSITIVE;
+  });
+}
+
+// Compares with the map of one process, which does without PETSc.
+template <typename NamedParameters>
+void check_map(const Problem& problem, const NamedParameters& np)
+{
+  Points expected, slice;
+  const Result serial = CGAL::stretch_minimizing_volume_parameterization(problem.soup.points, problem.soup.cells,
+                                                                         problem.targets, expected, np);
+  const Result result
+    = CGAL::stretch_minimizing_volume_parameterization(problem.slice(), problem.slice_of_targets(), slice, np);
+  REQUIRE(serial.status == VMP::OK);
+  REQUIRE(serial.number_of_inverted_cells_at_start > 0);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.energy == Approx(serial.energy).epsilon(1e-9));
+  CHECK(result.distortion.angle_mean == Approx(serial.distortion.angle_mean).epsilon(1e-6));
+  CHECK(result.distortion.volume_max == Approx(serial.distortion.volume_max).epsilon(1e-4));
+  CHECK(result.number_of_cells == serial.number_of_cells);
+  CHECK(result.number_of_vertices == serial.number_of_vertices);
+  CHECK(result.number_of_boundary_vertices == serial.number_of_boundary_vertices);
+  CHECK(result.number_of_inverted_cells_at_start == serial.number_of_inverted_cells_at_start);
+  CHECK(result.boundary_residual == 0);
+
+  const Points images = whole(slice);
+  CHECK(is_valid(problem.soup, images));
+  double largest = 0;
+  bool meets_boundary = true;
+  for(std::size_t v = 0; v < images.size(); ++v)
+  {
+    largest = (std::max)(largest, (Eigen::Map<const Eigen::Vector3d>(images[v].data())
+                                   - Eigen::Map<const Eigen::Vector3d>(expected[v].data())).norm());
+    if(!std::isnan(problem.targets[v][0]))
+      meets_boundary = meets_boundary && images[v] == problem.targets[v];
+  }
+  CHECK(largest < 1e-6 * std::cbrt(problem.soup.cells.size())); // the diagonal is longer
+  CHECK(meets_boundary);
+}
+
+// How the call ends if only the culprit has changed its part.
+template <typename NamedParameters>
+std::string end_of(const Distributed_soup& soup, const Points& targets, const NamedParameters& np)
+{
+  Points images = { {1, 2, 3} };
+  std::string end;
+  try
+  {
+    const Result result = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np);
+    end = std::to_string(result.status) + ": " + result.message;
+    if(!result.has_valid_map)
+      CHECK(images == Points{ {1, 2, 3} });
+  }
+  catch(const std::bad_alloc&) { end = "memory"; }
+  catch(const VMP::Input_error& error) { end = std::string("input: ") + error.what(); }
+  catch(const std::runtime_error& error) { end = std::string("other: ") + error.what(); }
+  CHECK(is_same_everywhere(end));
+  UNSCOPED_INFO(end);
+  return end;
+}
+
+template <typename AfterStep>
+struct Visitor
+{
+  bool after_step(const VMP::Parameterization_step& step) const { return rank() != culprit() || f(step); }
+  AfterStep f;
+};
+template <typename AfterStep> Visitor(AfterStep) -> Visitor<AfterStep>;
+
+std::string file(const std::string& name, const std::string& text)
+{
+  const std::string path = "mpi_" + std::to_string(size()) + "_" + name;
+  MPI_Barrier(MPI_COMM_WORLD);
+  if(rank() == 0)
+    std::ofstream(path, std::ios::binary) << text;
+  MPI_Barrier(MPI_COMM_WORLD);
+  return path;
+}
+
+std::string text_of(const std::string& path)
+{
+  std::ostringstream os;
+  os << std::ifstream(path, std::ios::binary).rdbuf();
+  return os.str();
+}
+
+template <typename Read>
+std::string error_of(const Read& read)
+{
+  std::string error;
+  try { read(); } catch(const VMP::Input_error& e) { error = e.what(); }
+  CHECK(is_same_everywhere(error));
+  return error;
+}
+
+} // namespace
+
+TEST_CASE("the map of several processes is that of one")
+{
+  const Problem problem = problem_of(ring(6));
+  check_map(problem, params::number_of_iterations(200));
+  check_map(problem, params::energy(VMP::Symmetric_Dirichlet_energy_3()).use_volume_weights(true));
+}
+
+TEST_CASE("fewer cells than processes, negative cells, and points without a cell")
+{
+  Problem problem;
+  problem.soup.points = { {9, 9, 9}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1} };
+  problem.soup.cells = { {1, 2, 3, 4} };
+  problem.targets = { {none, none, none}, {0, 0, 0}, {0, 2, 0}, {2, 0, 0}, {0, 0, 2} };
+  Points slice;
+  const Result result
+    = CGAL::stretch_minimizing_volume_parameterization(problem.slice(), problem.slice_of_targets(), slice);
+  CHECK(result.status == VMP::OK);
+  const Points images = whole(slice);
+  CHECK(std::isnan(images[0][0]));
+  CHECK(Points(images.begin() + 1, images.end()) == Points(problem.targets.begin() + 1, problem.targets.end()));
+}
+
+TEST_CASE("PETSc's options choose the solver")
+{
+  const Problem problem = problem_of(ring(5));
+  PetscOptionsSetValue(nullptr, "-pc_type", "gamg");
+  check_map(problem, params::number_of_iterations(200));
+  PetscOptionsClearValue(nullptr, "-pc_type");
+}
+
+TEST_CASE("an error of one process is that of all")
+{
+  const Problem problem = problem_of(ring(4));
+  Distributed_soup soup = problem.slice();
+  Points targets = problem.slice_of_targets();
+  const bool is_culprit = rank() == culprit();
+  const auto np = params::number_of_iterations(200);
+  const auto with = [](const auto& after_step) { return params::visitor(Visitor{ after_step }); };
+
+  if(is_culprit)
+    soup.cells[0][2] = 1000;
+  CHECK(end_of(soup, targets, np).find(" has a vertex 1000 that does not exist") != std::string::npos);
+  soup = problem.slice();
+  if(is_culprit)
+    std::swap(soup.cells[0][1], soup.cells[0][2]);
+  CHECK(end_of(soup, targets, np).find("on the same side") != std::string::npos);
+  soup = problem.slice();
+  if(is_culprit)
+    soup.points[0][1] = none;
+  CHECK(end_of(soup, targets, np).find(std::to_string(VMP::ERROR_NON_FINITE_COORDINATE) + ":") == 0);
+  soup = problem.slice();
+  if(rank() == size() - 1) // the vertices of the boundary come last
+    targets.back().fill(none);
+  CHECK(end_of(soup, targets, np).find(std::to_string(VMP::ERROR_MISSING_BOUNDARY_TARGET) + ": The boundary vertex") == 0);
+  targets = problem.slice_of_targets();
+  if(is_culprit)
+    targets.pop_back();
+  CHECK(end_of(soup, targets, np).find("as many targets as points") != std::string::npos);
+  targets = problem.slice_of_targets();
+
+  const std::string interrupted = std::to_string(VMP::ERROR_INTERRUPTED) + ":";
+  CHECK(end_of(soup, targets, with([](const auto& step) { return step.iteration < 2; })).find(interrupted) == 0);
+  CHECK(end_of(soup, targets, params::maximum_running_time(is_culprit ? 0. : 1e9)).find(interrupted) == 0);
+  CHECK(end_of(soup, targets, with([](const auto&) -> bool { throw std::bad_alloc(); })) == "memory");
+  CHECK(end_of(soup, targets, with([](const auto&) -> bool { throw std::runtime_error("out of luck"); }))
+        == "other: out of luck");
+  CHECK(end_of(soup, targets, np).find("0:") == 0); // and none of this has left anything behind
+}
+
+TEST_CASE("targets that allow no map are told apart")
+{
+  Problem problem = problem_of(ring(4));
+  for(Point& target : problem.targets)
+    target[0] = -target[0];
+  CHECK(end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(5)).find("inside out")
+        != std::string::npos);
+  problem = problem_of(ring(4));
+  CHECK(end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(0))
+          .find(std::to_string(VMP::ERROR_NOT_FLIP_FREE) + ":") == 0);
+}
+
+TEST_CASE("each process reads a part of the files")
+{
+  const std::string mesh = DATA "/cube.mesh", targets = DATA "/cube_to_ball.txt";
+  Problem expected;
+  VMP::IO::read_MEDIT(mesh, expected.soup);
+  VMP::IO::read_boundary_targets(targets, expected.soup, expected.targets);
+  Distributed_soup soup;
+  Points slice;
+  VMP::IO::read_MEDIT(mesh, soup);
+  VMP::IO::read_boundary_targets(targets, soup, slice);
+  CHECK(whole(soup.points) == expected.soup.points);
+  CHECK(soup.points.size() <= expected.soup.points.size() / size() + 1);
+  CHECK(soup.cells.size() <= expected.soup.cells.size() / size() + 1);
+  const Points read = whole(slice);
+  for(std::size_t v = 0; v < read.size(); ++v)
+    CHECK((read[v] == expected.targets[v] || (std::isnan(read[v][0]) && std::isnan(expected.targets[v][0]))));
+  Points cells;
+  for(const auto& c : soup.cells)
+    cells.insert(cells.end(), { {double(c[0]), double(c[1]), double(c[2])}, {double(c[3]), 0, 0} });
+  cells = whole(cells);
+  REQUIRE(cells.size() == 2 * expected.soup.cells.size());
+  for(std::size_t c = 0; c < expected.soup.cells.size(); ++c)
+  {
+    CHECK(cells[2 * c][1] == double(expected.soup.cells[c][1]));
+    CHECK(cells[2 * c + 1][0] == double(expected.soup.cells[c][3]));
+  }
+
+  VMP::IO::read_boundary_targets(mesh, soup, slice); // a copy with other coordinates
+  CHECK(slice == soup.points);
+
+  Points images;
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, slice, images).status == VMP::OK);
+  const std::string name = "mpi_" + std::to_string(size()) + "_out";
+  VMP::IO::write_PVTU(name + ".pvtu", soup, images);
+  const std::string pvtu = text_of(name + ".pvtu");
+  std::size_t number_of_cells = 0;
+  for(int i = 0; i < size(); ++i)
+  {
+    CHECK(pvtu.find(name + "_" + std::to_string(i) + ".vtu") != std::string::npos);
+    const std::string vtu = text_of(name + "_" + std::to_string(i) + ".vtu");
+    number_of_cells += std::stoul(vtu.substr(vtu.find("NumberOfCells=\"") + 15));
+  }
+  CHECK(number_of_cells == expected.soup.cells.size());
+  CHECK_THROWS_AS(VMP::IO::write_PVTU("no/such/folder.pvtu", soup, images), std::runtime_error);
+  CHECK(text_of(name + "_0.vtu.tmp").empty());
+}
+
+TEST_CASE("a bad line is named in all processes")
+{
+  const std::string mesh = text_of(DATA "/cube.mesh"), targets = text_of(DATA "/cube_to_ball.txt");
+  const auto changed = [](std::string text, const std::string& from, const std::string& to)
+  {
+    return text.replace(text.rfind(from), from.size(), to);
+  };
+  const std::string harmless = changed(mesh, "\n", "\nx\n"); // an unknown keyword at the end is skipped
+  for(const std::string& bad : { harmless, changed(mesh, " 1\n", " 1 1\n"), changed(mesh, " 1\n", " 1.5\n"),
+                                 changed(mesh, "Tetrahedra", "Hexahedra"), changed(mesh, "MeshV", "M"), std::string("x") })
+  {
+    const std::string path = file("bad.mesh", bad);
+    Distributed_soup soup;
+    const std::string error = error_of([&] { VMP::IO::read_MEDIT(path, soup); });
+    INFO(error);
+    CHECK((error.find(path + ": ") == 0) == (bad != harmless));
+    CHECK((error.empty() || (soup.points.empty() && soup.cells.empty())));
+  }
+  Distributed_soup soup;
+  VMP::IO::read_MEDIT(DATA "/cube.mesh", soup);
+  for(const std::string& bad : { targets + targets, targets + "7 1 2\n", targets + "7 1 2 x\n", targets + "1000 1 2 3\n" })
+  {
+    Points points;
+    const std::string path = file("bad.txt", bad);
+    CHECK(error_of([&] { VMP::IO::read_boundary_targets(path, soup, points); }).find(path + ": ") == 0);
+    CHECK(points.empty());
+  }
+}
+
+int main(int argc, char* argv[])
+{
+  PetscInitialize(nullptr, nullptr, nullptr, nullptr);
+  const int failures = Catch::Session().run(argc, argv);
+  PetscFinalize();
+  return failures != 0;
+}
