@@ -137,8 +137,9 @@ predicates on the coordinates that are written.
   \cgalParamNBegin{do_refine}
     \cgalParamDescription{whether the complex may be refined where the boundary cannot be reached otherwise:
                           before the computation, as `Volume_mesh_parameterization::make_parameterizable()` does
-                          for this boundary map, and while a soft boundary approaches its targets, by splitting interior
-                          edges of the cells that block it. The new vertices receive their images too.}
+                          for this boundary map, where few cells stay inverted with fixed boundary, and while a soft
+                          boundary approaches its targets, by splitting interior edges of the cells that block it. The
+                          new vertices receive their images too.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true` if there is no `boundary_map` and `c3t3` is not constant, otherwise `false`}
     \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of

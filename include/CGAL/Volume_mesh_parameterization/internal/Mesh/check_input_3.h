@@ -92,7 +92,7 @@ inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
   if(mesh.initial.cols() == 0)
     return {};
   const Eigen::Matrix3Xd points = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
-  return check_size(points, "initial images");
+  return check_diagonal(diagonal(*mesh.communicator, points), "initial images");
 }
 
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)

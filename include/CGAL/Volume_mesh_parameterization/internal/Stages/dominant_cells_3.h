@@ -44,7 +44,7 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
                                          const Eigen::Matrix3Xd& image)
 {
   constexpr double far_above = 100;
-  const double to_source_volume = std::cbrt(volume(mesh.source, mesh.cells) / volume(image, mesh.cells));
+  const double to_source_volume = std::cbrt(volume(mesh, mesh.source) / volume(mesh, image));
   const std::vector<double> psi
     = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, to_source_volume);
   std::vector<double> sorted = psi;
