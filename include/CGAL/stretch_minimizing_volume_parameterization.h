@@ -23,7 +23,7 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/Numbered_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/place_of_boundary_error.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>

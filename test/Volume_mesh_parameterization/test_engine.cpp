@@ -14,7 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>

@@ -20,13 +20,13 @@
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Box_grid_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/check_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Pulled_back_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/check_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/judge_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pad_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Facet_matching_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Mesh_complex_3_builder.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/check_tetrahedron_soup.h>
 
 #include <vector>
 

@@ -7,20 +7,20 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLE_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLE_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_UNTANGLE_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_UNTANGLE_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling_setting.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_setting.h>
 
 #include <Eigen/Core>
 
@@ -132,4 +132,4 @@ inline Untangled_3 untangle_on_3(const Numbered_mesh_3& mesh, Newton_system_3& s
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLE_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_UNTANGLE_3_H
