@@ -79,19 +79,6 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Pr
   return result;
 }
 
-Exit_code exit_code(const Result& result)
-{
-  if(result.has_valid_map)
-    return (result.boundary_residual == 0) ? SUCCESS : BOUNDARY_MISSED;
-  switch(result.status)
-  {
-    case VMP::ERROR_NOT_FLIP_FREE:
-    case VMP::ERROR_INTERRUPTED:
-    case VMP::ERROR_LINEAR_SOLVER_FAILED: return NOT_FLIP_FREE;
-    default: return BAD_INPUT;
-  }
-}
-
 void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh)
 {
   Output_file file(filename);

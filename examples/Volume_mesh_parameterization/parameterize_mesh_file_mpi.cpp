@@ -1,8 +1,8 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, with several processes:
 // mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [PETSc's options, with one dash]
-#include "JSON_object.h"
 #include "Named_energy_3.h"
 #include "Output_file.h"
+#include "Result_report.h"
 
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
@@ -31,8 +31,6 @@ namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
-
-enum Exit_code { SUCCESS = 0, BAD_INPUT = 2, NOT_FLIP_FREE = 3 }; // as of parameterize_mesh_file
 
 struct Options
 {
@@ -120,25 +118,6 @@ struct Progress
   bool is_shown;
 };
 
-Exit_code exit_code(const Result& result)
-{
-  if(result.has_valid_map)
-    return SUCCESS;
-  return result.status == VMP::ERROR_NOT_FLIP_FREE || result.status == VMP::ERROR_INTERRUPTED
-    || result.status == VMP::ERROR_LINEAR_SOLVER_FAILED ? NOT_FLIP_FREE : BAD_INPUT;
-}
-
-void print(const Result& result)
-{
-  const VMP::Distortion_3& d = result.distortion;
-  std::cout << result.number_of_cells << " cells, " << result.number_of_vertices << " vertices, "
-            << result.number_of_boundary_vertices << " on the boundary\n"
-            << result.number_of_iterations << " iterations in " << result.seconds_total << " s, "
-            << result.number_of_inverted_cells << " inverted cells, energy " << result.energy << "\n"
-            << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
-            << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n";
-}
-
 Exit_code run(const Options& options, Result& result)
 {
   VMP::Distributed_tetrahedron_soup_3 source;
@@ -193,12 +172,6 @@ JSON_object of_processes(const double x)
   return result;
 }
 
-JSON_object json(const VMP::Distortion_3& d)
-{
-  return JSON_object().add("angle_mean", d.angle_mean).add("angle_max", d.angle_max)
-                      .add("volume_mean", d.volume_mean).add("volume_max", d.volume_max);
-}
-
 // Of bad input there is nothing to tell but the message.
 void write_report(const std::string& filename, const Result& result, const Exit_code code)
 {
@@ -208,25 +181,11 @@ void write_report(const std::string& filename, const Result& result, const Exit_
   JSON_object report;
   report.add("status", result.message);
   if(code != BAD_INPUT)
-    report.add("vertices", result.number_of_vertices)
-          .add("cells", result.number_of_cells)
-          .add("boundary_vertices", result.number_of_boundary_vertices)
-          .add("inverted_cells", result.number_of_inverted_cells)
-          .add("boundary_residual", result.boundary_residual)
-          .add("iterations", result.number_of_iterations)
-          .add("untangling_iterations", result.number_of_untangling_iterations)
-          .add("seconds_total", result.seconds_total)
-          .add("seconds_to_flip_free", result.seconds_to_flip_free)
-          .add("seconds_numbering", result.seconds_numbering)
-          .add("seconds_start", result.seconds_start)
-          .add("seconds_untangling", result.seconds_untangling)
-          .add("seconds_minimization", result.seconds_minimization)
-          .add("seconds_check", result.seconds_check)
-          .add("energy_value", result.energy)
-          .add("distortion", json(result.distortion))
-          .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
-          .add("user_seconds_of_processes", of_processes(seconds))
+  {
+    add(report, result);
+    report.add("user_seconds_of_processes", of_processes(seconds))
           .add("peak_memory_bytes_of_processes", of_processes(1024 * static_cast<double>(usage.ru_maxrss)));
+  }
   if(rank() != 0)
     return;
   Output_file file(filename);
