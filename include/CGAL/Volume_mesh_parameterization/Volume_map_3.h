@@ -115,18 +115,21 @@ public:
   /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
   /// queried in an order in which neighbors follow each other, which takes much less time for large meshes.
   /// @{
+  /// returns what `image()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > images(const PointRange& points) const
   {
     return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& p) { return image(p); });
   }
 
+  /// returns what `preimage()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > preimages(const PointRange& points) const
   {
     return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& q) { return preimage(q); });
   }
 
+  /// returns what `differential()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Eigen::Matrix3d> > differentials(const PointRange& points) const
   {
