@@ -115,6 +115,7 @@ public:
   /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
   /// queried in an order in which neighbors follow each other, which takes much less time for large meshes.
   /// @{
+
   /// returns what `image()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > images(const PointRange& points) const
