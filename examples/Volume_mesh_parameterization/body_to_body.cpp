@@ -38,7 +38,7 @@ struct Body
     const VMP::Parameterization_result result
       = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw));
     std::cout << filename << ": " << result.number_of_cells << " cells. " << result.message << std::endl;
-    if(result.status != VMP::OK)
+    if(!result.has_valid_map || result.boundary_residual > 0)
       throw std::runtime_error("The body has no map to the ball.");
 
     std::vector<Vertex_handle> vertices;
