@@ -258,9 +258,9 @@ const std::vector<std::string> report_keys = {
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free",
   "seconds_numbering", "seconds_start", "seconds_untangling", "seconds_minimization", "seconds_check", "energy_value",
-  "steps", "energy", "inverted_cells", "seconds", "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
+  "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max",
-  "peak_memory_bytes"};
+  "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
 } // namespace
 
