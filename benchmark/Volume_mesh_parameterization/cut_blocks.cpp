@@ -6,6 +6,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -121,11 +122,14 @@ bool write_block(const Soup& block, const Eigen::Vector3d& sides, const std::str
   std::vector<Vertex_handle> vertices;
   std::vector<C3t3::Cell_handle> cells;
   VMP::tetrahedron_soup_to_mesh_complex_3(block, c3t3, vertices, cells);
+  VMP::make_parameterizable(c3t3); // cells with all vertices on the boundary would become flat in the faces of the box
   std::unordered_map<Vertex_handle, Point_3> targets;
   const VMP::Cube_boundary_parameterizer_3 parameterizer(sides[0], sides[1], sides[2]);
   if(parameterizer.parameterize(c3t3, boost::make_assoc_property_map(targets)) != VMP::OK)
     return false;
-  write_mesh(name, block);
+  Soup refined;
+  VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, refined, vertices);
+  write_mesh(name, refined);
   write_targets(name, "box", vertices.size(), [&](std::size_t v) { return targets.count(vertices[v]) != 0; },
                 [&](std::size_t v) { return VMP::internal::coordinates(targets.at(vertices[v])); });
   std::cout << name << ": " << vertices.size() << " vertices, " << targets.size() << " on the boundary" << std::endl;
