@@ -28,11 +28,13 @@ public:
     sigaction(SIGTERM, &action, nullptr);
   }
 
-  // Says what comes next; false if it should not be begun.
+  // Says what comes next, unless it should not be begun.
   bool begin(const std::string& text) const
   {
+    if(is_end_requested != 0)
+      return false;
     show(text);
-    return is_end_requested == 0;
+    return true;
   }
 
   // The visitor of the computation.
