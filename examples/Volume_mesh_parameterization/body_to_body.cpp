@@ -79,7 +79,7 @@ bool write(VMP::Tetrahedron_soup_3 mesh, const Points& texture, const std::vecto
       sum += field[v];
     mesh.cell_references[c] = static_cast<int>(100 * sum / 4);
   }
-  std::ofstream out(filename);
+  std::ofstream out(filename, std::ios::binary);
   VMP::IO::write_VTU(out, mesh, texture);
   out.close();
   return !out.fail();

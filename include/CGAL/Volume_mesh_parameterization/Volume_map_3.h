@@ -154,8 +154,7 @@ private:
     Soup_and_images result;
     std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
     mesh_complex_3_to_tetrahedron_soup(c3t3, result.soup, vertices);
-    for(const auto v : vertices)
-      result.images.push_back(internal::coordinates(get(uvw_map, v)));
+    result.images = internal::points_of(vertices, uvw_map);
     return result;
   }
 

@@ -188,10 +188,7 @@ Hexahedral_mesh_result hexahedral_mesh(const C3t3& c3t3, const VertexUVWMap uvw_
   Tetrahedron_soup_3 soup;
   std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
   mesh_complex_3_to_tetrahedron_soup(c3t3, soup, vertices);
-  std::vector<std::array<double, 3> > images;
-  for(const auto v : vertices)
-    images.push_back(internal::coordinates(get(uvw_map, v)));
-  return hexahedral_mesh<ConcurrencyTag>(soup.points, soup.cells, images, spacing, mesh);
+  return hexahedral_mesh<ConcurrencyTag>(soup.points, soup.cells, internal::points_of(vertices, uvw_map), spacing, mesh);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

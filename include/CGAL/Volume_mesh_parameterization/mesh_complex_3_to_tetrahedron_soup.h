@@ -31,6 +31,17 @@ std::array<double, 3> coordinates(const Point_3& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
+// The points that a property map has for vertices, in their order.
+template <typename Vertex_handle, typename VertexPointMap>
+std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& vertices, const VertexPointMap& map)
+{
+  std::vector<std::array<double, 3> > result;
+  result.reserve(vertices.size());
+  for(const Vertex_handle v : vertices)
+    result.push_back(coordinates(get(map, v)));
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgVolumeMeshParameterizationIO

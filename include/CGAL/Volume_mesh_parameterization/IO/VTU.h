@@ -91,12 +91,7 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
   Tetrahedron_soup_3 soup;
   std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
   mesh_complex_3_to_tetrahedron_soup(c3t3, soup, vertices);
-
-  std::vector<std::array<double, 3> > uvw;
-  uvw.reserve(vertices.size());
-  for(typename C3t3::Triangulation::Vertex_handle v : vertices)
-    uvw.push_back(internal::coordinates(get(uvw_map, v)));
-  IO::write_VTU(os, soup, uvw);
+  IO::write_VTU(os, soup, internal::points_of(vertices, uvw_map));
 }
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <Eigen/Dense>
@@ -21,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -80,23 +80,11 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
 // The quadrangles that belong to one hexahedron only, seen from outside.
 inline std::vector<std::array<std::size_t, 4> > boundary_quadrangles_3(const Hexahedron_soup_3& mesh)
 {
-  using Quadrangle = std::array<std::size_t, 4>;
-  std::vector<std::pair<Quadrangle, Quadrangle> > quadrangles; // with vertices sorted, and as they are
+  std::vector<std::array<std::size_t, 4> > quadrangles;
   for(const std::array<std::size_t, 8>& cell : mesh.cells)
     for(const auto& [a, b, c, d] : quadrangles_of_hexahedron)
-    {
-      const Quadrangle quadrangle = { cell[a], cell[b], cell[c], cell[d] };
-      quadrangles.emplace_back(quadrangle, quadrangle);
-      std::sort(quadrangles.back().first.begin(), quadrangles.back().first.end());
-    }
-  std::sort(quadrangles.begin(), quadrangles.end());
-
-  std::vector<Quadrangle> result;
-  for(std::size_t i = 0; i < quadrangles.size(); ++i)
-    if((i == 0 || quadrangles[i - 1].first != quadrangles[i].first)
-       && (i + 1 == quadrangles.size() || quadrangles[i + 1].first != quadrangles[i].first))
-      result.push_back(quadrangles[i].second);
-  return result;
+      quadrangles.push_back({ cell[a], cell[b], cell[c], cell[d] });
+  return faces_of_one_cell(quadrangles);
 }
 
 // Of each vertex: is it on the boundary?

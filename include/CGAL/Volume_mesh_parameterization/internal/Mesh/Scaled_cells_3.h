@@ -30,12 +30,17 @@ struct Scaled_cells_3
   std::vector<double> weights;                  // how much each cell counts; the sum is 1
 };
 
+// Gives cells with this mean volume a volume near 1.
+inline double unit_of_cells(const double mean_volume)
+{
+  return std::exp2(-std::round(std::log2(mean_volume) / 3));
+}
+
 // The unit gives the cells of the target a volume near 1.
 inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
   const double target_volume = volume(mesh, mesh.target);
-  const double mean_volume = target_volume / mesh.number_of_all_cells();
-  const double unit = std::exp2(-std::round(std::log2(mean_volume) / 3));
+  const double unit = unit_of_cells(target_volume / mesh.number_of_all_cells());
   const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
@@ -45,7 +50,7 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
   const double mean_volume = volume(mesh, mesh.target) / mesh.number_of_all_cells();
-  const double unit = std::exp2(-std::round(std::log2(mean_volume) / 3));
+  const double unit = unit_of_cells(mean_volume);
   Eigen::Matrix3d edges; // of a cell with volume 1/3
   edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
   const Eigen::Matrix3d inverse = edges.inverse() / (std::cbrt(3 * mean_volume) * unit);

@@ -20,28 +20,37 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Those of the faces of all cells that occur once, in whatever order of their vertices.
+template <typename Face>
+std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces)
+{
+  std::vector<std::pair<Face, Face> > sorted; // with vertices sorted, and as they are
+  sorted.reserve(faces.size());
+  for(const Face& face : faces)
+  {
+    sorted.emplace_back(face, face);
+    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+
+  std::vector<Face> result;
+  for(std::size_t i = 0; i < sorted.size(); ++i)
+    if((i == 0 || sorted[i - 1].first != sorted[i].first)
+       && (i + 1 == sorted.size() || sorted[i + 1].first != sorted[i].first))
+      result.push_back(sorted[i].second);
+  return result;
+}
+
 // The facets that belong to one cell only; where the cells are positive, their normals point outwards.
 inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std::array<int, 4> >& cells)
 {
   constexpr int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  using Facet = std::array<int, 3>;
-  std::vector<std::pair<Facet, Facet> > facets; // with vertices sorted, and as they are
+  std::vector<std::array<int, 3> > facets;
   facets.reserve(4 * cells.size());
   for(const std::array<int, 4>& cell : cells)
     for(const auto& i : outward)
-    {
-      const Facet facet = { cell[i[0]], cell[i[1]], cell[i[2]] };
-      facets.emplace_back(facet, facet);
-      std::sort(facets.back().first.begin(), facets.back().first.end());
-    }
-  std::sort(facets.begin(), facets.end());
-
-  std::vector<Facet> result;
-  for(std::size_t i = 0; i < facets.size(); ++i)
-    if((i == 0 || facets[i - 1].first != facets[i].first)
-       && (i + 1 == facets.size() || facets[i + 1].first != facets[i].first))
-      result.push_back(facets[i].second);
-  return result;
+      facets.push_back({ cell[i[0]], cell[i[1]], cell[i[2]] });
+  return faces_of_one_cell(facets);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

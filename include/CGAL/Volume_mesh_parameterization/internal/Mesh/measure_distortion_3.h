@@ -66,6 +66,12 @@ inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_me
   return result;
 }
 
+// By what the singular values of a map are multiplied where its image is scaled to the volume of the source.
+inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+{
+  return std::cbrt(volume(mesh, mesh.source) / volume(mesh, image));
+}
+
 // The distortions of a map by its singular values in each cell, multiplied by a factor.
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
                                          const double factor = 1)

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <limits>
 
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Notices that a minimization goes on and on far from its end: in ten steps, the energy falls by less than 0.2 %, and

@@ -27,7 +27,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The few cells that hold much of an energy, as those do which prescribed vertices make extremely flat.
@@ -44,9 +43,8 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
                                          const Eigen::Matrix3Xd& image)
 {
   constexpr double far_above = 100;
-  const double to_source_volume = std::cbrt(volume(mesh, mesh.source) / volume(mesh, image));
   const std::vector<double> psi
-    = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, to_source_volume);
+    = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, factor_to_source_volume(mesh, image));
   std::vector<double> sorted = psi;
   const auto median = sorted.begin() + sorted.size() / 2;
   std::nth_element(sorted.begin(), median, sorted.end());

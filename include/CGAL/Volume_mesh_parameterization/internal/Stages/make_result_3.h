@@ -92,8 +92,7 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   if(result.has_valid_map)
   {
     const std::vector<Eigen::Vector3d> s = singular_values_of_cells_3(mesh, found.map.positions);
-    const double to_source_volume
-      = std::cbrt(volume(mesh, mesh.source) / volume(mesh, found.map.positions));
+    const double to_source_volume = factor_to_source_volume(mesh, found.map.positions);
     result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
     result.distortion = measure_distortion_3(mesh, s);
     result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);

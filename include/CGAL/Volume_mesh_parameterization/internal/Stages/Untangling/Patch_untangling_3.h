@@ -33,7 +33,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Untangles what a global search has left: each inverted cell with a ring of neighbors, then with two, as a problem of its

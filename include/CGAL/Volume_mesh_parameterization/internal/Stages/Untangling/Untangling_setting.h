@@ -17,7 +17,6 @@
 
 #include <array>
 
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Towards what reference cells to untangle, and how much their volumes count (theta in `Untangling_energy_3`).

@@ -28,7 +28,6 @@
 #include <string>
 #include <utility>
 
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Images of all vertices, with the prescribed ones on their targets, and how the search for them ended.
