@@ -24,10 +24,13 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
-template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag>;
+namespace CGAL::Volume_mesh_parameterization {
+template class internal::Cell_energy_of<Stretch_energy_3>;
+template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #ifdef CGAL_LINKED_WITH_TBB
-template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Parallel_tag>;
+template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
 #endif
+}
 ]] @ONLY)
   add_library(${PROJECT_NAME}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp)
   add_library(CGAL::Volume_mesh_parameterization_engine ALIAS ${PROJECT_NAME}_engine)

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
@@ -82,11 +83,14 @@ Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-// The default solvers are compiled with the engine.
-extern template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag>;
+// The default energy and the default solvers are compiled with the engine.
+namespace CGAL::Volume_mesh_parameterization {
+extern template class internal::Cell_energy_of<Stretch_energy_3>;
+extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #  ifdef CGAL_LINKED_WITH_TBB
-extern template class CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<CGAL::Parallel_tag>;
+extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
 #  endif
+}
 #endif
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE

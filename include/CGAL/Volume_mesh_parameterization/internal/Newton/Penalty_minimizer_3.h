@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>

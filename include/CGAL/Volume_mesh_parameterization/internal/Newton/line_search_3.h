@@ -24,15 +24,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What one step of the untangler or of the minimizer tells.
-enum class Step_status
-{
-  CONTINUE,      // further steps make sense
-  DONE,          // the goal is reached
-  STUCK,         // no progress
-  SOLVER_FAILED
-};
-
 // A step along a direction.
 struct Line_search_step_3
 {

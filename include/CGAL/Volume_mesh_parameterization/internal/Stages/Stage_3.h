@@ -15,8 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_direction_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 
 #include <Eigen/Core>
