@@ -25,14 +25,22 @@ if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
 namespace CGAL::Volume_mesh_parameterization {
-template class internal::Cell_energy_of<Stretch_energy_3>;
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #ifdef CGAL_LINKED_WITH_TBB
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
 #endif
 }
 ]] @ONLY)
-  add_library(${PROJECT_NAME}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp)
+  file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+namespace CGAL::Volume_mesh_parameterization::internal {
+template Error_code map_to_sphere_3(const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images);
+}
+]] @ONLY)
+  add_library(${PROJECT_NAME}_engine STATIC
+    ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp)
   add_library(CGAL::Volume_mesh_parameterization_engine ALIAS ${PROJECT_NAME}_engine)
   set_target_properties(${PROJECT_NAME}_engine PROPERTIES EXPORT_NAME Volume_mesh_parameterization_engine)
   target_link_libraries(${PROJECT_NAME}_engine PUBLIC ${PROJECT_NAME})

@@ -5,6 +5,11 @@
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -437,11 +442,12 @@ TEST_CASE("the derivatives of the radial distortion agree with differences")
 TEST_CASE("coarsening to a tetrahedron is undone exactly")
 {
   Complex complex(bent_rod());
-  const VMP::internal::Boundary_surface_3<C3t3> boundary(complex.c3t3);
-  REQUIRE(boundary.status() == VMP::OK);
-  const VMP::internal::Vertex_rings_3 original(boundary.mesh());
+  const auto surface = VMP::internal::numbered_surface_3(complex.c3t3, VMP::internal::Boundary_facets(complex.c3t3));
+  VMP::internal::Boundary_mesh_3 mesh;
+  REQUIRE(VMP::internal::build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const VMP::internal::Vertex_rings_3 original(mesh);
   VMP::internal::Vertex_rings_3 rings = original;
-  const auto levels = VMP::internal::coarsen_surface_3(rings, VMP::internal::unit_points(boundary.mesh()));
+  const auto levels = VMP::internal::coarsen_surface_3(rings, VMP::internal::unit_points(mesh));
 
   int remaining = 0;
   for(int v = 0; v < rings.number_of_vertices(); ++v)

@@ -13,12 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -60,17 +60,12 @@ public:
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
-    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
-
-    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
-    if(boundary.status() != OK)
-      return boundary.status();
-    std::vector<Eigen::Vector3d> images;
-    const Error_code status = internal::map_to_sphere_3(boundary.mesh(), images);
-    if(status == OK)
-      for(std::size_t v = 0; v < images.size(); ++v)
-        put(target, boundary.vertex(v), Point_3(images[v][0], images[v][1], images[v][2]));
-    return status;
+    using internal::Numbered_surface_3;
+    return internal::parameterize_boundary_3(
+      c3t3, target, [](const auto&, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      {
+        return internal::map_to_sphere_3(surface, images);
+      });
   }
 };
 

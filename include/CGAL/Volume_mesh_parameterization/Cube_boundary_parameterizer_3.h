@@ -13,19 +13,17 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Box_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/cube_corners_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -90,11 +88,12 @@ public:
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
-    return map(c3t3, target, [this](const internal::Boundary_surface_3<C3t3>& boundary,
-                                    const std::vector<Eigen::Vector3d>& sphere)
-    {
-      return std::optional(internal::cube_corners_3(internal::unit_points(boundary.mesh()), sphere, m_half_lengths));
-    });
+    using internal::Numbered_surface_3;
+    return internal::parameterize_boundary_3(
+      c3t3, target, [this](const auto&, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      {
+        return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images);
+      });
   }
 
   /// writes the image of each vertex of the boundary of the complex, for given corners.
@@ -111,47 +110,23 @@ public:
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
                           VertexPointMap target) const
   {
-    return map(c3t3, target, [&](const internal::Boundary_surface_3<C3t3>& boundary,
-                                 const std::vector<Eigen::Vector3d>&)
-    {
-      std::optional<std::array<int, 8> > indices(std::in_place);
-      for(std::size_t k = 0; k < 8; ++k)
+    using internal::Numbered_surface_3;
+    return internal::parameterize_boundary_3(
+      c3t3, target, [&](const auto& boundary, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
       {
-        if(!boundary.is_on_boundary(corners[k]) || std::count(corners.begin(), corners.end(), corners[k]) > 1)
-          return decltype(indices)();
-        (*indices)[k] = static_cast<int>(boundary.index(corners[k]));
-      }
-      return indices;
-    });
+        std::array<int, 8> indices;
+        for(std::size_t k = 0; k < 8; ++k)
+        {
+          const auto found = boundary.indices.find(corners[k]);
+          if(found == boundary.indices.end() || std::count(corners.begin(), corners.end(), corners[k]) > 1)
+            return ERROR_INVALID_CORNERS;
+          indices[k] = static_cast<int>(found->second);
+        }
+        return internal::map_to_box_3(surface, m_half_lengths, indices, images);
+      });
   }
 
 private:
-  template <typename C3t3, typename VertexPointMap, typename ChooseCorners>
-  Error_code map(const C3t3& c3t3, VertexPointMap target, const ChooseCorners& choose_corners) const
-  {
-    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
-
-    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
-    if(boundary.status() != OK)
-      return boundary.status();
-    if(boundary.mesh().number_of_vertices() < 8)
-      return ERROR_BOUNDARY_TOO_COARSE;
-    std::vector<Eigen::Vector3d> sphere;
-    const Error_code sphere_status = internal::map_to_sphere_3(boundary.mesh(), sphere);
-    if(sphere_status != OK)
-      return sphere_status;
-
-    const std::optional<std::array<int, 8> > corners = choose_corners(boundary, sphere);
-    if(!corners)
-      return ERROR_INVALID_CORNERS;
-    internal::Box_map_3 box(boundary.mesh(), sphere, m_half_lengths);
-    const Error_code status = box.run(*corners);
-    if(status == OK)
-      for(std::size_t v = 0; v < sphere.size(); ++v)
-        put(target, boundary.vertex(v), Point_3(box.images()[v][0], box.images()[v][1], box.images()[v][2]));
-    return status;
-  }
-
   Eigen::Vector3d m_half_lengths;
 };
 

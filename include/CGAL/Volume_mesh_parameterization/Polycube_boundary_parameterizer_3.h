@@ -13,11 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>
@@ -91,11 +92,12 @@ public:
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
-    return map(c3t3, target, [](const internal::Boundary_surface_3<C3t3>& boundary,
-                                const double spacing, std::vector<Eigen::Vector3d>& images)
-    {
-      return internal::map_to_polycube_3(boundary.mesh(), spacing, images);
-    });
+    using internal::Numbered_surface_3;
+    return internal::parameterize_boundary_3(
+      c3t3, target, [this](const auto&, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      {
+        return internal::map_to_polycube_3(surface, {}, m_spacing, images);
+      });
   }
 
   /// writes the image of each vertex of the boundary of the complex, for given labels.
@@ -114,37 +116,21 @@ public:
   template <typename C3t3, typename FacetLabelMap, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target) const
   {
-    return map(c3t3, target, [&](const internal::Boundary_surface_3<C3t3>& boundary,
-                                 const double spacing, std::vector<Eigen::Vector3d>& images)
-    {
-      std::vector<std::size_t> label_of_face;
-      for(const auto f : boundary.mesh().faces())
+    using internal::Numbered_surface_3;
+    return internal::parameterize_boundary_3(
+      c3t3, target, [&](const auto& boundary, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
       {
-        label_of_face.push_back(get(labels, boundary.facet(f)));
-        internal::require(label_of_face.back() < 6, "The labels of a polycube are 0 to 5.");
-      }
-      return internal::map_to_polycube_3(boundary.mesh(), label_of_face, spacing, images);
-    });
+        std::vector<std::size_t> label_of_facet;
+        for(const auto& facet : boundary.facets_of_complex)
+        {
+          label_of_facet.push_back(get(labels, facet));
+          internal::require(label_of_facet.back() < 6, "The labels of a polycube are 0 to 5.");
+        }
+        return internal::map_to_polycube_3(surface, label_of_facet, m_spacing, images);
+      });
   }
 
 private:
-  template <typename C3t3, typename VertexPointMap, typename MapBoundary>
-  Error_code map(const C3t3& c3t3, VertexPointMap target, const MapBoundary& map_boundary) const
-  {
-    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
-
-    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
-    if(boundary.status() != OK)
-      return boundary.status();
-    std::vector<Eigen::Vector3d> images;
-    const Error_code status = map_boundary(boundary, m_spacing, images);
-    if(status != OK && m_spacing > 0 && map_boundary(boundary, 0, images) == OK)
-      return ERROR_SPACING_TOO_COARSE;
-    for(std::size_t v = 0; v < images.size(); ++v)
-      put(target, boundary.vertex(v), Point_3(images[v][0], images[v][1], images[v][2]));
-    return status;
-  }
-
   double m_spacing;
 };
 

@@ -13,10 +13,14 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -71,11 +75,21 @@ public:
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {
-    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+    return internal::parameterize_boundary_3(
+      c3t3, target, [this](const auto&, const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      {
+        internal::Boundary_mesh_3 mesh;
+        const Error_code status = internal::build_boundary_mesh_3(surface, mesh);
+        return status == OK ? find_images(surface, images) : status;
+      });
+  }
 
-    const internal::Boundary_surface_3<C3t3> boundary(c3t3);
-    if(boundary.status() != OK)
-      return boundary.status();
+private:
+  using Coordinates = std::array<double, 3>;
+  using Face = std::array<std::size_t, 3>; // with the smallest index first
+
+  Error_code find_images(const internal::Numbered_surface_3& boundary, std::vector<Eigen::Vector3d>& images) const
+  {
     const std::set<Face> surface = faces_of(m_boundary);
     if(faces_of(m_target) != surface)
       return ERROR_OTHER_CONNECTIVITY;
@@ -84,30 +98,23 @@ public:
     for(const Coordinates& point : points_of(m_boundary))
       index.emplace(point, index.size());
     std::vector<std::size_t> vertex_of_surface;
-    for(const Coordinates& point : points_of(boundary.mesh()))
+    for(const Eigen::Vector3d& point : boundary.points)
     {
-      const auto found = index.find(point);
+      const auto found = index.find({ point[0], point[1], point[2] });
       if(found == index.end())
         return ERROR_OTHER_CONNECTIVITY;
       vertex_of_surface.push_back(found->second);
     }
-    for(const Face& face : faces_of(boundary.mesh()))
-      if(surface.count(rotated({ vertex_of_surface[face[0]], vertex_of_surface[face[1]],
-                                vertex_of_surface[face[2]] })) == 0)
+    for(const Face& facet : boundary.facets)
+      if(surface.count(rotated({ vertex_of_surface[facet[0]], vertex_of_surface[facet[1]],
+                                 vertex_of_surface[facet[2]] })) == 0)
         return ERROR_OTHER_CONNECTIVITY;
 
-    const std::vector<Coordinates> images = points_of(m_target);
-    for(std::size_t v = 0; v < vertex_of_surface.size(); ++v)
-    {
-      const Coordinates& image = images[vertex_of_surface[v]];
-      put(target, boundary.vertex(v), Point_3(image[0], image[1], image[2]));
-    }
+    const std::vector<Coordinates> points_of_target = points_of(m_target);
+    for(const std::size_t v : vertex_of_surface)
+      images.emplace_back(points_of_target[v].data());
     return OK;
   }
-
-private:
-  using Coordinates = std::array<double, 3>;
-  using Face = std::array<std::size_t, 3>; // with the smallest index first
 
   static Face rotated(Face face)
   {

@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
@@ -83,9 +82,8 @@ Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-// The default energy and the default solvers are compiled with the engine.
+// The default solvers are compiled with the engine. Energies are not: they use the processor a unit is compiled for.
 namespace CGAL::Volume_mesh_parameterization {
-extern template class internal::Cell_energy_of<Stretch_energy_3>;
 extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #  ifdef CGAL_LINKED_WITH_TBB
 extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;

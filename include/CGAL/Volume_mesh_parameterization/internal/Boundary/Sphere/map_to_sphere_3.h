@@ -13,33 +13,23 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Spherical_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/is_radially_bijective_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a closed surface onto the unit sphere, if it is a topological sphere. Compiled only where it is used: the header
-// of the entry function includes it.
-template <typename Boundary_mesh>
-Error_code map_to_sphere_3(const Boundary_mesh& mesh, std::vector<Eigen::Vector3d>& images)
-{
-  const Error_code status = check_sphere(mesh);
-  if(status != OK)
-    return status;
-
-  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
-  Spherical_map_3<> map(points, Vertex_rings_3(mesh));
-  if(!map.run())
-    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-  images = map.images();
-  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-}
+// Maps a topological sphere onto the unit sphere. It is a template, of `Numbered_surface_3`, for the sake of those who
+// include the default boundary but call another one.
+template <typename Surface>
+Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_MAP_TO_SPHERE_3_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOUNDARY_MESH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOUNDARY_MESH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/property_map.h>
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+using Boundary_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+using Boundary_mesh_3 = Surface_mesh<Boundary_point_3>;
+
+// The surface with its neighbourhoods; the mesh is complete only if it is a closed manifold.
+template <typename Surface>
+Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
+{
+  if(surface.facets.empty())
+    return ERROR_EMPTY_COMPLEX;
+  for(const Eigen::Vector3d& p : surface.points)
+    if(!p.allFinite())
+      return ERROR_NON_FINITE_COORDINATE;
+  if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(surface.facets))
+    return ERROR_NON_MANIFOLD_BOUNDARY;
+
+  const auto index = [](const std::size_t v)
+  {
+    return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v));
+  };
+  for(const Eigen::Vector3d& p : surface.points)
+    mesh.add_vertex(Boundary_point_3(p[0], p[1], p[2]));
+  for(const std::array<std::size_t, 3>& facet : surface.facets)
+    mesh.add_face(index(facet[0]), index(facet[1]), index(facet[2]));
+  return CGAL::is_closed(mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
+}
+
+inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
+{
+  return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+}
+
+inline Eigen::AlignedBox3d bounding_box(const Boundary_mesh_3& mesh)
+{
+  Eigen::AlignedBox3d box;
+  for(const auto v : mesh.vertices())
+    box.extend(eigen_point(mesh, v));
+  return box;
+}
+
+// The points of the surface, moved and scaled such that the longest side of their bounding box is 1.
+inline std::vector<Eigen::Vector3d> unit_points(const Boundary_mesh_3& mesh)
+{
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
+  std::vector<Eigen::Vector3d> points;
+  for(const auto v : mesh.vertices())
+    points.push_back(eigen_point(mesh, v));
+  for(Eigen::Vector3d& point : points)
+    point = (point - box.center()) / box.sizes().maxCoeff();
+  return points;
+}
+
+inline void set_points(Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& points)
+{
+  for(const auto v : mesh.vertices())
+    mesh.point(v) = Boundary_point_3(points[v][0], points[v][1], points[v][2]);
+}
+
+// Is the closed surface a topological sphere?
+template <typename Mesh>
+Error_code check_sphere(const Mesh& mesh)
+{
+  std::vector<std::size_t> component(mesh.number_of_faces());
+  const auto component_map = boost::make_iterator_property_map(component.begin(), get(boost::face_index, mesh));
+  if(Polygon_mesh_processing::connected_components(mesh, component_map) > 1)
+    return ERROR_SEVERAL_BOUNDARY_COMPONENTS;
+  if(mesh.number_of_vertices() + mesh.number_of_faces() != mesh.number_of_edges() + 2)
+    return ERROR_BOUNDARY_NOT_OF_GENUS_ZERO;
+  return OK;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOUNDARY_MESH_3_H

@@ -1,0 +1,53 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_MAP_TO_SPHERE_3_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_MAP_TO_SPHERE_3_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Spherical_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/is_radially_bijective_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+template <typename Mesh>
+Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images)
+{
+  const Error_code status = check_sphere(mesh);
+  if(status != OK)
+    return status;
+
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  Spherical_map_3<> map(points, Vertex_rings_3(mesh));
+  if(!map.run())
+    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+  images = map.images();
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+}
+
+template <typename Surface>
+Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images)
+{
+  Boundary_mesh_3 mesh;
+  const Error_code status = build_boundary_mesh_3(surface, mesh);
+  return status == OK ? map_mesh_to_sphere_3(mesh, images) : status;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_MAP_TO_SPHERE_3_IMPL_H

@@ -1,0 +1,57 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_BOUNDARY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_BOUNDARY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+template <typename C3t3>
+Numbered_surface_3 numbered_surface_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary)
+{
+  Numbered_surface_3 surface;
+  surface.facets = boundary.facets;
+  const auto& tr = c3t3.triangulation();
+  const auto point = tr.geom_traits().construct_point_3_object(); // of a bare or a weighted point
+  for(const auto v : boundary.vertices)
+    surface.points.push_back(to_vector(point(tr.point(v))));
+  return surface;
+}
+
+// From a complex to the images of its boundary vertices, which `map(boundary, surface, images)` finds. Writes nothing
+// unless this succeeds.
+template <typename C3t3, typename VertexPointMap, typename Map>
+Error_code parameterize_boundary_3(const C3t3& c3t3, VertexPointMap target, const Map& map)
+{
+  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+
+  const Boundary_facets<C3t3> boundary(c3t3);
+  std::vector<Eigen::Vector3d> images;
+  const Error_code status = map(boundary, numbered_surface_3(c3t3, boundary), images);
+  if(status == OK)
+    for(std::size_t v = 0; v < images.size(); ++v)
+      put(target, boundary.vertices[v], Point_3(images[v][0], images[v][1], images[v][2]));
+  return status;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_BOUNDARY_3_H
