@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
 #include <tuple>
 #include <vector>
@@ -61,6 +62,42 @@ using Energies = std::tuple<VMP::Stretch_energy_3,
                             VMP::Barrier_energy_3<VMP::ARAP_energy_3>,
                             Untangling_energy,
                             Sharp_untangling_energy>;
+
+// An energy for one cell and for a pack of them, whatever its type: what is built on the energies is compiled once.
+class Erased_energy
+{
+  template <typename T>
+  struct Functions
+  {
+    using Vector = Eigen::Matrix<T, 3, 1>;
+
+    template <typename Energy>
+    explicit Functions(const Energy& energy)
+      : gradient([energy](const Vector& s) -> Vector { return energy.gradient(s); }),
+        hessian([energy](const Vector& s) -> Eigen::Matrix<T, 3, 3> { return energy.hessian(s); })
+    {}
+
+    std::function<Vector(const Vector&)> gradient;
+    std::function<Eigen::Matrix<T, 3, 3>(const Vector&)> hessian;
+  };
+
+public:
+  template <typename Energy>
+  explicit Erased_energy(const Energy& energy)
+    : m_value([energy](const Vector3d& s) { return energy.value(s); }), m_cell(energy), m_pack(energy)
+  {}
+
+  double value(const Vector3d& s) const { return m_value(s); }
+  Vector3d gradient(const Vector3d& s) const { return m_cell.gradient(s); }
+  Matrix3d hessian(const Vector3d& s) const { return m_cell.hessian(s); }
+  auto gradient(const Eigen::Matrix<Pack, 3, 1>& s) const { return m_pack.gradient(s); }
+  auto hessian(const Eigen::Matrix<Pack, 3, 1>& s) const { return m_pack.hessian(s); }
+
+private:
+  std::function<double(const Vector3d&)> m_value;
+  Functions<double> m_cell;
+  Functions<Pack> m_pack;
+};
 
 class Random
 {
@@ -142,8 +179,7 @@ void check_decomposition(const Matrix3d& J)
 }
 
 // Is psi finite, and without the kink that s_i = -s_j makes if psi_i + psi_j does not vanish there?
-template <typename Energy>
-bool is_smooth(const Energy& energy, const Vector3d& s)
+bool is_smooth(const Erased_energy& energy, const Vector3d& s)
 {
   const Vector3d g = energy.gradient(s);
   if(!std::isfinite(energy.value(s)) || !g.allFinite())
@@ -156,8 +192,7 @@ bool is_smooth(const Energy& energy, const Vector3d& s)
 }
 
 // psi as a function of the four vertices, one after the other, of a cell
-template <typename Energy>
-double value(const Energy& energy, const Matrix3d& inverse_source, const Vector_12& u)
+double value(const Erased_energy& energy, const Matrix3d& inverse_source, const Vector_12& u)
 {
   Matrix3d U;
   for(int i = 0; i < 3; ++i)
@@ -166,9 +201,9 @@ double value(const Energy& energy, const Matrix3d& inverse_source, const Vector_
 }
 
 // The derivatives of a cell with Jacobian J, or of a pack of cells.
-template <typename T, typename Energy>
+template <typename T>
 arithmetic::Cell_derivatives_3<T>
-cell_derivatives(const Energy& energy, const Eigen::Matrix<T, 3, 3>& J, const Eigen::Matrix<T, 3, 3>& inverse_source,
+cell_derivatives(const Erased_energy& energy, const Eigen::Matrix<T, 3, 3>& J, const Eigen::Matrix<T, 3, 3>& inverse_source,
                  const T& weight, const double negative_curvature)
 {
   arithmetic::Signed_singular_values_3<T> decomposition;
@@ -182,9 +217,8 @@ cell_derivatives(const Energy& energy, const Eigen::Matrix<T, 3, 3>& J, const Ei
   return cell;
 }
 
-template <typename Energy>
 arithmetic::Cell_derivatives_3<double>
-cell_derivatives(const Energy& energy, const Matrix3d& inverse_source, const Vector_12& u,
+cell_derivatives(const Erased_energy& energy, const Matrix3d& inverse_source, const Vector_12& u,
                  const double negative_curvature)
 {
   Matrix3d U;
@@ -193,8 +227,7 @@ cell_derivatives(const Energy& energy, const Matrix3d& inverse_source, const Vec
   return cell_derivatives<double>(energy, U * inverse_source, inverse_source, 1., negative_curvature);
 }
 
-template <typename Energy>
-Vector_12 gradient(const Energy& energy, const Matrix3d& inverse_source, const Vector_12& u)
+Vector_12 gradient(const Erased_energy& energy, const Matrix3d& inverse_source, const Vector_12& u)
 {
   const auto cell = cell_derivatives(energy, inverse_source, u, full);
   Vector_12 g;
@@ -203,8 +236,7 @@ Vector_12 gradient(const Energy& energy, const Matrix3d& inverse_source, const V
   return g;
 }
 
-template <typename Energy>
-Matrix_12 hessian(const Energy& energy, const Matrix3d& inverse_source, const Vector_12& u,
+Matrix_12 hessian(const Erased_energy& energy, const Matrix3d& inverse_source, const Vector_12& u,
                   const double negative_curvature)
 {
   const auto cell = cell_derivatives(energy, inverse_source, u, negative_curvature);
@@ -238,8 +270,7 @@ auto difference(const Function& f)
 
 // Compares with differences along the unit vectors times `steps`: the gradient with those of the
 // energy, and the Hessian with those of the gradient.
-template <typename Energy>
-void check_against_differences(const Energy& energy, const Matrix3d& source,
+void check_against_differences(const Erased_energy& energy, const Matrix3d& source,
                                const Vector_12& u, const Vector_12& steps)
 {
   const Matrix3d inverse = source.inverse();
@@ -320,9 +351,8 @@ TEST_CASE("Tiny singular values have a small relative error")
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("Gradient and Hessian agree with finite differences", "", Energies)
+void check_differences(const Erased_energy& energy)
 {
-  const TestType energy;
   Random random;
   for(const Vector3d& s : samples)
     if(is_smooth(energy, s) && !energy.hessian(s).isZero()) // the error is relative to the Hessian
@@ -334,9 +364,13 @@ TEMPLATE_LIST_TEST_CASE("Gradient and Hessian agree with finite differences", ""
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("Gradient and Hessian agree with finite differences at tiny singular values", "", Energies)
+TEMPLATE_LIST_TEST_CASE("Gradient and Hessian agree with finite differences", "", Energies)
 {
-  const TestType energy;
+  check_differences(Erased_energy(TestType()));
+}
+
+void check_differences_at_tiny_values(const Erased_energy& energy)
+{
   for(const Vector3d& s : {Vector3d(1, 1, 1e-12), Vector3d(1, 1e-6, 1e-12), Vector3d(1e-12, 1e-12, 1e-12),
                            Vector3d(1, 1, -1e-12)})
   {
@@ -351,9 +385,13 @@ TEMPLATE_LIST_TEST_CASE("Gradient and Hessian agree with finite differences at t
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("The positive semi-definite Hessian is the nearest one", "", Energies)
+TEMPLATE_LIST_TEST_CASE("Gradient and Hessian agree with finite differences at tiny singular values", "", Energies)
 {
-  const TestType energy;
+  check_differences_at_tiny_values(Erased_energy(TestType()));
+}
+
+void check_nearest_semidefinite_hessian(const Erased_energy& energy)
+{
   Random random;
   for(const Vector3d& s : samples)
     if(is_smooth(energy, s))
@@ -361,9 +399,9 @@ TEMPLATE_LIST_TEST_CASE("The positive semi-definite Hessian is the nearest one",
       INFO(s.transpose());
       const Matrix3d J = random.rotation() * s.asDiagonal() * random.rotation().transpose();
       const Matrix3d I = Matrix3d::Identity();
-      const Matrix_9 H_full = hessian(energy, I, image(J, I), full).template bottomRightCorner<9, 9>();
+      const Matrix_9 H_full = hessian(energy, I, image(J, I), full).bottomRightCorner<9, 9>();
       const Matrix_9 H = hessian(energy, I, image(J, I), positive_semidefinite)
-                           .template bottomRightCorner<9, 9>();
+                           .bottomRightCorner<9, 9>();
       const Eigen::SelfAdjointEigenSolver<Matrix_9> eigen(H_full);
       const Matrix_9 expected = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal()
                               * eigen.eigenvectors().transpose();
@@ -377,9 +415,13 @@ TEMPLATE_LIST_TEST_CASE("The positive semi-definite Hessian is the nearest one",
     }
 }
 
-TEMPLATE_LIST_TEST_CASE("A pack of cells gets the derivatives of each cell", "", Energies)
+TEMPLATE_LIST_TEST_CASE("The positive semi-definite Hessian is the nearest one", "", Energies)
 {
-  const TestType energy;
+  check_nearest_semidefinite_hessian(Erased_energy(TestType()));
+}
+
+void check_packs(const Erased_energy& energy)
+{
   Random random;
   std::vector<Vector3d> smooth;
   for(const Vector3d& s : samples)
@@ -437,4 +479,9 @@ TEMPLATE_LIST_TEST_CASE("A pack of cells gets the derivatives of each cell", "",
         }
       }
     }
+}
+
+TEMPLATE_LIST_TEST_CASE("A pack of cells gets the derivatives of each cell", "", Energies)
+{
+  check_packs(Erased_energy(TestType()));
 }
