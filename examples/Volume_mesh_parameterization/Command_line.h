@@ -18,7 +18,7 @@ struct Options
   std::vector<std::string> hexahedra;
   int number_of_threads, number_of_iterations;
   double maximal_angle_distortion, time_limit;
-  bool do_refine, do_slide, use_volume_weights, is_quiet;
+  bool do_refine, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
 };
 
 constexpr const char* help_before_options =
@@ -87,7 +87,9 @@ inline boost::program_options::options_description describe(Options& options)
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
     ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
-     "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2");
+     "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2")
+    ("minimize-max-angle-distortion", po::bool_switch(&options.minimize_maximal_angle_distortion),
+     "make the largest distortion of angles as small as possible, which takes longer");
 
   po::options_description computation("Computation", width);
   computation.add_options()

@@ -99,7 +99,9 @@ inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::P
         .add("seconds_check", result.seconds_check)
         .add("energy_value", result.energy)
         .add("distortion", json(result.distortion))
-        .add("distortion_at_source_volume", json(result.distortion_at_source_volume));
+        .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
+        .add("unavoidable_angle_distortion", result.unavoidable_angle_distortion)
+        .add("missed_angle_distortion", result.missed_angle_distortion);
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_RESULT_REPORT_H

@@ -67,6 +67,7 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Pr
         .energy(Named_energy_3(options.energy))
         .use_volume_weights(options.use_volume_weights)
         .maximal_angle_distortion(options.maximal_angle_distortion)
+        .minimize_maximal_angle_distortion(options.minimize_maximal_angle_distortion)
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(std::ref(progress)));

@@ -124,6 +124,15 @@ predicates on the coordinates that are written.
                     the bound; then the message says so. Ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
+  \cgalParamNBegin{minimize_maximal_angle_distortion}
+    \cgalParamDescription{whether the largest distortion of angles is made as small as possible, up to 2 %}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{Bounds as for `maximal_angle_distortion` are tried by bisection, which takes several times as long as
+                    the minimization; among the maps below the last one that is reached, it is the one of least energy.
+                    `Volume_mesh_parameterization::Parameterization_result` has the largest bound that was missed.
+                    Ignored if the boundary is missed.}
+  \cgalParamNEnd
   \cgalParamNBegin{solver_traits}
     \cgalParamDescription{the solver for the linear system of a Newton step}
     \cgalParamType{a model of `NewtonSolverTraits_3`, passed by `std::ref()` if it keeps a state of interest}

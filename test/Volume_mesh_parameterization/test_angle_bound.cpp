@@ -46,7 +46,8 @@ struct Map
 };
 
 // The map with fixed boundary and, if it is finite, the bound.
-Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_limits<double>::infinity())
+Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_limits<double>::infinity(),
+                 const bool is_least = false)
 {
   const Stretch energy{VMP::Stretch_energy_3()};
   Solver traits;
@@ -55,6 +56,7 @@ Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_
   options.mode = VMP::Boundary_mode::FIXED;
   options.improve = VMP::internal::improve_map_3;
   options.maximal_angle_distortion = bound;
+  options.minimize_maximal_angle_distortion = is_least;
   VMP::internal::Progress_3 progress([](const VMP::Parameterization_step&) { return true; }, 1000, 1e10);
   const VMP::internal::Input_check_3 check = check_input_3(mesh);
   const VMP::internal::Found_map_3 found = find_map_3(mesh, check, energy, solver, options, progress);
@@ -142,6 +144,31 @@ TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized
   const double energy_below = mean_energy(mesh, minimization.positions());
   CHECK(energy_below < stricter.result.energy);
   CHECK(energy_below == Approx(from_outside.result.energy).epsilon(1e-6));
+}
+
+TEST_CASE("The least bound is between one that is missed and the distortion reached")
+{
+  const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Map least = parameterize(mesh, infinity, true);
+  const double reached = largest_angle_distortion(mesh, least.positions);
+  CHECK(least.result.status == VMP::OK);
+  CHECK(least.result.number_of_inverted_cells == 0);
+  CHECK(least.result.boundary_residual == 0);
+  CHECK(least.result.unavoidable_angle_distortion == VMP::internal::unavoidable_angle_distortion_3(mesh));
+  CHECK(least.result.missed_angle_distortion >= least.result.unavoidable_angle_distortion);
+  CHECK(least.result.missed_angle_distortion < reached);
+  CHECK(reached <= 1.02 * least.result.missed_angle_distortion);
+  CHECK(reached < 0.95 * largest_angle_distortion(mesh, parameterize(mesh).positions));
+}
+
+TEST_CASE("The least bound of an affine map is what it is")
+{
+  // its only inner vertex may move, but no cell can have less than the facets on the boundary
+  const Numbered_mesh_3 mesh = mapped_cube(2, 0, [](const Vector3d& p) { return Vector3d(5 * p[0], p[1], p[2]); });
+  const Map map = parameterize(mesh, std::numeric_limits<double>::infinity(), true);
+  CHECK(map.result.unavoidable_angle_distortion == Approx(5 + 1. / 5));
+  CHECK(map.result.missed_angle_distortion <= largest_angle_distortion(mesh, map.positions));
 }
 
 TEST_CASE("A bound that is met anyway changes nothing")

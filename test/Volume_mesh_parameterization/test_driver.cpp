@@ -253,13 +253,15 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "boundary", "refine", "slide", "energy", "volume_weights", "max_angle_distortion",
+  "options", "source", "target", "to", "boundary", "refine", "slide", "energy", "volume_weights",
+  "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "seconds_total", "seconds_to_flip_free",
   "seconds_numbering", "seconds_start", "seconds_untangling", "seconds_minimization", "seconds_check", "energy_value",
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max",
+  "unavoidable_angle_distortion", "missed_angle_distortion",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
 } // namespace

@@ -56,6 +56,13 @@ struct Parameterization_result
   Distortion_3 distortion;                  ///< of the map as it is; not numbers without a valid one
   Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
 
+  /// lower bound of the largest distortion of angles of all maps with this boundary, which the prescribed vertices force;
+  /// 0 unless `minimize_maximal_angle_distortion(true)` was passed
+  double unavoidable_angle_distortion = 0;
+  /// the largest bound below which no map was found; the least distortion is between this and the one of the map, but
+  /// only up to `unavoidable_angle_distortion` is that proved
+  double missed_angle_distortion = 0;
+
   double seconds_total = 0;        ///< of the call, without the default boundary map
   double seconds_to_flip_free = 0; ///< until no cell was inverted, or until untangling ended
   double seconds_numbering = 0;    ///< from the complex to arrays, with the checks of the input

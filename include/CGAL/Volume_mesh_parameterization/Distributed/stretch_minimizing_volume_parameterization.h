@@ -149,7 +149,8 @@ stretch_minimizing_volume_parameterization(
                 && is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value,
                 "boundary_mode must not be passed for a distributed mesh: the boundary is fixed.");
   static_assert(is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-                && is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value,
+                && is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
+                && is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value,
                 "do_slide_boundary must not be passed for a distributed mesh: the boundary is fixed.");
   static_assert(is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
                 "do_refine must not be passed for a distributed mesh: call make_parameterizable() before.");

@@ -99,10 +99,13 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
                                   options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters()
                                                                       : approaching_soft_boundary_parameters());
   options.do_slide = choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false);
+  options.minimize_maximal_angle_distortion
+    = choose_parameter(get_parameter(np, internal_np::minimize_maximal_angle_distortion), false);
   options.maximal_angle_distortion = choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
                                                       (std::numeric_limits<double>::infinity)());
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value)
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
     options.improve = &engine::improve_map;
   options.is_parallel = is_parallel<ConcurrencyTag>();
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");

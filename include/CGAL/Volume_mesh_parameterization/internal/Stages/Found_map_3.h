@@ -33,6 +33,8 @@ struct Found_map_3
   bool is_stuck = false;                // with so few inverted cells that they are to be split
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
+  double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized
+  double missed_angle_distortion = 0;      // the largest bound that was not reached
 
   // Is there a map, but not with the prescribed boundary, although nothing has interrupted the search?
   bool is_blocked() const

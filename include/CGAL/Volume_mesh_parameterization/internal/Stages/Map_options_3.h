@@ -64,6 +64,7 @@ struct Map_options_3
   bool do_slide = false;
   std::vector<bool> is_held;             // of each vertex: must it not slide? None if there are no entries
   double maximal_angle_distortion = std::numeric_limits<double>::infinity();
+  bool minimize_maximal_angle_distortion = false;
   bool is_parallel = false;
 };
 

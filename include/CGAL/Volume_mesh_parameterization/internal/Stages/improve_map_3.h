@@ -26,6 +26,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/bound_angle_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_angle_distortion_3.h>
 
 #include <cmath>
 #include <optional>
@@ -42,7 +43,7 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
   {
     return std::isfinite(bound) && !(largest_angle_distortion_3(mesh, found.map.positions) < bound);
   };
-  if(!options.do_slide && !exceeds_bound())
+  if(!options.do_slide && !options.minimize_maximal_angle_distortion && !exceeds_bound())
     return;
   std::optional<Sliding_boundary_3> sliding;
   if(options.do_slide)
@@ -66,6 +67,8 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
     minimize(energy);
   if(found.map.is_solution() && !progress.is_interrupted() && std::isfinite(bound))
     bound_angle_distortion_3(mesh, energy, bound, sliding.has_value(), minimize, progress, found);
+  if(found.map.is_solution() && !progress.is_interrupted() && options.minimize_maximal_angle_distortion)
+    minimize_angle_distortion_3(mesh, energy, sliding.has_value(), minimize, progress, found);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
