@@ -853,6 +853,23 @@ TEST_CASE("Cells that the boundary map inverts or flattens are refused, with the
                 {to_string(negative.number) + " cell", "cell " + to_string(negative.first)}, VMP::Boundary_mode::FIXED);
 }
 
+TEST_CASE("A facet of the boundary that the target flattens is named, and nothing is refined in vain")
+{
+  Complex complex(cube_mesh(3));
+  const VMP::internal::Boundary_facets boundary(complex.c3t3);
+  const auto vertex = [&](const int i) { return boundary.vertices[boundary.facets.front()[i]]; };
+  complex.target[vertex(0)] = CGAL::midpoint(complex.target[vertex(1)], complex.target[vertex(2)]);
+  check_refusal(complex, VMP::ERROR_PRESCRIBED_CELL_INVERTED, {"on a line", "No refinement helps", "is on the boundary"},
+                VMP::Boundary_mode::FIXED);
+
+  const auto result = CGAL::stretch_minimizing_volume_parameterization(
+    complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()).do_refine(true));
+  CHECK(result.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(result.has_valid_map);
+  CHECK(result.number_of_added_vertices == 0);
+  CHECK(result.message.find("No refinement helps") != std::string::npos);
+}
+
 TEST_CASE("Each status has a sentence")
 {
   std::unordered_set<std::string> sentences;

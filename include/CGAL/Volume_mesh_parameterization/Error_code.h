@@ -40,7 +40,7 @@ enum Error_code
   ERROR_INVERTED_SOURCE_CELL,    ///< a cell of the source has no positive volume
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
   ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary is flat, or turned inside out
-  ERROR_PRESCRIBED_CELL_INVERTED,///< a cell whose vertices are all prescribed has no positive volume in the target
+  ERROR_PRESCRIBED_CELL_INVERTED,///< the prescribed vertices alone make a cell of the target flat or invert it
   ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary of the complex is not a manifold
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
@@ -90,7 +90,7 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_INVERTED_TARGET_BOUNDARY:
       return "The target boundary is flat or turned inside out: it encloses no positive volume.";
     case ERROR_PRESCRIBED_CELL_INVERTED:
-      return "A cell whose vertices are all prescribed has no positive volume in the target.";
+      return "The prescribed vertices alone make a cell of the target flat or invert it.";
     case ERROR_NON_MANIFOLD_BOUNDARY:
       return "The boundary of the complex is not a manifold; Mesh_3 makes manifolds with the parameters manifold(), "
              "no_perturb() and no_exude().";

@@ -67,14 +67,14 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
   for(bool is_first = true; ; is_first = false)
   {
     const Checked_complex_3<Numbered_complex_3<C3t3> > complex(c3t3, problem);
-    if(is_first && complex.check.allows_soft_boundary())
+    if(is_first && complex.check.allows_soft_boundary() && complex.check.is_refinable)
     {
       number_of_removals = remove_degenerate_simplices(c3t3, problem.is_constrained, problem.target);
       if(number_of_removals > 0)
         continue;
     }
     const std::size_t limit = (std::max)(complex.numbered.vertices().size() / 10, std::size_t(1000));
-    const bool may_split = number_of_splits <= limit;
+    const bool may_split = complex.check.is_refinable && number_of_splits <= limit;
 
     Parameterization_result result;
     if(!complex.allows(problem.options.mode))

@@ -23,6 +23,7 @@ struct Input_check_3
 {
   Error_code status = OK;
   std::string message;
+  bool is_refinable = true; // could new vertices inside help?
 
   bool allows_fixed_boundary() const { return status == OK; }
   bool allows_soft_boundary() const { return status == OK || status == ERROR_PRESCRIBED_CELL_INVERTED; }

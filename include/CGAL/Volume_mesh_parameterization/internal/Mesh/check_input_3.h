@@ -16,7 +16,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <Eigen/Dense>
 
@@ -35,7 +37,7 @@ Input_check_3 failed_check(const Error_code status, const Parts&... parts)
 {
   std::ostringstream message;
   (message << ... << parts);
-  return { status, message.str() };
+  return { status, message.str(), true };
 }
 
 inline std::string describe(const Eigen::Vector3d& point)
@@ -146,6 +148,46 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
   return {};
 }
 
+// Three prescribed vertices on a line make each of their cells flat.
+inline bool is_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 3>& facet)
+{
+  const auto point = [&](const int i)
+  {
+    const auto target = mesh.target.col(facet[i]);
+    return Exact_point_3(target[0], target[1], target[2]);
+  };
+  return std::none_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_free(v); })
+         && CGAL::collinear(point(0), point(1), point(2));
+}
+
+// Refinement splits facets inside the body, but none of the boundary.
+inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
+{
+  std::size_t number = 0, first = 0;
+  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
+  {
+    const auto& [v, w, x, y] = mesh.cells[c];
+    const auto is_flat = [&](const std::array<int, 3>& facet) { return is_flat_facet(mesh, facet); };
+    if((is_flat({ v, w, x }) || is_flat({ v, w, y }) || is_flat({ v, x, y }) || is_flat({ w, x, y }))
+       && (number++ == 0 || mesh.user_number(c) < mesh.user_number(first)))
+      first = c;
+  }
+  if(number == 0)
+    return {};
+  Input_check_3 result = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, number, " cells have a facet whose three vertices"
+                                      " are prescribed on a line; the first one is cell ", mesh.user_number(first), ".");
+  for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells))
+    if(is_flat_facet(mesh, facet))
+    {
+      result.is_refinable = false;
+      result.message += " No refinement helps: the facet with the vertices at " + describe(mesh.source.col(facet[0]))
+                        + ", " + describe(mesh.source.col(facet[1])) + " and " + describe(mesh.source.col(facet[2]))
+                        + " is on the boundary. Move a target of it off the line.";
+      break;
+    }
+  return result;
+}
+
 inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 {
   const Inverted_cells inverted = inverted_cells(mesh, mesh.target, [&](const std::array<int, 4>& cell)
@@ -165,12 +207,13 @@ inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
   if(mesh.number_of_all_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   for(const auto check : { check_coordinates, check_source_size, check_target_size, check_initial_size,
-                           check_source_cells, check_source_determinants, check_target_volume, check_prescribed_cells })
+                           check_source_cells, check_source_determinants, check_target_volume, check_prescribed_facets,
+                           check_prescribed_cells })
   {
     const Input_check_3 result = check(mesh);
     const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);
     if(code != OK)
-      return { static_cast<Error_code>(code), message };
+      return { static_cast<Error_code>(code), message, result.is_refinable };
   }
   return {};
 }
