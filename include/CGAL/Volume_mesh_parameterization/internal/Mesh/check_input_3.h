@@ -99,7 +99,7 @@ inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
 
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 {
-  const Inverted_cells inverted = inverted_cells(mesh, mesh.source);
+  const Found_cells inverted = inverted_cells(mesh, mesh.source);
   const double number_of_cells = mesh.number_of_all_cells();
   if(!inverted.has_first)
     return {};
@@ -160,22 +160,25 @@ inline bool is_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 3>&
          && CGAL::collinear(point(0), point(1), point(2));
 }
 
+inline bool has_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
+{
+  const auto& [v, w, x, y] = cell;
+  return is_flat_facet(mesh, { v, w, x }) || is_flat_facet(mesh, { v, w, y })
+      || is_flat_facet(mesh, { v, x, y }) || is_flat_facet(mesh, { w, x, y });
+}
+
 // Refinement splits facets inside the body, but none of the boundary.
 inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
 {
-  std::size_t number = 0, first = 0;
-  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
-  {
-    const auto& [v, w, x, y] = mesh.cells[c];
-    const auto is_flat = [&](const std::array<int, 3>& facet) { return is_flat_facet(mesh, facet); };
-    if((is_flat({ v, w, x }) || is_flat({ v, w, y }) || is_flat({ v, x, y }) || is_flat({ w, x, y }))
-       && (number++ == 0 || mesh.user_number(c) < mesh.user_number(first)))
-      first = c;
-  }
-  if(number == 0)
+  const Found_cells flat
+    = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
+  if(!flat.has_first)
     return {};
-  Input_check_3 result = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, number, " cells have a facet whose three vertices"
-                                      " are prescribed on a line; the first one is cell ", mesh.user_number(first), ".");
+  Input_check_3 result
+    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat.number, " cells have a facet whose three vertices are prescribed"
+                   " on a line; the first one is cell ", mesh.user_number(flat.first), ".");
+  if(!mesh.communicator->is_alone())
+    return result; // which facets are on the boundary is known to all processes together only
   for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells))
     if(is_flat_facet(mesh, facet))
     {
@@ -190,10 +193,7 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
 
 inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 {
-  const Inverted_cells inverted = inverted_cells(mesh, mesh.target, [&](const std::array<int, 4>& cell)
-  {
-    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
-  });
+  const Found_cells inverted = inverted_prescribed_cells(mesh);
   if(!inverted.has_first)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,

@@ -17,6 +17,7 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -34,8 +35,8 @@ inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int,
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
-// The cells that fulfil a condition and are not positively oriented; the first one in the order of the user.
-struct Inverted_cells
+// How many cells there are with some property, and the first of them in the order of the user.
+struct Found_cells
 {
   std::size_t number = 0;
   std::size_t first = 0;
@@ -43,11 +44,11 @@ struct Inverted_cells
 };
 
 template <typename Condition>
-Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Condition& condition)
+Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
 {
-  Inverted_cells result;
+  Found_cells result;
   for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
-    if(condition(mesh.cells[c]) && !is_positive(positions, mesh.cells[c])
+    if(condition(mesh.cells[c])
        && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
       result.first = c;
   const double first = result.number > 0 ? static_cast<double>(mesh.user_number(result.first))
@@ -57,9 +58,19 @@ Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3X
   return result;
 }
 
-inline Inverted_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
-  return inverted_cells(mesh, positions, [](const std::array<int, 4>&) { return true; });
+  return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
+}
+
+// Those of the cells with four prescribed vertices whose targets give them no positive volume.
+inline Found_cells inverted_prescribed_cells(const Numbered_mesh_3& mesh)
+{
+  return find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
+           && !is_positive(mesh.target, cell);
+  });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

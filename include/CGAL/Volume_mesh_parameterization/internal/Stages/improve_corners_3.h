@@ -28,8 +28,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -54,11 +52,7 @@ inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Ei
   constexpr std::size_t maximal_number_of_steps = 100;
   constexpr double theta = 0.5; // how much volumes count while untangling
   Map_3 map = judged(mesh, mesh.target);
-  const auto is_prescribed = [&](const std::array<int, 4>& cell)
-  {
-    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); });
-  };
-  if(mesh.number_of_free_vertices == 0 || inverted_cells(mesh, mesh.target, is_prescribed).number > 0)
+  if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0)
     return map;
 
   Progress_3 progress([](const Parameterization_step&) { return true; }, maximal_number_of_steps,
