@@ -133,21 +133,14 @@ public:
     x.setZero(b.size());
     if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // for which KSPSTCG finds no direction
       return Linear_solver_status::SUCCESS;
-    PetscScalar* values;
-    check(VecGetArray(m_b, &values));
-    std::copy(b.data(), b.data() + 3 * number_of_own_rows(), values);
-    check(VecRestoreArray(m_b, &values));
     check(KSPSetTolerances(m_ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    check(VecPlaceArray(m_b, b.data()));
+    check(VecPlaceArray(m_x, x.data()));
     check(KSPSolve(m_ksp, m_b, m_x));
-
     check(VecGhostUpdateBegin(m_x, INSERT_VALUES, SCATTER_FORWARD));
     check(VecGhostUpdateEnd(m_x, INSERT_VALUES, SCATTER_FORWARD));
-    Vec local;
-    check(VecGhostGetLocalForm(m_x, &local));
-    check(VecGetArray(local, &values));
-    std::copy(values, values + x.size(), x.data());
-    check(VecRestoreArray(local, &values));
-    check(VecGhostRestoreLocalForm(m_x, &local));
+    check(VecResetArray(m_b));
+    check(VecResetArray(m_x));
     return status();
   }
 
