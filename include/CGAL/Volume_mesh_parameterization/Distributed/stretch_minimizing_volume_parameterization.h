@@ -77,8 +77,6 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
     result = engine::make_result(mesh, check, found, problem.energy, problem.progress);
     if(result.has_valid_map)
       distributed.write(found.map.positions, images);
-    if(problem.verbose)
-      std::cout << solver.number_of_iterations() << " iterations of the linear solver" << std::endl;
   }
   else
   {

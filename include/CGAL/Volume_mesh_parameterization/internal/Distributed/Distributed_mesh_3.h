@@ -54,27 +54,12 @@ public:
   {
     m_mesh.communicator = &communicator;
     m_mesh.has_volume_weights = has_volume_weights;
-    std::vector<Global_cell_3> global_cells = cells_of_slice(soup);
-    const std::vector<int> owner_in_slice = partition_3(communicator, global_cells, m_size_of_slice, communicator.size());
-    {
-      const std::vector<PetscInt> vertices = sorted_vertices(global_cells);
-      const std::vector<int> owner = Star_forest(communicator, m_size_of_slice, vertices).get(owner_in_slice);
-      global_cells = cells_of_owners(communicator, global_cells,
-                                     [&](const PetscInt v) { return owner[place(vertices, v)]; });
-    }
+    const std::vector<Global_cell_3> slice = cells_of_slice(soup);
+    const std::vector<int> owner_in_slice = partition_3(communicator, slice, m_size_of_slice, communicator.size());
+    const std::vector<Global_cell_3> global_cells = cells_around_own_vertices(slice, owner_in_slice);
     // from here on, a vertex is its place among those of all cells of this process
     const std::vector<PetscInt> vertices = sorted_vertices(global_cells);
-    std::vector<std::size_t> numbers;
-    Tetrahedron_soup_3 cells;
-    cells.points.resize(vertices.size());
-    for(const Global_cell_3& cell : global_cells)
-    {
-      numbers.push_back(cell.number);
-      cells.cells.emplace_back();
-      std::transform(cell.begin(), cell.end(), cells.cells.back().begin(), [&](const PetscInt v) { return place(vertices, v); });
-    }
-    global_cells = {};
-
+    const auto [cells, numbers] = renumbered(global_cells, vertices);
     const Star_forest all(communicator, m_size_of_slice, vertices);
     const std::vector<int> owner = all.get(owner_in_slice);
     const std::vector<char> is_on_boundary = boundary(cells, numbers);
@@ -140,6 +125,29 @@ private:
       check_simplex(cell, number_of_points, "cell", number);
       result.push_back({ {}, number++ });
       std::copy(cell.begin(), cell.end(), result.back().vertices.begin());
+    }
+    return result;
+  }
+
+  std::vector<Global_cell_3> cells_around_own_vertices(const std::vector<Global_cell_3>& slice,
+                                                       const std::vector<int>& owner_in_slice) const
+  {
+    const std::vector<PetscInt> vertices = sorted_vertices(slice);
+    const std::vector<int> owner = Star_forest(m_communicator, m_size_of_slice, vertices).get(owner_in_slice);
+    return cells_of_owners(m_communicator, slice, [&](const PetscInt v) { return owner[place(vertices, v)]; });
+  }
+
+  // Cells of the places of their vertices, and their numbers.
+  static std::pair<Tetrahedron_soup_3, std::vector<std::size_t> >
+  renumbered(const std::vector<Global_cell_3>& cells, const std::vector<PetscInt>& vertices)
+  {
+    std::pair<Tetrahedron_soup_3, std::vector<std::size_t> > result;
+    result.first.points.resize(vertices.size());
+    for(const Global_cell_3& cell : cells)
+    {
+      std::array<std::size_t, 4>& places = result.first.cells.emplace_back();
+      std::transform(cell.begin(), cell.end(), places.begin(), [&](const PetscInt v) { return place(vertices, v); });
+      result.second.push_back(cell.number);
     }
     return result;
   }

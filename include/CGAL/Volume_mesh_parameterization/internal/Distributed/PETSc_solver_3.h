@@ -87,8 +87,6 @@ public:
     return std::string("PETSc, -ksp_type ") + solver + " -pc_type " + type;
   }
 
-  PetscInt number_of_iterations() const { return m_number_of_iterations; } // of all solutions so far
-
   Newton_matrix_3 make_matrix() const override { return Matrix(); }
 
   void analyze_pattern(const Newton_matrix_3& A) override
@@ -149,13 +147,12 @@ private:
 
   PetscInt number_of_own_rows() const { return m_mesh.number_of_own_rows(); }
 
-  Linear_solver_status status()
+  Linear_solver_status status() const
   {
     PetscInt number_of_iterations;
     KSPConvergedReason reason;
     check(KSPGetIterationNumber(m_ksp, &number_of_iterations));
     check(KSPGetConvergedReason(m_ksp, &reason));
-    m_number_of_iterations += number_of_iterations;
     switch(reason)
     {
       case KSP_CONVERGED_CG_NEG_CURVE: // the first iteration counts although it finds no solution then
@@ -177,7 +174,6 @@ private:
   Vec m_x, m_b;
   Mat m_matrix;
   KSP m_ksp;
-  PetscInt m_number_of_iterations = 0;
   std::vector<PetscInt> m_columns;   // of one row
   std::vector<PetscScalar> m_values; // of one row
 };
