@@ -22,7 +22,7 @@ from pathlib import Path
 from check_map import check, read_mesh
 from volmap_cases import add_case_options, find_cases
 
-MPIRUN = "mpirun --oversubscribe --mca mpi_yield_when_idle 1 -n {n}"
+MPIRUN = "mpirun --oversubscribe --bind-to none --mca mpi_yield_when_idle 1 -n {n}"
 
 
 def array(data, name):

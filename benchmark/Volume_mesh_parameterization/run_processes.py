@@ -20,7 +20,7 @@ from pathlib import Path
 
 from tables import write_json
 
-MPIRUN = ["mpirun", "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-n"]
+MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--mca", "mpi_yield_when_idle", "1", "-n"]
 GAMG = ["-pc_type", "gamg", "-mg_levels_pc_type", "pbjacobi"]
 STAGES = ["start", "untangling", "minimization"]
 HALO = ["VecScatterBegin", "VecScatterEnd"]
