@@ -60,7 +60,8 @@ void print_counts(const Cells& cells, const std::vector<int>& owner, const int n
           neighbors.emplace_back(part, owner[w]);
         }
     }
-  const auto largest = [](const std::vector<std::size_t>& numbers) { return *std::max_element(numbers.begin(), numbers.end()); };
+  const auto largest = [](const std::vector<std::size_t>& numbers)
+  { return *std::max_element(numbers.begin(), numbers.end()); };
   std::cout << number_of_parts << "," << cells.size() << "," << owner.size() << "," << largest(held_cells) << ","
             << largest(own) << "," << largest(numbers_of_partners(copies, number_of_parts)) << ","
             << largest(numbers_of_partners(neighbors, number_of_parts)) << std::endl;
@@ -84,7 +85,8 @@ int main(int argc, char* argv[])
     for(int i = 2; i < argc; ++i)
     {
       const int number_of_parts = std::atoi(argv[i]);
-      print_counts(cells, VMP::internal::partition_3(communicator, cells, number_of_points, number_of_parts), number_of_parts);
+      print_counts(cells, VMP::internal::partition_3(communicator, cells, number_of_points, number_of_parts),
+                   number_of_parts);
     }
   }
   catch(const std::exception& error)

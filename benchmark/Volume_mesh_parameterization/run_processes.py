@@ -103,10 +103,10 @@ def weak_scaling(arguments, one, parts):
     many = parts[max(parts)]
     n = many["parts"]
     vertices, cells = many["vertices"], many["cells"]
-    surface = n**(2 / 3)  # of a part here relative to that of a part of the measurement's size, times n
+    surface = n**(2 / 3)  # of a part as large as the whole mesh, relative to that of a part here
     for number in arguments.weak:
         part = {"cells": cells, "vertices": vertices, "largest_neighbors": many["largest_neighbors"],
-                "largest_vertices": vertices * many["largest_vertices"] * n / vertices,
+                "largest_vertices": many["largest_vertices"] * n,
                 "largest_halo": many["largest_halo"] * surface,
                 "largest_cells": cells + (many["largest_cells"] - cells / n) * surface}
         if number == 1:

@@ -152,8 +152,8 @@ int run(const int argc, char* argv[])
       check(options);
     else
       std::cout << "\nSeveral processes: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options]\n"
-                   "with --output NAME.pvtu, --report, --energy, --volume-weights, --max-iterations, --time-limit and --quiet,\n"
-                   "and options of PETSc, which have one dash and come last.\n";
+                   "with --output NAME.pvtu, --report, --energy, --volume-weights, --max-iterations, --time-limit and\n"
+                   "--quiet, and options of PETSc, which have one dash and come last.\n";
   }
   catch(const std::exception& error)
   {

@@ -170,15 +170,16 @@ private:
       if(section >= numbers.size() && count > 0)
         throw Input_error("the mesh is not tetrahedral, it has " + name);
       if(section < numbers.size() && static_cast<double>(numbers[section]) != count)
-        throw Input_error("the section '" + name + "' has " + std::to_string(numbers[section]) + " elements, not as many as it says");
+        throw Input_error("the section '" + name + "' has " + std::to_string(numbers[section])
+                          + " elements, not as many as it says");
     }
     if(numbers[TETRAHEDRA] == 0)
       throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
     for(const std::array<std::size_t, 4>& cell : cells)
       for(const std::size_t v : cell)
         if(v >= numbers[VERTICES])
-          throw Input_error("vertex " + std::to_string(v + 1) + " of a cell does not exist, the vertices are numbered from "
-                            "1 to " + std::to_string(numbers[VERTICES]));
+          throw Input_error("vertex " + std::to_string(v + 1) + " of a cell does not exist, the vertices are numbered "
+                            "from 1 to " + std::to_string(numbers[VERTICES]));
   }
 
   std::array<double, m_keywords.size()> m_counts = {}, m_number_of_keywords = {};
