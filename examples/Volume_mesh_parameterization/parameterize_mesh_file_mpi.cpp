@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -25,7 +24,6 @@
 #include <new>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -41,17 +39,22 @@ int rank()
   return result;
 }
 
+// The other options of parameterize_mesh_file are refused by name.
+void check_names(const int argc, char* argv[])
+{
+  const std::vector<std::string> allowed = { "--output", "--report", "--energy", "--volume-weights", "--max-iterations",
+                                             "--time-limit", "--quiet", "--version", "--help" };
+  for(int i = 1; i < argc; ++i)
+  {
+    const std::string name = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if(name.substr(0, 2) == "--" && std::find(allowed.begin(), allowed.end(), name) == allowed.end())
+      throw std::runtime_error(name + " is not for several processes, but for parameterize_mesh_file");
+  }
+}
+
 // Finds faults in the options before anything expensive is done.
 void check(const Options& options)
 {
-  const std::vector<std::pair<const char*, bool> > refused = {
-    { "--to", !options.domain.empty() }, { "--boundary", options.boundary != "auto" }, { "--refine", options.do_refine },
-    { "--refined-source", !options.refined_source.empty() }, { "--hexahedra", !options.hexahedra.empty() },
-    { "--slide", options.do_slide }, { "--max-angle-distortion", std::isfinite(options.maximal_angle_distortion) },
-    { "--solver", options.solver != "cg" }, { "--threads", options.number_of_threads != 1 } };
-  for(const auto& [name, is_given] : refused)
-    if(is_given)
-      throw std::runtime_error(std::string(name) + " is not for several processes, but for parameterize_mesh_file");
   Named_energy_3{options.energy};
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
@@ -147,6 +150,7 @@ int run(const int argc, char* argv[])
   bool goes_on = false;
   try
   {
+    check_names(argc, argv);
     goes_on = parse(argc, argv, options);
     if(goes_on)
       check(options);
