@@ -1,25 +1,25 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, with several processes:
 // mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [PETSc's options, with one dash]
+#include "Command_line.h"
 #include "Named_energy_3.h"
 #include "Output_file.h"
+#include "Progress_line.h"
 #include "Result_report.h"
 
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
 
-#include <boost/program_options.hpp>
-
 #include <petscsys.h>
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -32,13 +32,6 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
-struct Options
-{
-  std::string source, target, output, report, energy;
-  int number_of_iterations;
-  bool use_volume_weights, is_quiet;
-};
-
 int rank()
 {
   int result;
@@ -46,43 +39,17 @@ int rank()
   return result;
 }
 
-// False if only help was asked for.
-bool parse(const int argc, char* argv[], Options& options)
+// The other options of parameterize_mesh_file are refused by name.
+void check_names(const int argc, char* argv[])
 {
-  for(const std::string name : { "--boundary", "--refine", "--refined-source", "--slide", "--max-angle-distortion",
-                                 "--solver", "--threads" })
-    if(std::find(argv, argv + argc, name) != argv + argc)
-      throw std::runtime_error(name + " is not for several processes, but for parameterize_mesh_file");
-
-  namespace po = boost::program_options;
-  po::options_description visible("Options", 100);
-  visible.add_options()
-    ("output", po::value(&options.output)->value_name("NAME.pvtu"), "the map, with a file NAME_RANK.vtu of each process")
-    ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions")
-    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
-     "what is minimized: stretch, symmetric_dirichlet, mips, arap, dirichlet, lscm or lpm")
-    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
-    ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
-     "largest number of Newton steps")
-    ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
-    ("help", "print this text");
-  po::options_description all;
-  all.add(visible).add_options()("source", po::value(&options.source))("target", po::value(&options.target));
-  po::positional_options_description positional;
-  positional.add("source", 1).add("target", 1);
-  po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if(given.count("help") != 0)
+  const std::vector<std::string> allowed = { "--output", "--report", "--energy", "--volume-weights", "--max-iterations",
+                                             "--time-limit", "--quiet", "--version", "--help" };
+  for(int i = 1; i < argc; ++i)
   {
-    std::cout << "Usage: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [options of PETSc]\n\n"
-                 "Files and exit status are those of parameterize_mesh_file. Options of PETSc have one dash and come last.\n\n"
-              << visible;
-    return false;
+    const std::string name = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if(name.substr(0, 2) == "--" && std::find(allowed.begin(), allowed.end(), name) == allowed.end())
+      throw std::runtime_error(name + " is not for several processes, but for parameterize_mesh_file");
   }
-  if(options.source.empty() || options.target.empty())
-    throw std::runtime_error("SOURCE.mesh and TARGET are needed; --help tells more");
-  return true;
 }
 
 // Finds faults in the options before anything expensive is done.
@@ -93,45 +60,30 @@ void check(const Options& options)
     throw std::runtime_error("the number of iterations is too small");
   if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu")
     throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
-  for(const std::string& name : {options.output, options.report})
+  for(const std::string& name : { options.output, options.report })
   {
     if(name.empty() || rank() != 0)
       continue;
-    for(const std::string& input : {options.source, options.target})
+    for(const std::string& input : { options.source, options.target })
       if(fs::weakly_canonical(name) == fs::weakly_canonical(input))
         throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
     Output_file can_be_written(name);
   }
 }
 
-// Rank 0 keeps one line of a terminal up to date.
-struct Progress
-{
-  bool after_step(const VMP::Parameterization_step& step) const
-  {
-    if(is_shown)
-      std::cerr << "\r\033[Kiteration " << step.iteration << ", " << step.number_of_inverted_cells
-                << " inverted cells, energy " << step.energy << ", " << step.seconds << " s" << std::flush;
-    return true;
-  }
-
-  bool is_shown;
-};
-
 Exit_code run(const Options& options, Result& result)
 {
   VMP::Distributed_tetrahedron_soup_3 source;
   std::vector<std::array<double, 3> > targets, uvw;
+  Progress_line progress(!options.is_quiet && rank() == 0, options.time_limit);
   VMP::IO::read_MEDIT(options.source, source);
   VMP::IO::read_boundary_targets(options.target, source, targets);
-  const Progress progress{!options.is_quiet && rank() == 0 && isatty(STDERR_FILENO) != 0};
   result = CGAL::stretch_minimizing_volume_parameterization(source, targets, uvw,
     params::energy(Named_energy_3(options.energy))
       .use_volume_weights(options.use_volume_weights)
       .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-      .visitor(progress));
-  if(progress.is_shown)
-    std::cerr << "\r\033[K" << std::flush;
+      .visitor(std::ref(progress)));
+  progress.finish();
   const Exit_code code = exit_code(result);
   if(code == SUCCESS && !options.output.empty())
     VMP::IO::write_PVTU(options.output, source, uvw);
@@ -160,16 +112,13 @@ Exit_code run_and_catch(const Options& options, Result& result)
 }
 
 // A number of each process; rank 0 gets those of all.
-JSON_object of_processes(const double x)
+std::vector<double> of_processes(const double x)
 {
   int size;
   MPI_Comm_size(MPI_COMM_WORLD, &size);
   std::vector<double> all(size);
   MPI_Gather(&x, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
-  JSON_object result;
-  for(int i = 0; i < size; ++i)
-    result.add(std::to_string(i).c_str(), all[i]);
-  return result;
+  return all;
 }
 
 // Of bad input there is nothing to tell but the message.
@@ -201,9 +150,14 @@ int run(const int argc, char* argv[])
   bool goes_on = false;
   try
   {
+    check_names(argc, argv);
     goes_on = parse(argc, argv, options);
     if(goes_on)
       check(options);
+    else
+      std::cout << "\nSeveral processes: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options]\n"
+                   "with --output NAME.pvtu, --report, --energy, --volume-weights, --max-iterations, --time-limit and\n"
+                   "--quiet, and options of PETSc, which have one dash and come last.\n";
   }
   catch(const std::exception& error)
   {

@@ -9,6 +9,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,8 +22,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <new>
 #include <sstream>
@@ -42,21 +43,26 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-int process(const bool is_rank)
+const VMP::internal::MPI_communicator_3& world()
 {
-  int result;
-  (is_rank ? MPI_Comm_rank : MPI_Comm_size)(MPI_COMM_WORLD, &result);
-  return result;
+  static const auto* const communicator = new VMP::internal::MPI_communicator_3(MPI_COMM_WORLD); // until the very end
+  return *communicator;
 }
-int rank() { return process(true); }
-int size() { return process(false); }
+int rank() { return world().rank(); }
+int size() { return world().size(); }
 int culprit() { return size() / 2; } // which alone does something wrong
+
+// Put together from the slices of all processes.
+template <typename T>
+std::vector<T> whole(const std::vector<T>& slice)
+{
+  return world().exchanged(std::vector<std::vector<T> >(size(), slice));
+}
 
 bool is_same_everywhere(const std::string& text)
 {
-  std::array<unsigned long, 2> mine = { std::hash<std::string>()(text), ~std::hash<std::string>()(text) }, largest;
-  MPI_Allreduce(mine.data(), largest.data(), 2, MPI_UNSIGNED_LONG, MPI_MAX, MPI_COMM_WORLD);
-  return largest == mine;
+  const double hash = static_cast<double>(std::hash<std::string>()(text) % (1 << 20));
+  return world().minimum(hash) == world().maximum(hash);
 }
 
 // A mesh that all processes know, with the targets of all its points.
@@ -83,19 +89,6 @@ struct Problem
     return Points(targets.begin() + begin(rank()), targets.begin() + begin(rank() + 1));
   }
 };
-
-// Put together from the slices of all processes.
-Points whole(const Points& slice)
-{
-  int n = static_cast<int>(3 * slice.size());
-  std::vector<int> counts(size()), begins(size(), 0);
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
-  for(int i = 1; i < size(); ++i)
-    begins[i] = begins[i - 1] + counts[i - 1];
-  Points result((begins.back() + counts.back()) / 3);
-  MPI_Allgatherv(slice.data(), n, MPI_DOUBLE, result.data(), counts.data(), begins.data(), MPI_DOUBLE, MPI_COMM_WORLD);
-  return result;
-}
 
 // Only the targets of the boundary may be read.
 Problem problem_of(const VMP::internal::Numbered_mesh_3& mesh)
@@ -186,10 +179,10 @@ template <typename AfterStep> Visitor(AfterStep) -> Visitor<AfterStep>;
 std::string file(const std::string& name, const std::string& text)
 {
   const std::string path = "mpi_" + std::to_string(size()) + "_" + name;
-  MPI_Barrier(MPI_COMM_WORLD);
+  world().synchronize();
   if(rank() == 0)
     std::ofstream(path, std::ios::binary) << text;
-  MPI_Barrier(MPI_COMM_WORLD);
+  world().synchronize();
   return path;
 }
 
@@ -308,16 +301,8 @@ TEST_CASE("each process reads a part of the files")
   const Points read = whole(slice);
   for(std::size_t v = 0; v < read.size(); ++v)
     CHECK((read[v] == expected.targets[v] || (std::isnan(read[v][0]) && std::isnan(expected.targets[v][0]))));
-  Points cells;
-  for(const auto& c : soup.cells)
-    cells.insert(cells.end(), { {double(c[0]), double(c[1]), double(c[2])}, {double(c[3]), 0, 0} });
-  cells = whole(cells);
-  REQUIRE(cells.size() == 2 * expected.soup.cells.size());
-  for(std::size_t c = 0; c < expected.soup.cells.size(); ++c)
-  {
-    CHECK(cells[2 * c][1] == double(expected.soup.cells[c][1]));
-    CHECK(cells[2 * c + 1][0] == double(expected.soup.cells[c][3]));
-  }
+  CHECK(whole(soup.cells) == expected.soup.cells);
+  CHECK(whole(soup.cell_references) == expected.soup.cell_references);
 
   VMP::IO::read_boundary_targets(mesh, soup, slice); // a copy with other coordinates
   CHECK(slice == soup.points);

@@ -42,8 +42,6 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-using Point_of_file = std::array<double, 3>;
-
 // Runs `read(communicator)` and puts the name of the file in front of the sentence of a failure.
 template <typename Read>
 void read_together(const MPI_Comm comm, const std::string& filename, const Read& read)
@@ -59,59 +57,23 @@ void read_together(const MPI_Comm comm, const std::string& filename, const Read&
   }
 }
 
-inline Point_of_file next_point(Text_scanner& scanner)
-{
-  Point_of_file point;
-  for(double& x : point)
-    x = scanner.next_number<double>("a finite coordinate");
-  return point;
-}
-
-inline std::vector<Point_of_file> read_points(const MEDIT_slice& slice, std::size_t& first)
-{
-  std::vector<Point_of_file> points;
-  first = slice.for_each_element("Vertices", 4, [&](Text_scanner& scanner)
-  {
-    points.push_back(next_point(scanner));
-    scanner.next_number<int>("an integral reference");
-  });
-  return points;
-}
-
-inline void read_cells(const MEDIT_slice& slice, Distributed_tetrahedron_soup_3& soup)
-{
-  const std::size_t n = slice.number_of_elements("Vertices", 4);
-  slice.for_each_element("Tetrahedra", 5, [&](Text_scanner& scanner)
-  {
-    soup.cells.emplace_back();
-    for(std::size_t& v : soup.cells.back())
-    {
-      v = scanner.next_number<std::size_t>("the number of a vertex") - 1;
-      if(v >= n)
-        scanner.fail("vertex " + std::to_string(v + 1) + " does not exist, the vertices are numbered from 1 to "
-                     + std::to_string(n));
-    }
-    soup.cell_references.push_back(scanner.next_number<int>("an integral reference"));
-  });
-}
-
 // A number that depends on the vertices of all cells, but not on their order.
-inline std::vector<double> connectivity(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup)
+template <typename Cells>
+double connectivity(const MPI_communicator_3& communicator, const Cells& cells)
 {
   double sum = 0;
-  for(std::array<std::size_t, 4> cell : soup.cells)
+  for(std::array<std::size_t, 4> cell : cells)
   {
     std::sort(cell.begin(), cell.end());
     sum += static_cast<double>(boost::hash_range(cell.begin(), cell.end()) % (1 << 20)); // exact up to 2^33 cells
   }
-  return { communicator.sum(sum), communicator.sum(static_cast<double>(soup.cells.size())),
-           communicator.sum(static_cast<double>(soup.points.size())) };
+  return communicator.sum(sum);
 }
 
 struct Target_of_vertex
 {
   std::size_t vertex;
-  Point_of_file point;
+  std::array<double, 3> point;
 };
 
 inline std::vector<Target_of_vertex> read_targets(const MPI_communicator_3& communicator, const std::string& filename,
@@ -120,15 +82,13 @@ inline std::vector<Target_of_vertex> read_targets(const MPI_communicator_3& comm
   std::vector<Target_of_vertex> result;
   if(std::filesystem::path(filename).extension() == ".mesh")
   {
-    const MEDIT_slice slice(communicator, filename);
-    Distributed_tetrahedron_soup_3 target;
-    std::size_t v;
-    target.points = read_points(slice, v);
-    read_cells(slice, target);
-    if(connectivity(communicator, target) != connectivity(communicator, soup))
+    const MEDIT_slice target(communicator, filename);
+    if(communicator.begins(target.points.size()).back() != communicator.begins(soup.points.size()).back()
+       || communicator.begins(target.cells.size()).back() != communicator.begins(soup.cells.size()).back()
+       || connectivity(communicator, target.cells) != connectivity(communicator, soup.cells))
       throw Input_error("the cells of the target join other vertices than those of the source");
-    for(const Point_of_file& point : target.points)
-      result.push_back({ v++, point });
+    for(std::size_t i = 0; i < target.points.size(); ++i)
+      result.push_back({ target.first_point + i, target.points[i] });
     return result;
   }
   const Text_slice slice(communicator, filename);
@@ -159,17 +119,10 @@ inline void read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup
   internal::read_together(soup.communicator, filename, [&](const internal::MPI_communicator_3& communicator)
   {
     const internal::MEDIT_slice slice(communicator, filename);
-    Distributed_tetrahedron_soup_3 result;
-    result.communicator = soup.communicator;
-    std::size_t first;
-    result.points = internal::read_points(slice, first);
-    internal::read_cells(slice, result);
-    if(slice.number_of_elements("Tetrahedra", 5) == 0)
-      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
     // a range of bytes has many points and no cells, or the other way round
-    result.points = communicator.evenly(result.points);
-    result.cells = communicator.evenly(result.cells);
-    result.cell_references = communicator.evenly(result.cell_references);
+    Distributed_tetrahedron_soup_3 result = { soup.communicator, communicator.evenly(slice.points),
+                                              communicator.evenly(slice.cells),
+                                              communicator.evenly(slice.cell_references) };
     communicator.synchronize();
     std::swap(soup, result);
   });
@@ -190,23 +143,20 @@ inline void read_boundary_targets(const std::string& filename, const Distributed
 {
   internal::read_together(soup.communicator, filename, [&](const internal::MPI_communicator_3& communicator)
   {
-    std::vector<std::size_t> ends;
-    for(const double n : communicator.gathered(static_cast<double>(soup.points.size())))
-      ends.push_back((ends.empty() ? 0 : ends.back()) + static_cast<std::size_t>(n));
-    std::vector<std::vector<internal::Target_of_vertex> > to_holders(ends.size());
+    const std::vector<std::size_t> begins = communicator.begins(soup.points.size());
+    std::vector<std::vector<internal::Target_of_vertex> > to_holders(communicator.size());
     for(const internal::Target_of_vertex& target : internal::read_targets(communicator, filename, soup))
     {
-      if(target.vertex >= ends.back())
+      if(target.vertex >= begins.back())
         throw Input_error("vertex " + std::to_string(target.vertex) + " does not exist, the mesh has "
-                          + std::to_string(ends.back()) + " vertices, counted from 0");
-      to_holders[std::upper_bound(ends.begin(), ends.end(), target.vertex) - ends.begin()].push_back(target);
+                          + std::to_string(begins.back()) + " vertices, counted from 0");
+      to_holders[std::upper_bound(begins.begin(), begins.end(), target.vertex) - begins.begin() - 1].push_back(target);
     }
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     std::vector<std::array<double, 3> > points(soup.points.size(), {none, none, none});
-    const std::size_t first = ends[communicator.rank()] - soup.points.size();
     for(const internal::Target_of_vertex& target : communicator.exchanged(to_holders))
     {
-      std::array<double, 3>& point = points[target.vertex - first];
+      std::array<double, 3>& point = points[target.vertex - begins[communicator.rank()]];
       if(!std::isnan(point[0]))
         throw Input_error("vertex " + std::to_string(target.vertex) + " has a second line");
       point = target.point;

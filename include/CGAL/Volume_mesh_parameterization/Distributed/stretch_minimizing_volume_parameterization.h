@@ -77,8 +77,6 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
     result = engine::make_result(mesh, check, found, problem.energy, problem.progress);
     if(result.has_valid_map)
       distributed.write(found.map.positions, images);
-    if(problem.verbose)
-      std::cout << solver.number_of_iterations() << " iterations of the linear solver" << std::endl;
   }
   else
   {
@@ -146,12 +144,11 @@ stretch_minimizing_volume_parameterization(
                 "boundary_map must not be passed for arrays: the targets are an argument.");
   static_assert(is_default_parameter<NamedParameters, internal_np::boundary_mode_t>::value
                 && is_default_parameter<NamedParameters, internal_np::soft_boundary_parameters_t>::value
-                && is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value,
-                "boundary_mode must not be passed for a distributed mesh: the boundary is fixed.");
-  static_assert(is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+                && is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value
+                && is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
                 && is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
                 && is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value,
-                "do_slide_boundary must not be passed for a distributed mesh: the boundary is fixed.");
+                "boundary_mode and do_slide_boundary must not be passed for a distributed mesh: its boundary is fixed.");
   static_assert(is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
                 "do_refine must not be passed for a distributed mesh: call make_parameterizable() before.");
   static_assert(is_default_parameter<NamedParameters, internal_np::solver_traits_t>::value,

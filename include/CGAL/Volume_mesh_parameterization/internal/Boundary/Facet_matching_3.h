@@ -34,8 +34,10 @@ class Facet_matching_3
 public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  explicit Facet_matching_3(const Tetrahedron_soup_3& soup)
+  // `numbers` of the cells are for messages; without them, they are those in the soup.
+  explicit Facet_matching_3(const Tetrahedron_soup_3& soup, std::vector<std::size_t> numbers = {})
     : m_soup(soup),
+      m_numbers(std::move(numbers)),
       m_mirrors(4 * soup.cells.size(), none)
   {
     const std::vector<std::size_t> bucket_ends = collect_sides();
@@ -162,12 +164,13 @@ private:
     return is_odd;
   }
 
-  static std::string cell_name(std::size_t facet)
+  std::string cell_name(std::size_t facet) const
   {
-    return "cell " + std::to_string(facet / 4);
+    return "cell " + std::to_string(m_numbers.empty() ? facet / 4 : m_numbers[facet / 4]);
   }
 
   const Tetrahedron_soup_3& m_soup;
+  std::vector<std::size_t> m_numbers;
   std::vector<std::size_t> m_mirrors;
   std::vector<std::pair<std::size_t, int> > m_marks;
   std::vector<Side> m_sides;

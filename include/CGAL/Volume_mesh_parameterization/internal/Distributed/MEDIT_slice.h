@@ -20,7 +20,6 @@
 #include <array>
 #include <cstddef>
 #include <fstream>
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,127 +48,141 @@ struct Text_slice
       text += rest + '\n';
     if(rank > 0) // the line that began before belongs to the process before
       text.erase(0, text.find('\n') == std::string::npos ? text.size() : text.find('\n') + 1);
-    const std::vector<double> lines
-      = communicator.gathered(static_cast<double>(std::count(text.begin(), text.end(), '\n')));
-    for(std::size_t i = 0; i < rank; ++i)
-      first_line += static_cast<std::size_t>(lines[i]);
+    first_line = 1 + communicator.begins(std::count(text.begin(), text.end(), '\n'))[rank];
   }
 
   std::string text;
-  std::size_t first_line = 1;
+  std::size_t first_line;
 };
 
-// Reads slices of an ASCII MEDIT file with one element a line.
+inline std::array<double, 3> next_point(Text_scanner& scanner)
+{
+  std::array<double, 3> point;
+  for(double& x : point)
+    x = scanner.next_number<double>("a finite coordinate");
+  return point;
+}
+
+// What this process reads of an ASCII MEDIT file with one vertex or cell a line.
 class MEDIT_slice
 {
 public:
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<int> cell_references;
+  std::size_t first_point; // its index in the file
+
   MEDIT_slice(const MPI_communicator_3& communicator, const std::string& filename)
-    : m_slice(communicator, filename)
   {
-    find_segments(communicator.rank() == 0);
-    for(Segment& segment : m_segments)
-      segment.rank = communicator.rank();
-    add_segments_of_others(communicator);
-    for(const char* keyword : { "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids" })
-      if(number_of_words(keyword) > 1)
-        throw Input_error("the mesh is not tetrahedral, it has " + std::string(keyword));
-  }
-
-  // The elements of a section of all processes, each of so many words.
-  std::size_t number_of_elements(const char* keyword, const std::size_t words) const
-  {
-    const std::size_t n = number_of_words(keyword);
-    return n == 0 ? 0 : (n - 1) / words;
-  }
-
-  // Calls `read(scanner)` for each element of this slice, and returns the index of the first one.
-  template <typename Read>
-  std::size_t for_each_element(const char* keyword, const std::size_t words, const Read& read) const
-  {
-    const std::size_t number = number_of_elements(keyword, words);
-    std::size_t first = number;
-    for(const Segment& segment : m_segments)
+    const Text_slice slice(communicator, filename);
+    Text_scanner scanner(slice.text, slice.first_line), ahead(scanner);
+    if(communicator.rank() == 0 && Text_scanner(scanner).next_word() != "MeshVersionFormatted")
+      scanner.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
+    Place place = place_before(communicator, scanner);
+    for(std::string_view word = ahead.next_word(); !word.empty(); word = (ahead = scanner).next_word())
     {
-      if(m_keywords[segment.keyword] != keyword || segment.number_of_words == 0)
-        continue;
-      Text_scanner scanner(segment.scanner);
-      const bool has_count = segment.first_word == 0;
-      if(has_count && (scanner.next_number<std::size_t>("a number of elements") != number
-                       || number_of_words(keyword) != number * words + 1))
-        scanner.fail("the section '" + std::string(keyword) + "' has " + std::to_string(number) + " elements");
-      if(!has_count && (segment.first_word - 1) % words != 0)
-        scanner.fail("an element does not begin on a line of its own");
-      first = (std::min)(first, has_count ? 0 : (segment.first_word - 1) / words);
-      for(std::size_t i = has_count; i < segment.number_of_words; i += words)
-        read(scanner);
+      const bool is_count = place.is_before_count && !is_keyword(word);
+      place.pass(word);
+      m_number_of_keywords[place.section] += is_keyword(word);
+      if(is_count)
+        m_counts[place.section] = static_cast<double>(scanner.next_number<std::size_t>("a number of elements"));
+      else if(is_keyword(word) || (place.section != VERTICES && place.section != TETRAHEDRA))
+        scanner = ahead;
+      else
+        read_element(place.section == VERTICES, scanner);
     }
-    return first;
+    check(communicator);
   }
 
 private:
-  // The words behind a keyword, or what this slice has of them.
-  struct Segment
+  static constexpr std::array<std::string_view, 8> m_keywords // others are skipped
+    = { "", "Vertices", "Tetrahedra", "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids" };
+  enum Section { OTHER, VERTICES, TETRAHEDRA };
+
+  static bool is_keyword(const std::string_view word)
   {
-    int rank = 0;
-    std::size_t keyword = 0;    // 0: that of the segment before
-    std::size_t number_of_words = 0;
-    std::size_t first_word = 0; // in the section
-    Text_scanner scanner{ std::string_view() };
+    return ('A' <= word[0] && word[0] <= 'Z') || ('a' <= word[0] && word[0] <= 'z');
+  }
+
+  // Between two words of the file.
+  struct Place
+  {
+    std::size_t section = OTHER;
+    bool is_before_count = false; // of the elements of the section
+
+    void pass(const std::string_view word)
+    {
+      is_before_count = false;
+      if(!is_keyword(word))
+        return;
+      const auto found = std::find(m_keywords.begin(), m_keywords.end(), word);
+      section = static_cast<std::size_t>(found - m_keywords.begin()) % m_keywords.size();
+      is_before_count = section != OTHER;
+    }
   };
 
-  void find_segments(const bool is_first)
+  // Where the slices of the processes before this one end.
+  static Place place_before(const MPI_communicator_3& communicator, Text_scanner scanner)
   {
-    Text_scanner scanner(m_slice.text, m_slice.first_line);
-    if(is_first && Text_scanner(scanner).next_word() != "MeshVersionFormatted")
-      scanner.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
-    m_segments.emplace_back();
-    m_segments.back().scanner = scanner;
+    constexpr std::size_t none = m_keywords.size();
+    Place end = { none };
     for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
-      if(('A' <= word[0] && word[0] <= 'Z') || ('a' <= word[0] && word[0] <= 'z'))
-      {
-        const auto found = std::find(m_keywords.begin(), m_keywords.end(), word);
-        m_segments.emplace_back();
-        m_segments.back().keyword = found == m_keywords.end() ? 1 : static_cast<std::size_t>(found - m_keywords.begin());
-        m_segments.back().scanner = scanner;
-      }
-      else
-        ++m_segments.back().number_of_words;
+      end.pass(word);
+    const std::vector<double> sections = communicator.gathered(static_cast<double>(end.section));
+    const std::vector<double> are_before_count = communicator.gathered(end.is_before_count);
+    Place result;
+    for(int i = 0; i < communicator.rank(); ++i)
+      if(sections[i] != none)
+        result = { static_cast<std::size_t>(sections[i]), are_before_count[i] == 1 };
+    return result;
   }
 
-  void add_segments_of_others(const MPI_communicator_3& communicator)
+  void read_element(const bool is_vertex, Text_scanner& scanner)
   {
-    std::size_t keyword = 1;
-    std::size_t mine = 0;
-    const std::vector<std::vector<Segment> > to_all(communicator.size(), m_segments);
-    for(const Segment& segment : communicator.exchanged(to_all))
+    if(is_vertex)
     {
-      if(segment.keyword > 1 && m_number_of_words.count(segment.keyword) != 0)
-        throw Input_error("there is a second section '" + std::string(m_keywords[segment.keyword]) + "'");
-      keyword = segment.keyword == 0 ? keyword : segment.keyword;
-      std::size_t& number_of_words = m_number_of_words[keyword];
-      if(segment.rank == communicator.rank())
-      {
-        m_segments[mine].keyword = keyword;
-        m_segments[mine++].first_word = number_of_words;
-      }
-      number_of_words += segment.number_of_words;
+      points.push_back(next_point(scanner));
+      scanner.next_number<int>("an integral reference");
     }
+    else
+    {
+      cells.emplace_back();
+      for(std::size_t& v : cells.back())
+        v = scanner.next_number<std::size_t>("the number of a vertex") - 1;
+      cell_references.push_back(scanner.next_number<int>("an integral reference"));
+    }
+    if(scanner.has_word_on_line())
+      scanner.fail("the line does not end after the vertex or cell");
   }
 
-  std::size_t number_of_words(const std::string_view keyword) const
+  // What only all processes together can tell.
+  void check(const MPI_communicator_3& communicator)
   {
-    const auto place = std::find(m_keywords.begin(), m_keywords.end(), keyword);
-    const auto found = m_number_of_words.find(static_cast<std::size_t>(place - m_keywords.begin()));
-    return found == m_number_of_words.end() ? 0 : found->second;
+    const std::vector<std::size_t> begins = communicator.begins(points.size());
+    first_point = begins[communicator.rank()];
+    const std::array<std::size_t, 3> numbers = { 0, begins.back(), communicator.begins(cells.size()).back() };
+    for(std::size_t section = VERTICES; section < m_keywords.size(); ++section)
+    {
+      const std::string name = std::string(m_keywords[section]);
+      const double count = communicator.sum(m_counts[section]);
+      if(communicator.sum(m_number_of_keywords[section]) > 1)
+        throw Input_error("there is a second section '" + name + "'");
+      if(section >= numbers.size() && count > 0)
+        throw Input_error("the mesh is not tetrahedral, it has " + name);
+      if(section < numbers.size() && static_cast<double>(numbers[section]) != count)
+        throw Input_error("the section '" + name + "' has " + std::to_string(numbers[section])
+                          + " elements, not as many as it says");
+    }
+    if(numbers[TETRAHEDRA] == 0)
+      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    for(const std::array<std::size_t, 4>& cell : cells)
+      for(const std::size_t v : cell)
+        if(v >= numbers[VERTICES])
+          throw Input_error("vertex " + std::to_string(v + 1) + " of a cell does not exist, the vertices are numbered "
+                            "from 1 to " + std::to_string(numbers[VERTICES]));
   }
 
-  // the first two stand for the one before and for those that are not read
-  static constexpr std::array<std::string_view, 9> m_keywords = { "", "", "Vertices", "Tetrahedra",
-    "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids" };
-
-  Text_slice m_slice;
-  std::vector<Segment> m_segments;
-  std::map<std::size_t, std::size_t> m_number_of_words; // of each section
+  std::array<double, m_keywords.size()> m_counts = {}, m_number_of_keywords = {};
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

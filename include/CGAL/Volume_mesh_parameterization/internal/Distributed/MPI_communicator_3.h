@@ -38,6 +38,7 @@ public:
     MPI_Comm_dup(communicator, &m_communicator); // messages of others are never mistaken for ours
     MPI_Comm_rank(m_communicator, &m_rank);
     MPI_Comm_size(m_communicator, &m_size);
+    m_messages.resize(m_size);
   }
 
   MPI_communicator_3(const MPI_communicator_3&) = delete;
@@ -73,7 +74,16 @@ public:
   }
 
   // The number of each process, in the order of the ranks.
-  std::vector<double> gathered(const double x) const { return gathered(Kind::NONE, "", x); }
+  std::vector<double> gathered(const double x) const { return gathered(x, Failure()); }
+
+  // Where the slices of all processes begin if they are put one behind the other, and where the last one ends.
+  std::vector<std::size_t> begins(const std::size_t size_of_slice) const
+  {
+    std::vector<std::size_t> result = { 0 };
+    for(const double size : gathered(static_cast<double>(size_of_slice)))
+      result.push_back(result.back() + static_cast<std::size_t>(size));
+    return result;
+  }
 
   // Has no process failed? To be called before communication that is not ours.
   void synchronize() const { gathered(0); }
@@ -108,18 +118,10 @@ public:
   template <typename T>
   std::vector<T> evenly(const std::vector<T>& elements) const
   {
-    const std::vector<double> sizes = gathered(static_cast<double>(elements.size()));
-    const auto n = static_cast<std::size_t>(m_size);
-    const auto total = static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.end(), 0.));
-    auto place = static_cast<std::size_t>(std::accumulate(sizes.begin(), sizes.begin() + m_rank, 0.));
-    std::vector<std::vector<T> > parts(n);
-    std::size_t part = 0;
-    for(const T& element : elements)
-    {
-      for(; place >= total * (part + 1) / n; ++part) {}
-      parts[part].push_back(element);
-      ++place;
-    }
+    const std::vector<std::size_t> begin = begins(elements.size());
+    std::vector<std::vector<T> > parts(m_size);
+    for(std::size_t i = 0; i < elements.size(); ++i)
+      parts[(begin[m_rank] + i) * m_size / begin.back()].push_back(elements[i]);
     return exchanged(parts);
   }
 
@@ -133,54 +135,48 @@ public:
       synchronize();
       return result;
     }
-    catch(const Failure&) { throw_again(); }
-    catch(const std::bad_alloc&) { tell(Kind::MEMORY, ""); }
-    catch(const Input_error& error) { tell(Kind::INPUT, error.what()); }
-    catch(const std::exception& error) { tell(Kind::OTHER, error.what()); }
-    catch(...) { tell(Kind::OTHER, "an exception of unknown type"); }
-    throw_again();
+    catch(const Failure& failure) { throw_again(failure); }
+    catch(const std::bad_alloc&) { throw_again(told({ Kind::MEMORY, "" })); }
+    catch(const Input_error& error) { throw_again(told({ Kind::INPUT, error.what() })); }
+    catch(const std::exception& error) { throw_again(told({ Kind::OTHER, error.what() })); }
+    catch(...) { throw_again(told({ Kind::OTHER, "an exception of unknown type" })); }
   }
 
 private:
   enum class Kind { NONE, MEMORY, INPUT, OTHER };
-  struct Failure {};      // of some process, which all know
-  struct Message { double number; double kind; };
+  struct Failure { Kind kind = Kind::NONE; std::string sentence; };
+  struct Message { double number, kind; };
 
-  std::vector<double> gathered(const Kind kind, const std::string& sentence, const double x) const
+  // Throws the first failure, if there is one.
+  std::vector<double> gathered(const double x, const Failure& mine) const
   {
-    const Message mine = { x, static_cast<double>(kind) };
-    m_messages.resize(m_size);
-    MPI_Allgather(&mine, 2, MPI_DOUBLE, m_messages.data(), 2, MPI_DOUBLE, m_communicator);
+    const Message message = { x, static_cast<double>(mine.kind) };
+    MPI_Allgather(&message, 2, MPI_DOUBLE, m_messages.data(), 2, MPI_DOUBLE, m_communicator);
     std::vector<double> numbers;
     for(int i = 0; i < m_size; ++i)
     {
       if(m_messages[i].kind != 0)
-      {
-        m_kind = static_cast<Kind>(static_cast<int>(m_messages[i].kind));
-        m_sentence = text_of(i, sentence);
-        throw Failure();
-      }
+        throw Failure{ static_cast<Kind>(static_cast<int>(m_messages[i].kind)), text_of(i, mine.sentence) };
       numbers.push_back(m_messages[i].number);
     }
     return numbers;
   }
 
-  void tell(const Kind kind, const std::string& sentence) const
+  // The first failure of all processes, of which this is one.
+  Failure told(const Failure& mine) const
   {
-    try
-    {
-      gathered(kind, sentence, 0);
-    }
-    catch(const Failure&) {}
+    try { gathered(0, mine); }
+    catch(const Failure& failure) { return failure; }
+    return mine;
   }
 
-  [[noreturn]] void throw_again() const
+  [[noreturn]] static void throw_again(const Failure& failure)
   {
-    switch(m_kind)
+    switch(failure.kind)
     {
       case Kind::MEMORY: throw std::bad_alloc();
-      case Kind::INPUT: throw Input_error(m_sentence);
-      default: throw std::runtime_error(m_sentence);
+      case Kind::INPUT: throw Input_error(failure.sentence);
+      default: throw std::runtime_error(failure.sentence);
     }
   }
 
@@ -195,9 +191,7 @@ private:
 
   MPI_Comm m_communicator;
   int m_rank, m_size;
-  mutable std::vector<Message> m_messages;
-  mutable Kind m_kind = Kind::NONE;
-  mutable std::string m_sentence;
+  mutable std::vector<Message> m_messages; // of all processes; no memory is asked for to tell that there is none
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

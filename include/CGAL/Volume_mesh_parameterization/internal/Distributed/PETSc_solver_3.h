@@ -87,8 +87,6 @@ public:
     return std::string("PETSc, -ksp_type ") + solver + " -pc_type " + type;
   }
 
-  PetscInt number_of_iterations() const { return m_number_of_iterations; } // of all solutions so far
-
   Newton_matrix_3 make_matrix() const override { return Matrix(); }
 
   void analyze_pattern(const Newton_matrix_3& A) override
@@ -133,21 +131,14 @@ public:
     x.setZero(b.size());
     if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // for which KSPSTCG finds no direction
       return Linear_solver_status::SUCCESS;
-    PetscScalar* values;
-    check(VecGetArray(m_b, &values));
-    std::copy(b.data(), b.data() + 3 * number_of_own_rows(), values);
-    check(VecRestoreArray(m_b, &values));
     check(KSPSetTolerances(m_ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    check(VecPlaceArray(m_b, b.data()));
+    check(VecPlaceArray(m_x, x.data()));
     check(KSPSolve(m_ksp, m_b, m_x));
-
     check(VecGhostUpdateBegin(m_x, INSERT_VALUES, SCATTER_FORWARD));
     check(VecGhostUpdateEnd(m_x, INSERT_VALUES, SCATTER_FORWARD));
-    Vec local;
-    check(VecGhostGetLocalForm(m_x, &local));
-    check(VecGetArray(local, &values));
-    std::copy(values, values + x.size(), x.data());
-    check(VecRestoreArray(local, &values));
-    check(VecGhostRestoreLocalForm(m_x, &local));
+    check(VecResetArray(m_b));
+    check(VecResetArray(m_x));
     return status();
   }
 
@@ -156,13 +147,12 @@ private:
 
   PetscInt number_of_own_rows() const { return m_mesh.number_of_own_rows(); }
 
-  Linear_solver_status status()
+  Linear_solver_status status() const
   {
     PetscInt number_of_iterations;
     KSPConvergedReason reason;
     check(KSPGetIterationNumber(m_ksp, &number_of_iterations));
     check(KSPGetConvergedReason(m_ksp, &reason));
-    m_number_of_iterations += number_of_iterations;
     switch(reason)
     {
       case KSP_CONVERGED_CG_NEG_CURVE: // the first iteration counts although it finds no solution then
@@ -184,7 +174,6 @@ private:
   Vec m_x, m_b;
   Mat m_matrix;
   KSP m_ksp;
-  PetscInt m_number_of_iterations = 0;
   std::vector<PetscInt> m_columns;   // of one row
   std::vector<PetscScalar> m_values; // of one row
 };

@@ -16,10 +16,25 @@
 
 #include <petscsf.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The vertices of cells, sorted. Each cell is a range of indices.
+template <typename Cells>
+std::vector<PetscInt> sorted_vertices(const Cells& cells)
+{
+  std::vector<PetscInt> result;
+  result.reserve(4 * cells.size());
+  for(const auto& cell : cells)
+    result.insert(result.end(), cell.begin(), cell.end());
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  result.shrink_to_fit();
+  return result;
+}
 
 // Each process holds a slice of an array, those of the ranks one behind the other, and has a list of indices of the whole.
 class Star_forest

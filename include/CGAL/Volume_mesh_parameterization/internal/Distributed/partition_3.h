@@ -25,73 +25,80 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// A cell with the indices of its vertices and its own in the whole mesh.
+// A cell with the indices of its vertices in the whole mesh, and its own.
 struct Global_cell_3
 {
   std::array<PetscInt, 4> vertices;
-  PetscInt number;
+  std::size_t number;
+
+  auto begin() const { return vertices.begin(); }
+  auto end() const { return vertices.end(); }
 };
 
-// Sends each cell to all processes that own one of its vertices, where `owner_of(c, i)` owns the i-th vertex of cell c.
-// Each process receives cells in the order of their numbers.
-template <typename OwnerOf>
+// Sends each cell to all processes that own one of its vertices. Each process receives cells in the order of their
+// numbers.
+template <typename OwnerOfVertex>
 std::vector<Global_cell_3> cells_of_owners(const MPI_communicator_3& communicator, const std::vector<Global_cell_3>& cells,
-                                           const OwnerOf& owner_of)
+                                           const OwnerOfVertex& owner_of)
 {
   std::vector<std::vector<Global_cell_3> > to_owners(communicator.size());
-  for(std::size_t c = 0; c < cells.size(); ++c)
+  for(const Global_cell_3& cell : cells)
   {
-    std::array<int, 4> owners = { owner_of(c, 0), owner_of(c, 1), owner_of(c, 2), owner_of(c, 3) };
+    std::array<int, 4> owners;
+    std::transform(cell.begin(), cell.end(), owners.begin(), owner_of);
     std::sort(owners.begin(), owners.end());
     const auto end = std::unique(owners.begin(), owners.end());
-    for(auto owner = owners.begin(); owner != end; ++owner)
-      to_owners[*owner].push_back(cells[c]);
+    std::for_each(owners.begin(), end, [&](const int owner) { to_owners[owner].push_back(cell); });
   }
   return communicator.exchanged(to_owners);
 }
 
-// The process that is to own each vertex of this slice, such that few edges join vertices of two processes. The cells are
-// those around the vertices of the slice, which begins with vertex `first`.
+// The part to which each vertex of this slice is to belong, such that few edges of the cells, which may be with any
+// process, join vertices of two parts.
 inline std::vector<int> partition_3(const MPI_communicator_3& communicator, const std::vector<Global_cell_3>& cells,
-                                    const PetscInt first, const PetscInt size, const PetscInt number_of_vertices)
+                                    const std::size_t size_of_slice, const int number_of_parts)
 {
-  if(communicator.size() == 1)
-    return std::vector<int>(size, 0);
+  if(number_of_parts == 1)
+    return std::vector<int>(size_of_slice, 0);
   std::vector<std::pair<PetscInt, PetscInt> > edges;
+  edges.reserve(12 * cells.size());
   for(const Global_cell_3& cell : cells)
-    for(const PetscInt v : cell.vertices)
-      for(const PetscInt w : cell.vertices)
-        if(v != w && first <= v && v < first + size)
-          edges.emplace_back(v - first, w);
+    for(const PetscInt v : cell)
+      for(const PetscInt w : cell)
+        if(v != w)
+          edges.emplace_back(v, w);
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<PetscInt> rows, columns;
+  for(const auto& [v, w] : edges)
+  {
+    rows.push_back(v);
+    columns.push_back(w);
+  }
 
   setenv("SCOTCH_PTHREAD_NUMBER", "1", 0); // with threads, PT-Scotch finds another partition in each run
   communicator.synchronize();
   const auto check = [&](const PetscErrorCode error) { PetscCallAbort(communicator.get(), error); };
-  PetscInt *row_begin, *columns; // which the graph takes over
-  check(PetscCalloc1(size + 1, &row_begin));
-  check(PetscMalloc1(edges.size(), &columns));
-  for(std::size_t i = 0; i < edges.size(); ++i)
-  {
-    ++row_begin[edges[i].first + 1];
-    columns[i] = edges[i].second;
-  }
-  for(PetscInt v = 0; v < size; ++v)
-    row_begin[v + 1] += row_begin[v];
+  const PetscInt n = static_cast<PetscInt>(size_of_slice);
   Mat graph;
   MatPartitioning partitioning;
   IS parts;
-  const PetscInt* owners;
-  check(MatCreateMPIAdj(communicator.get(), size, number_of_vertices, row_begin, columns, nullptr, &graph));
+  const PetscInt* part;
+  check(MatCreate(communicator.get(), &graph));
+  check(MatSetSizes(graph, n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+  check(MatSetType(graph, MATAIJ));
+  check(MatSetPreallocationCOO(graph, static_cast<PetscCount>(rows.size()), rows.data(), columns.data()));
+  check(MatAssemblyBegin(graph, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(graph, MAT_FINAL_ASSEMBLY));
   check(MatPartitioningCreate(communicator.get(), &partitioning));
   check(MatPartitioningSetAdjacency(partitioning, graph));
+  check(MatPartitioningSetNParts(partitioning, number_of_parts));
   check(MatPartitioningSetType(partitioning, MATPARTITIONINGPTSCOTCH));
   check(MatPartitioningSetFromOptions(partitioning));
   check(MatPartitioningApply(partitioning, &parts));
-  check(ISGetIndices(parts, &owners));
-  const std::vector<int> result(owners, owners + size);
-  check(ISRestoreIndices(parts, &owners));
+  check(ISGetIndices(parts, &part));
+  const std::vector<int> result(part, part + size_of_slice);
+  check(ISRestoreIndices(parts, &part));
   check(ISDestroy(&parts));
   check(MatPartitioningDestroy(&partitioning));
   check(MatDestroy(&graph));

@@ -34,11 +34,7 @@ inline std::pair<Tetrahedron_soup_3, std::vector<std::array<double, 3> > >
 piece_of_process(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup,
                  const std::vector<std::array<double, 3> >& uvw)
 {
-  std::vector<PetscInt> vertices;
-  for(const std::array<std::size_t, 4>& cell : soup.cells)
-    vertices.insert(vertices.end(), cell.begin(), cell.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const std::vector<PetscInt> vertices = sorted_vertices(soup.cells);
   const Star_forest star_forest(communicator, soup.points.size(), vertices);
   Tetrahedron_soup_3 piece = { star_forest.get(soup.points), soup.cells, soup.cell_references, {}, {} };
   for(std::array<std::size_t, 4>& cell : piece.cells)
