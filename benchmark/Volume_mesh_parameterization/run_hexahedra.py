@@ -17,7 +17,7 @@ import tempfile
 from fractions import Fraction
 from pathlib import Path
 
-from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, is_mechanical, make_mesh
+from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, make_mesh
 from tables import write_csv, write_json
 
 NEIGHBORS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]  # of VTK's corners
@@ -47,7 +47,7 @@ def corners_not_positive(filename):
 
 
 def domains_of(model):
-    return ["cube"] * (model not in MECHANICAL_WITH_HANDLES) + ["polycube"] * is_mechanical(model)
+    return ["cube"] * (model not in MECHANICAL_WITH_HANDLES) + ["polycube"]
 
 
 def value(word):
