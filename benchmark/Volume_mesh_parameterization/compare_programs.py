@@ -7,13 +7,15 @@ compare_programs.py DRIVER FOLDER --options "--refine" --external "NAME=other -s
 The driver and the other programs, which are not part of this package, run one after the other. A command has the places
 {source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates; a
 program that refines writes the refined source to {refined}. All maps are judged alike, by check_map.py in exact
-arithmetic, and so are their distortions, of the map scaled to the volume of the source. Seconds are those of the whole
-program with its files; those until the first valid map are what the program says. Tables are in Markdown.
+arithmetic, and so are their distortions, of the map scaled to the volume of the source. Seconds are those that the
+processor spends on the whole program with its files, so other programs on the machine hardly change them; those until
+the first valid map are what the program says, less the part of its time in which it did not run. Tables are in Markdown.
 """
 import argparse
 import json
 import math
 import re
+import resource
 import shlex
 import statistics
 import subprocess
@@ -29,6 +31,7 @@ from volmap_cases import add_case_options, find_cases
 
 COLUMNS = ["case", "program", "status", "seconds_to_first_valid", "seconds", "angle_mean", "angle_max", "volume_mean",
            "volume_max"]
+TIMES = COLUMNS[3:5]
 OURS = "parameterize_mesh_file"
 
 
@@ -90,6 +93,11 @@ def judge(case, folder):
     return row
 
 
+def user_seconds():
+    """Of all processes that were started and have ended."""
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+
+
 def run(name, command, first_valid, case, time_limit):
     """One row of the table."""
     row = {"case": case.name, "program": name}
@@ -97,16 +105,17 @@ def run(name, command, first_valid, case, time_limit):
         folder = Path(path)
         places = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
                   "refined": folder / "refined.mesh", "report": folder / "report.json"}
-        begin = time.monotonic()
+        begin, begin_user = time.monotonic(), user_seconds()
         try:
             process = subprocess.run([word.format(**places) for word in shlex.split(command)], stdout=subprocess.PIPE,
                                      stderr=subprocess.STDOUT, text=True, timeout=time_limit)
         except subprocess.TimeoutExpired:
             return {**row, "status": "time limit"}
-        row["seconds"] = time.monotonic() - begin
+        elapsed, row["seconds"] = time.monotonic() - begin, user_seconds() - begin_user
         row.update(judge(case, folder))
-        if row["status"] in ("exact", "flip-free"):
-            row["seconds_to_first_valid"] = first_valid(process.stdout, folder)
+        said = first_valid(process.stdout, folder) if row["status"] in ("exact", "flip-free") else None
+        if said is not None:
+            row["seconds_to_first_valid"] = said * row["seconds"] / elapsed
     return row
 
 
@@ -123,7 +132,7 @@ def number_in_report(_, folder):
 
 def summary(rows, programs):
     """A row a program: how many cases it solves, and medians over those that all map without inverted cells, except
-    programs that never do."""
+    programs that never do; how the times relate to those of the driver, medians over the cases that both map."""
     mapped = [{row["case"] for row in rows if row["program"] == name and "angle_mean" in row} for name in programs]
     common = set.intersection(*(filter(None, mapped))) if any(mapped) else set()
     result = []
@@ -134,6 +143,11 @@ def summary(rows, programs):
         for column in COLUMNS[3:]:
             values = [row.get(column) for row in own if row["case"] in common]
             line[column] = statistics.median(values) if values and None not in values else None
+        for column in TIMES:
+            ratios = [a[column] / b[column] for a in own for b in rows
+                      if b["program"] == OURS and b["case"] == a["case"] and "angle_mean" in a and "angle_mean" in b
+                      and column in a and b[column] > 0]
+            line["ratio_of_" + column] = statistics.median(ratios) if ratios else None
         result.append(line)
     return result
 
@@ -183,7 +197,7 @@ def main():
             for case in cases for name, (command, first_valid) in programs.items()]
     lines = summary(rows, programs)
     print_table(rows, COLUMNS)
-    print_table(lines, ["program", "cases", "exact", "flip_free", "common", *COLUMNS[3:]])
+    print_table(lines, list(lines[0]))
     if arguments.output:
         write_csv(arguments.output + ".csv", rows)
         write_json(arguments.output + ".json", {"cases": rows, "summary": lines})

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -10,7 +11,8 @@
 #include <string>
 #include <system_error>
 
-// A file that appears under its name when it is complete, and never if `commit()` is not reached.
+// A file that appears under its name when it is complete, and never if `commit()` is not reached. One is written at a
+// time.
 class Output_file
 {
 public:
@@ -20,6 +22,7 @@ public:
   {
     if(std::filesystem::exists(m_path) && !std::filesystem::is_regular_file(m_path))
       throw std::runtime_error(name + ": this is not a regular file");
+    unfinished = m_temporary.c_str();
     m_stream.open(m_temporary, std::ios::binary);
     if(!m_stream)
       throw std::runtime_error(name + ": the file cannot be written");
@@ -32,6 +35,14 @@ public:
   {
     std::error_code ignored;
     std::filesystem::remove(m_temporary, ignored);
+    unfinished = nullptr;
+  }
+
+  // For handlers of signals, before they end the program.
+  static void remove_unfinished()
+  {
+    if(unfinished != nullptr)
+      unlink(unfinished);
   }
 
   std::ostream& stream() { return m_stream; }
@@ -45,6 +56,8 @@ public:
   }
 
 private:
+  static inline std::atomic<const char*> unfinished = nullptr; // without a lock, as in a handler it must be
+
   std::filesystem::path m_path, m_temporary;
   std::ofstream m_stream;
 };

@@ -1,6 +1,8 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
 
+#include "Output_file.h"
+
 #include <CGAL/Real_timer.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
@@ -22,8 +24,8 @@ public:
   {
     m_timer.start();
     struct sigaction action = {};
-    action.sa_handler = [](int) { is_end_requested = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+    action.sa_handler = request_end;
+    action.sa_flags = SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
   }
@@ -61,6 +63,18 @@ public:
   const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps() const { return m_steps; }
 
 private:
+  // The second time, the default action follows.
+  static void request_end(const int number)
+  {
+    if(is_end_requested != 0)
+    {
+      Output_file::remove_unfinished();
+      signal(number, SIG_DFL);
+      raise(number);
+    }
+    is_end_requested = 1;
+  }
+
   void show(const std::string& text) const
   {
     if(m_is_shown)

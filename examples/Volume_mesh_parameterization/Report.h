@@ -9,6 +9,8 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <sys/resource.h>
 
 #include <cstddef>
@@ -23,6 +25,14 @@ struct Outcome
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
   std::string remark = {};     // for the console
 };
+
+// A sentence of the library with the options of the program in place of the parameters of the function.
+inline std::string with_names_of_options(std::string message)
+{
+  boost::replace_all(message, "do_refine", "--refine");
+  boost::replace_all(message, "Conjugate_gradient_solver_traits_3", "--solver cg");
+  return message;
+}
 
 inline std::size_t peak_memory_bytes()
 {

@@ -72,6 +72,7 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Pr
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(std::ref(progress)));
   }, named_solver(options.solver));
+  result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(progress.reason()) + (result.has_valid_map
       ? " The map is valid, but the energy is not minimal yet." : " There is no map without inverted cells yet.");

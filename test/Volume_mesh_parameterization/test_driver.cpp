@@ -130,6 +130,15 @@ public:
 
   void interrupt() const { kill(m_process, SIGINT); }
 
+  // Asks twice at once.
+  void interrupt_and_terminate() const
+  {
+    kill(m_process, SIGSTOP);
+    kill(m_process, SIGINT);
+    kill(m_process, SIGTERM);
+    kill(m_process, SIGCONT);
+  }
+
   // Two signals at once can be taken for one. Returns 0 if the program has not been ended by a signal.
   std::size_t interrupt_until_it_ends() const
   {
@@ -472,6 +481,20 @@ TEST_CASE("The second interruption ends the program, also while it reads")
   CHECK(folder.names() == Names{"source.mesh"});
 }
 
+TEST_CASE("The second interruption leaves no unfinished file")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(20));
+  Terminal terminal(folder, "source.mesh source.mesh --time-limit 0 -o map.mesh");
+  CHECK(terminal.waits_for("writing"));
+  while(folder.names().size() == 1)
+    usleep(100);
+  terminal.interrupt_and_terminate();
+  terminal.exit_code();
+  for(const std::string& name : folder.names())
+    CHECK(fs::path(name).extension() == ".mesh");
+}
+
 #ifdef CGAL_LINKED_WITH_TBB
 TEST_CASE("More threads than the machine has are told")
 {
@@ -650,6 +673,8 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(folder.names() == Names{"map.mesh", "report.json", "source.mesh", "target.mesh"});
   CHECK(number(folder.text("report.json"), "inverted_cells") == 0);
   CHECK(number(folder.text("report.json"), "boundary_residual") > 0);
+  CHECK(folder.text("stderr").find("Allow refinement (--refine)") != std::string::npos);
+  CHECK(folder.text("report.json").find("Allow refinement (--refine)") != std::string::npos);
 
   // edges are split where the boundary could not be reached
   CHECK(folder.run(command + "auto --refine --refined-source refined.mesh") == 0);

@@ -41,7 +41,7 @@ enum Error_code
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
   ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary is flat, or turned inside out
   ERROR_PRESCRIBED_CELL_INVERTED,///< the prescribed vertices alone make a cell of the target flat or invert it
-  ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary of the complex is not a manifold
+  ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary is not a manifold at its `non_manifold_boundary_vertices()`
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
   ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has not enough vertices for the edges of the target
