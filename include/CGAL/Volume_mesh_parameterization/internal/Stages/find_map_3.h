@@ -48,14 +48,16 @@ inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3&
                                    Found_map_3& found)
 {
   Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
-  Newton_direction_3 direction = harmonic_map_3(system, u);
+  constexpr double energy_tolerance = 1e-4; // of what is a start only
+  Newton_direction_3 direction = harmonic_map_3(system, u, energy_tolerance);
   Eigen::Matrix3Xd start = snapped(mesh, initial + u / system.unit());
   found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
-  if(direction.is_usable() && found.number_of_inverted_cells_at_start > 0)
+  if(direction.is_usable())
   {
-    constexpr double energy_tolerance = 1e-4; // it is a start only
-    system.set_references(mesh, regular_cells_scaled_to_target(mesh));
-    direction = harmonic_map_3(system, u, energy_tolerance);
+    const bool is_start = found.number_of_inverted_cells_at_start > 0;
+    if(is_start)
+      system.set_references(mesh, regular_cells_scaled_to_target(mesh));
+    direction = is_start ? harmonic_map_3(system, u, energy_tolerance) : harmonic_map_3(system, u);
     start = snapped(mesh, initial + u / system.unit());
   }
   progress.reach_flip_free();
