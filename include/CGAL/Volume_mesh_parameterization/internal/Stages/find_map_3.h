@@ -41,29 +41,32 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Puts the prescribed vertices of an initial map on their targets, moves the others by the harmonic extension of these
-// displacements, and untangles. Zeros become the harmonic map, which recovers affine maps; if it inverts cells, that with
-// respect to regular cells takes its place, as it inverts fewer.
+// displacements, and untangles. Zeros become the harmonic map, which recovers affine maps. If it inverts cells, so may that
+// with respect to regular cells, but mostly fewer, so that patches suffice.
 inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
                                    const Eigen::Matrix3Xd& initial, const double begin, Progress_3& progress,
                                    Found_map_3& found)
 {
-  Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
   constexpr double energy_tolerance = 1e-4; // of what is a start only
+  Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
+  const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + u / system.unit()); };
   Newton_direction_3 direction = harmonic_map_3(system, u, energy_tolerance);
-  Eigen::Matrix3Xd start = snapped(mesh, initial + u / system.unit());
+  Eigen::Matrix3Xd start = image();
   found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
-  if(direction.is_usable())
+  if(direction.is_usable() && found.number_of_inverted_cells_at_start == 0)
   {
-    const bool is_start = found.number_of_inverted_cells_at_start > 0;
-    if(is_start)
-      system.set_references(mesh, regular_cells_scaled_to_target(mesh));
-    direction = is_start ? harmonic_map_3(system, u, energy_tolerance) : harmonic_map_3(system, u);
-    start = snapped(mesh, initial + u / system.unit());
+    direction = harmonic_map_3(system, u);
+    start = image();
+  }
+  else if(direction.is_usable())
+  {
+    system.set_references(mesh, regular_cells_scaled_to_target(mesh));
+    direction = harmonic_map_3(system, u, energy_tolerance);
   }
   progress.reach_flip_free();
   if(!direction.is_usable())
     return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
-  return untangle_3(mesh, system, solver, start, begin, progress);
+  return untangle_3(mesh, system, solver, start, image(), begin, progress);
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.

@@ -89,6 +89,19 @@ public:
     m_system.claim_solver();
   }
 
+  // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from.
+  void begin_with_patches(const Eigen::Matrix3Xd& map)
+  {
+    const Untangled_3 start = m_best;
+    untangle_patches(map, "patches");
+    const std::size_t number_of_steps = m_best.number_of_steps;
+    if(goes_on())
+      m_best = start;
+    m_best.number_of_steps = number_of_steps;
+    go_on_if_flat();
+  }
+
+private:
   // Goes on if cells are so flat that a minimization would hardly take a step: in thin parts, the harmonic map shrinks
   // cells exponentially, and only the search over the whole mesh spreads them.
   void go_on_if_flat()
@@ -100,7 +113,6 @@ public:
       m_best.status = ERROR_NOT_FLIP_FREE;
   }
 
-private:
   Eigen::Matrix3Xd run(Stage_3& stage, const std::string& method)
   {
     m_best.status = m_progress.run(stage, m_begin, m_best.number_of_steps);
@@ -126,14 +138,14 @@ private:
   Untangled_3 m_best;
 };
 
-// Few inverted cells are patched. Otherwise tries one setting after the other, each from the same start, until no cell is
-// inverted.
+// Few inverted cells of a map with respect to regular cells are patched. Otherwise tries one setting after the other, each
+// from the same start, until no cell is inverted.
 inline Untangled_3 untangle_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                              const Eigen::Matrix3Xd& start, const double begin, Progress_3& progress)
+                              const Eigen::Matrix3Xd& start, const Eigen::Matrix3Xd& regular_start, const double begin,
+                              Progress_3& progress)
 {
   Untangling_search_3 search(mesh, system, solver, start, begin, progress);
-  search.untangle_patches(start, "patches");
-  search.go_on_if_flat();
+  search.begin_with_patches(regular_start);
   for(const Untangling_setting& setting : untangling_settings)
     if(search.goes_on())
       search.untangle(setting, start);
