@@ -90,6 +90,8 @@ inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::P
         .add("boundary_residual", result.boundary_residual)
         .add("iterations", result.number_of_iterations)
         .add("untangling_iterations", result.number_of_untangling_iterations)
+        .add("linear_solver_iterations", result.number_of_linear_solver_iterations)
+        .add("untangling_method", result.untangling_method)
         .add("seconds_total", result.seconds_total)
         .add("seconds_to_flip_free", result.seconds_to_flip_free)
         .add("seconds_numbering", result.seconds_numbering)

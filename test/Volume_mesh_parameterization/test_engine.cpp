@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -397,6 +398,52 @@ TEST_CASE("Patches leave a map without inverted cells as it is, and end where th
   CHECK(stuck.status() == VMP::ERROR_NOT_FLIP_FREE);
   CHECK(number_of_inverted_cells(mesh, stuck.positions()) > 0);
   CHECK(number_of_inverted_cells(mesh, stuck.positions()) <= number_of_inverted_cells(mesh, start));
+}
+
+TEST_CASE("Flat cells become thicker, and only the vertices of flat cells move")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(8);
+  Eigen::Index v = 0, far = 0; // near the middle, and in a corner
+  const Matrix3Xd inside = mesh.source.leftCols(mesh.number_of_free_vertices);
+  const Vector3d center = inside.rowwise().mean();
+  (inside.colwise() - center).colwise().norm().minCoeff(&v);
+  (inside.colwise() - center).colwise().norm().maxCoeff(&far);
+  const auto smallest_volume = [&](const Matrix3Xd& positions)
+  {
+    double result = std::numeric_limits<double>::infinity();
+    for(const std::array<int, 4>& cell : mesh.cells)
+      result = (std::min)(result, VMP::internal::edge_matrix(positions, cell).determinant() / 6);
+    return result;
+  };
+  const auto moved = [&](const double t)
+  {
+    Matrix3Xd positions = mesh.source;
+    positions.col(v) += t * Vector3d(1, 0.3, 0.2);
+    return positions;
+  };
+  double inside_ring = 0, outside = 2; // as far as its ring allows
+  for(int i = 0; i < 50; ++i)
+  {
+    const double t = (inside_ring + outside) / 2;
+    (smallest_volume(moved(t)) > 0 ? inside_ring : outside) = t;
+  }
+  const Matrix3Xd start = moved(0.999 * inside_ring);
+  REQUIRE(number_of_inverted_cells(mesh, start) == 0);
+  REQUIRE(smallest_volume(start) < 0.01 * smallest_volume(mesh.source));
+
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  Matrix3Xd relaxed = start;
+  relax_flat_cells_3(mesh, linear_solver, relaxed);
+  CHECK(linear_solver.number_of_iterations() > 0);
+  CHECK(number_of_inverted_cells(mesh, relaxed) == 0);
+  CHECK(smallest_volume(relaxed) > 10 * smallest_volume(start));
+  CHECK(relaxed.col(far) == start.col(far));
+  CHECK(has_target_boundary(mesh, relaxed));
+
+  Matrix3Xd same = mesh.source; // without flat cells
+  relax_flat_cells_3(mesh, linear_solver, same);
+  CHECK(same == mesh.source);
 }
 
 TEST_CASE("Untangling with regular cells does not depend on slivers of the source")

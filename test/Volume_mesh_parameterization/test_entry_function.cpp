@@ -262,6 +262,8 @@ TEST_CASE("Each named parameter by itself")
   REQUIRE(plain.status == VMP::OK);
   REQUIRE(plain.number_of_inverted_cells_at_start > 0);
   REQUIRE(plain.number_of_untangling_iterations > 0);
+  CHECK(plain.number_of_linear_solver_iterations > plain.number_of_iterations);
+  CHECK(plain.untangling_method == "regular cells, theta 20");
   check_valid_map(complex, plain);
   const Point_map expected = complex.uvw;
 
@@ -310,6 +312,7 @@ TEST_CASE("Each named parameter by itself")
     const Parameterization_result soft = parameterize(complex, params::boundary_mode(VMP::Boundary_mode::SOFT));
     CHECK(soft.has_valid_map);
     CHECK(soft.number_of_untangling_iterations == 0);
+    CHECK(soft.untangling_method == "soft boundary");
     CHECK(complex.uvw != expected);
   }
   SECTION("maximum_running_time")

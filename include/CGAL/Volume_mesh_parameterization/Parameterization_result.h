@@ -41,7 +41,7 @@ struct Parameterization_result
   /// exact proofs that no map with this connectivity meets this boundary, of which one would do
   std::size_t number_of_infeasibility_proofs = 0;
 
-  std::size_t number_of_inverted_cells_at_start = 0; ///< of the map that is untangled
+  std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic or the initial map
   std::size_t number_of_inverted_cells = 0;          ///< or flat ones, of the result, by exact predicates
   /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
   /// that slide, to the plane or line through their point, where rounding counts as 0; not a number without a valid map
@@ -49,6 +49,12 @@ struct Parameterization_result
 
   std::size_t number_of_iterations = 0;            ///< Newton steps, in all stages
   std::size_t number_of_untangling_iterations = 0; ///< those of them that untangled
+
+  std::size_t number_of_linear_solver_iterations = 0; ///< in all stages; 0 if the solver tells no number
+
+  /// what has found the first map without inverted cells: the harmonic extension of the boundary alone, patches of cells,
+  /// one of the settings of untangling, or the soft boundary
+  std::string untangling_method;
 
   /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume;
   /// not a number without a valid map

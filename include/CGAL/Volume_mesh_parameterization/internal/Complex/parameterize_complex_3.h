@@ -119,6 +119,7 @@ Parameterization_result written_result(const Checked_complex_3<Numbered>& comple
 {
   Parameterization_result result
     = engine::make_result(complex.numbered.mesh(), complex.check, found, problem.energy, problem.progress);
+  result.number_of_linear_solver_iterations = problem.solver.number_of_iterations();
   add_counts(complex.numbered, result);
   if(result.has_valid_map)
     complex.numbered.write(found.map.positions, images);

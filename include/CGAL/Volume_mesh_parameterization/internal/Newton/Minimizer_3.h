@@ -57,7 +57,8 @@ public:
     if(is_converged())
       return Step_status::DONE;
     m_stagnation.add(m_evaluation.energy, -m_direction.slope);
-    if(m_step_length >= 1)
+    // far from the minimum, the semi-definite Hessian does as well, and the full one mostly proves indefinite
+    if(m_step_length >= 1 && -m_direction.slope < 0.1 * m_evaluation.energy)
       m_negative_curvature.raise();
     return m_step_length > 0 ? Step_status::CONTINUE : Step_status::STUCK;
   }

@@ -22,12 +22,13 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton
-// step suffices; repeated steps make up for a solver that is not exact. Returns the last direction.
-inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& u)
+// step suffices; repeated steps make up for a solver that is not exact, until one gains no more than a part of the energy.
+// Returns the last direction.
+inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& u,
+                                         const double energy_tolerance = 1e-9)
 {
   constexpr int maximal_number_of_steps = 20;
   constexpr double solver_tolerance = 1e-3;
-  constexpr double energy_tolerance = 1e-9;
   const Dirichlet_energy_3 energy;
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
 

@@ -28,6 +28,7 @@ struct Found_map_3
   Map_3 map;
   Error_code status = ERROR_NOT_CONVERGED;
   std::string reason;                   // for the status; empty if there is nothing to add
+  std::string untangling_method;        // that has found the first map
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
   bool is_stuck = false;                // with so few inverted cells that they are to be split

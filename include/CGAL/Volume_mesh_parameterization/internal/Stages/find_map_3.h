@@ -30,6 +30,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/completed_initial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
@@ -40,19 +41,32 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Puts the prescribed vertices of an initial map on their targets, moves the others by the harmonic extension of these
-// displacements, and untangles. Zeros become the harmonic map.
+// displacements, and untangles. Zeros become the harmonic map, which recovers affine maps. If it inverts cells, so may that
+// with respect to regular cells, but mostly fewer, so that patches suffice.
 inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
                                    const Eigen::Matrix3Xd& initial, const double begin, Progress_3& progress,
                                    Found_map_3& found)
 {
+  constexpr double energy_tolerance = 1e-4; // of what is a start only
   Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
-  const Newton_direction_3 direction = harmonic_map_3(system, u);
-  const Eigen::Matrix3Xd start = snapped(mesh, initial + u / system.unit());
+  const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + u / system.unit()); };
+  Newton_direction_3 direction = harmonic_map_3(system, u, energy_tolerance);
+  Eigen::Matrix3Xd start = image();
   found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
+  if(direction.is_usable() && found.number_of_inverted_cells_at_start == 0)
+  {
+    direction = harmonic_map_3(system, u);
+    start = image();
+  }
+  else if(direction.is_usable())
+  {
+    system.set_references(mesh, regular_cells_scaled_to_target(mesh));
+    direction = harmonic_map_3(system, u, energy_tolerance);
+  }
   progress.reach_flip_free();
   if(!direction.is_usable())
     return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
-  return untangle_3(mesh, system, solver, start, begin, progress);
+  return untangle_3(mesh, system, solver, start, image(), begin, progress);
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
@@ -76,9 +90,15 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
     untangled = untangle_from_3(mesh, system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()),
                                 initial.cols() > 0 ? progress.seconds() : begin, progress, found);
+  if(untangled.status == OK && untangled.number_of_steps > 0 && mesh.communicator->is_alone())
+  {
+    relax_flat_cells_3(mesh, solver, untangled.positions);
+    system.claim_solver();
+  }
   found.map = judged(mesh, untangled.positions);
   found.status = untangled.status;
   found.reason = untangled.reason;
+  found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
   if(found.status != OK || options.do_slide)
     return;
   minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps, progress, found,
@@ -99,6 +119,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
     progress.reach_flip_free();
     const Error_code status = progress.run(approach, begin);
     take_over(approach, status, judged(mesh, approach.positions()), found);
+    found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();
     if(approach.can_snap() && !progress.is_interrupted())
       snapped_positions = approach.snapped_positions();

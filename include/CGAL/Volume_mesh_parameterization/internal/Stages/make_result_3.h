@@ -89,6 +89,7 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
   result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
   result.number_of_inverted_cells = found.map.number_of_inverted_cells;
+  result.untangling_method = found.untangling_method;
   if(result.has_valid_map)
   {
     const std::vector<Eigen::Vector3d> s = singular_values_of_cells_3(mesh, found.map.positions);

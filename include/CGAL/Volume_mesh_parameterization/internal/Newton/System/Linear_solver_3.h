@@ -19,7 +19,10 @@
 
 #include <boost/type_index.hpp>
 
+#include <cstddef>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -37,7 +40,15 @@ public:
   virtual void analyze_pattern(const Newton_matrix_3& A) = 0;
   virtual Linear_solver_status factorize(const Newton_matrix_3& A) = 0;
   virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) = 0;
+  virtual std::size_t number_of_iterations() const { return 0; } // in all calls of `solve()`; 0 if it does not iterate
 };
+
+template <typename Solver, typename = void>
+struct Counts_iterations : std::false_type {};
+
+template <typename Solver>
+struct Counts_iterations<Solver, std::void_t<decltype(std::declval<const Solver&>().number_of_iterations())> >
+  : std::true_type {};
 
 // A model of `NewtonSolverTraits_3`, as such a solver.
 template <typename Solver>
@@ -53,13 +64,19 @@ public:
 
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
   {
-    return m_solver.solve(b, x, tolerance);
+    const Linear_solver_status status = m_solver.solve(b, x, tolerance);
+    if constexpr(Counts_iterations<Solver>::value)
+      m_number_of_iterations += m_solver.number_of_iterations();
+    return status;
   }
+
+  std::size_t number_of_iterations() const override { return m_number_of_iterations; }
 
 private:
   using Matrix = Block_sparse_matrix_3<typename Solver::NT>;
 
   Solver& m_solver;
+  std::size_t m_number_of_iterations = 0;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -22,6 +22,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Towards what reference cells to untangle, and how much their volumes count (theta in `Untangling_energy_3`).
 struct Untangling_setting
 {
+  const char* name;
   bool has_regular_cells;
   double theta;
 };
@@ -29,7 +30,9 @@ struct Untangling_setting
 // They are tried in this order. Slivers of the source would stiffen the map, so regular cells of one size come first; a
 // large and a smaller theta fail in different places. In some maps of large distortion the source serves better; there
 // theta must be small, so that parts that shrink a million times do not dominate the energy.
-constexpr std::array<Untangling_setting, 3> untangling_settings = {{ {true, 20}, {true, 0.5}, {false, 0.01} }};
+constexpr std::array<Untangling_setting, 3> untangling_settings = {{
+  {"regular cells, theta 20", true, 20}, {"regular cells, theta 0.5", true, 0.5}, {"cells of the source", false, 0.01}
+}};
 
 // From a map with few inverted cells on.
 constexpr Untangling_setting setting_to_go_on = untangling_settings[0];

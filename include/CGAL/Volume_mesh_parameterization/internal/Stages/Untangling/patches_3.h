@@ -1,0 +1,134 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_PATCHES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_PATCHES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Some free vertices of a mesh, which may move, and all cells around them.
+struct Patch_3
+{
+  std::set<int> moving;
+  std::vector<std::size_t> cells;
+};
+
+// The free vertices of those cells for which `is_chosen` is true.
+template <typename Condition>
+std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition& is_chosen)
+{
+  std::vector<bool> result(mesh.number_of_vertices());
+  for(const std::array<int, 4>& cell : mesh.cells)
+    if(is_chosen(cell))
+      for(const int v : cell)
+        if(mesh.is_free(v))
+          result[v] = true;
+  return result;
+}
+
+// The cells for which `is_chosen` is true with rings of cells around them, whose free vertices move: one patch for each
+// connected part.
+template <typename Condition>
+std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Condition& is_chosen, const int number_of_rings)
+{
+  std::vector<bool> is_moving = free_vertices_of(mesh, is_chosen);
+  const auto moves = [&](const int v) { return bool(is_moving[v]); };
+  for(int ring = 1; ring < number_of_rings; ++ring)
+    is_moving = free_vertices_of(mesh, [&](const std::array<int, 4>& cell)
+                                       { return std::any_of(cell.begin(), cell.end(), moves); });
+
+  Disjoint_sets components(mesh.number_of_free_vertices);
+  std::vector<std::pair<std::size_t, int> > cells; // with one of their moving vertices
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    const std::array<int, 4>& cell = mesh.cells[c];
+    const auto first = std::find_if(cell.begin(), cell.end(), moves);
+    if(first == cell.end())
+      continue;
+    cells.emplace_back(c, *first);
+    for(auto v = first + 1; v != cell.end(); ++v)
+      if(moves(*v))
+        components.unite(*first, *v);
+  }
+  std::map<std::size_t, Patch_3> patches;
+  for(const auto& [c, v] : cells)
+  {
+    Patch_3& patch = patches[components.find(v)];
+    patch.cells.push_back(c);
+    std::copy_if(mesh.cells[c].begin(), mesh.cells[c].end(), std::inserter(patch.moving, patch.moving.end()), moves);
+  }
+  std::vector<Patch_3> result;
+  for(auto& [component, patch] : patches)
+    result.push_back(std::move(patch));
+  return result;
+}
+
+// A patch as a mesh of its own, in which the vertices that do not move are prescribed where they are.
+struct Patch_mesh_3
+{
+  Numbered_mesh_3 mesh;
+  std::vector<int> vertices; // their numbers in the mesh of the patch
+  Eigen::Matrix3Xd positions;
+
+  Patch_mesh_3(const Numbered_mesh_3& whole, const Eigen::Matrix3Xd& image, const Patch_3& patch)
+    : vertices(patch.moving.begin(), patch.moving.end())
+  {
+    mesh.number_of_free_vertices = static_cast<int>(vertices.size());
+    std::map<int, int> number;
+    for(const int v : vertices)
+      number.emplace(v, static_cast<int>(number.size()));
+    for(const std::size_t c : patch.cells)
+    {
+      mesh.cells.push_back(whole.cells[c]);
+      for(int& v : mesh.cells.back())
+      {
+        const auto inserted = number.emplace(v, static_cast<int>(number.size()));
+        if(inserted.second)
+          vertices.push_back(v);
+        v = inserted.first->second;
+      }
+    }
+    positions.resize(3, vertices.size());
+    mesh.source.resize(3, vertices.size());
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      mesh.source.col(i) = whole.source.col(vertices[i]);
+      positions.col(i) = image.col(vertices[i]);
+    }
+    mesh.target = positions;
+    mesh.target.leftCols(mesh.number_of_free_vertices).setZero();
+  }
+
+  // Puts the images of the vertices that move back to the whole mesh.
+  void write(Eigen::Matrix3Xd& image) const
+  {
+    for(int i = 0; i < mesh.number_of_free_vertices; ++i)
+      image.col(vertices[i]) = positions.col(i);
+  }
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_PATCHES_3_H
