@@ -20,9 +20,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Improvement/improve_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Improvement/improve_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_corners_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
 
 #include <Eigen/Core>

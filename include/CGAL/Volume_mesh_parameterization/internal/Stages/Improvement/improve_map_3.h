@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_MAP_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_MAP_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_IMPROVE_MAP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_IMPROVE_MAP_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -21,12 +21,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Improvement/bound_angle_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Improvement/minimize_angle_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/bound_angle_distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_angle_distortion_3.h>
 
 #include <cmath>
 #include <optional>
@@ -73,4 +73,4 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_MAP_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_IMPROVE_MAP_3_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MINIMIZE_ANGLE_DISTORTION_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MINIMIZE_ANGLE_DISTORTION_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_MINIMIZE_ANGLE_DISTORTION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_MINIMIZE_ANGLE_DISTORTION_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -18,8 +18,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/unavoidable_angle_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Improvement/bound_angle_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/bound_angle_distortion_3.h>
 
 #include <cmath>
 
@@ -57,4 +57,4 @@ void minimize_angle_distortion_3(const Numbered_mesh_3& mesh, const Cell_energy_
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_MINIMIZE_ANGLE_DISTORTION_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_MINIMIZE_ANGLE_DISTORTION_3_H
