@@ -17,7 +17,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Notices that a minimization goes on and on far from its end: in ten steps, the energy falls by less than 0.2 %, and
+// Notices that a minimization goes on and on far from its end: in ten steps, the energy falls by less than 0.1 %, and
 // the squared Newton decrement, which falls fast near a minimum, hardly at all.
 class Stagnation
 {
@@ -29,7 +29,7 @@ public:
     m_is_noticed = false;
     if(++m_number_of_steps % number_of_steps != 0)
       return;
-    m_is_noticed = m_energy - energy < 2e-3 * energy && m_smallest_decrement > 0.1 * m_previous_decrement;
+    m_is_noticed = m_energy - energy < 1e-3 * energy && m_smallest_decrement > 0.1 * m_previous_decrement;
     m_energy = energy;
     m_previous_decrement = m_smallest_decrement;
     m_smallest_decrement = std::numeric_limits<double>::infinity();
