@@ -608,10 +608,10 @@ TEST_CASE("A minimization stagnates where neither the energy nor the decrement f
     }
     return result;
   };
-  CHECK(is_noticed(0.9999, 1));
-  CHECK(is_noticed(0.9999, 0.9));
-  CHECK(!is_noticed(0.9999, 0.7)); // near a minimum
-  CHECK(!is_noticed(0.999, 1));
+  CHECK(is_noticed(0.99995, 1));
+  CHECK(is_noticed(0.99995, 0.9));
+  CHECK(!is_noticed(0.99995, 0.7)); // near a minimum
+  CHECK(!is_noticed(0.9998, 1));
 }
 
 TEST_CASE("A cell that the boundary makes flat does not keep the other vertices from their minimum")
