@@ -14,7 +14,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Minimal_subset.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Split_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/split_patch_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
@@ -398,6 +401,112 @@ TEST_CASE("Patches leave a map without inverted cells as it is, and end where th
   CHECK(stuck.status() == VMP::ERROR_NOT_FLIP_FREE);
   CHECK(number_of_inverted_cells(mesh, stuck.positions()) > 0);
   CHECK(number_of_inverted_cells(mesh, stuck.positions()) <= number_of_inverted_cells(mesh, start));
+}
+
+namespace {
+
+// All cells of a prism over an octagon meet in a vertex in its middle. Its target is a prism over a U, where no point sees
+// the inner walls of both arms, so that this vertex has no place.
+Numbered_mesh_3 prism_to_U()
+{
+  constexpr int n = 8;
+  constexpr double U[n][2] = { {0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2} };
+  constexpr int triangles[n - 2][3] = { {0, 1, 4}, {0, 4, 5}, {1, 2, 4}, {2, 3, 4}, {0, 5, 7}, {5, 6, 7} };
+  Numbered_mesh_3 mesh;
+  mesh.number_of_free_vertices = 1;
+  mesh.source.setZero(3, 1 + 2 * n);
+  mesh.target.setZero(3, 1 + 2 * n);
+  for(int i = 0; i < n; ++i)
+    for(int z = 0; z < 2; ++z)
+    {
+      const double angle = (2 * i + 1) * 3.14159265358979 / n;
+      mesh.source.col(1 + i + n * z) << std::cos(angle), std::sin(angle), z - 0.5;
+      mesh.target.col(1 + i + n * z) << U[i][0], U[i][1], z;
+    }
+  const auto add_cell = [&](const int a, const int b, const int c) { mesh.cells.push_back({ 0, 1 + a, 1 + b, 1 + c }); };
+  for(const auto& [a, b, c] : triangles)
+  {
+    add_cell(a, b, c);
+    add_cell(n + a, n + c, n + b);
+  }
+  for(int i = 0; i < n; ++i)
+  {
+    const int j = (i + 1) % n;
+    add_cell(i, n + j, j);
+    add_cell(i, n + i, n + j);
+  }
+  for(std::array<int, 4>& cell : mesh.cells) // seen from outside so far
+    std::swap(cell[2], cell[3]);
+  return mesh;
+}
+
+} // namespace
+
+TEST_CASE("Of many items only those are kept that are needed, with few questions")
+{
+  for(const std::vector<int>& needed : { std::vector<int>{ 3, 17, 64 }, std::vector<int>{ 99 }, std::vector<int>{ 0, 1 } })
+  {
+    std::vector<int> items(100);
+    std::iota(items.begin(), items.end(), 0);
+    VMP::internal::Minimal_subset<int> subset(items);
+    int number_of_questions = 0;
+    for(; subset.is_running(); ++number_of_questions)
+    {
+      const std::vector<int> question = subset.question();
+      REQUIRE(!question.empty());
+      REQUIRE(question.size() < subset.items().size());
+      subset.answer(std::includes(question.begin(), question.end(), needed.begin(), needed.end()));
+    }
+    CHECK(subset.items() == needed);
+    CHECK(number_of_questions < 60);
+  }
+  CHECK(!VMP::internal::Minimal_subset<int>({ 5 }).is_running());
+  VMP::internal::Minimal_subset<int> all({ 1, 2, 3 });
+  while(all.is_running())
+    all.answer(false);
+  CHECK(all.items().size() == 3);
+}
+
+TEST_CASE("Cells around split edges are halved")
+{
+  Numbered_mesh_3 mesh = cube_mesh(3);
+  const std::size_t number_of_cells = mesh.cells.size();
+  const int number_of_free_vertices = mesh.number_of_free_vertices;
+  const std::array<int, 4> cell = mesh.cells[100];
+  const std::vector<std::array<int, 2> > edges = { { cell[0], cell[1] }, { cell[2], cell[3] }, { cell[3], cell[0] } };
+  Matrix3Xd image = 2 * mesh.source;
+  const double volume = VMP::internal::volume(mesh, mesh.source);
+  split_patch_edges_3(mesh, image, edges);
+  CHECK(mesh.number_of_free_vertices == number_of_free_vertices + 3);
+  CHECK(image == 2 * mesh.source);
+  CHECK(mesh.cells.size() >= number_of_cells + 3);
+  CHECK(number_of_inverted_cells(mesh, mesh.source) == 0);
+  CHECK(VMP::internal::volume(mesh, mesh.source) == Approx(volume));
+  for(int i = 0; i < 3; ++i)
+    CHECK(std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const std::array<int, 4>& c)
+                      { return std::find(c.begin(), c.end(), number_of_free_vertices + i) != c.end(); }));
+}
+
+TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")
+{
+  Numbered_mesh_3 mesh = prism_to_U();
+  REQUIRE(number_of_inverted_cells(mesh, mesh.source) == 0);
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  Matrix3Xd image = mesh.target;
+  image.col(0) = Vector3d(1.5, 0.5, 0.5);
+  REQUIRE(VMP::internal::untangle_patch_3(mesh, linear_solver, image) > 0);
+
+  VMP::internal::Split_search_3 search(mesh, linear_solver, image);
+  while(search.is_running())
+    search.step();
+  CHECK(search.edges().size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
+  CHECK(search.edges().size() <= 8); // of 16
+  CHECK(search.positions() == image);
+  split_patch_edges_3(mesh, image, search.edges());
+  CHECK(VMP::internal::untangle_patch_3(mesh, linear_solver, image) == 0);
+  CHECK(number_of_inverted_cells(mesh, image) == 0);
+  CHECK(has_target_boundary(mesh, image));
 }
 
 TEST_CASE("Flat cells become thicker, and only the vertices of flat cells move")

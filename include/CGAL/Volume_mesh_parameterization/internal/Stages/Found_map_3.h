@@ -16,9 +16,11 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Diagnosis_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -32,6 +34,7 @@ struct Found_map_3
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
   bool is_stuck = false;                // with so few inverted cells that they are to be split
+  std::vector<std::array<int, 2> > splits; // edges, if some were found with which fewer cells stay inverted
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
   double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized

@@ -30,6 +30,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Split_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/completed_initial_map_3.h>
@@ -128,6 +129,21 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
     find_map_with_fixed_boundary_3(mesh, energy, solver, options, *snapped_positions, progress, found);
 }
 
+// What to split where untangling is stuck.
+inline Found_map_3 with_splits(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress,
+                               Found_map_3 found)
+{
+  Split_search_3 search(mesh, solver, found.map.positions);
+  progress.run(search, progress.seconds());
+  found.splits = search.edges();
+  if(progress.is_interrupted())
+  {
+    found.status = ERROR_INTERRUPTED;
+    found.is_stuck = false;
+  }
+  return found;
+}
+
 // From numbered arrays to the images of their vertices, by the stages that are allowed, one after the other.
 inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
                               Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
@@ -142,7 +158,7 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
     found.is_stuck = found.status == ERROR_NOT_FLIP_FREE
       && found.map.number_of_inverted_cells <= options.untangling.most_inverted_cells_to_split;
     if(found.is_stuck)
-      return found;
+      return with_splits(mesh, solver, progress, std::move(found));
     if(found.status == ERROR_NOT_FLIP_FREE && mesh.communicator->is_alone())
       found.diagnosis = diagnose_3(mesh, found.map.positions);
   }

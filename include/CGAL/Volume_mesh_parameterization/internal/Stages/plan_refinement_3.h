@@ -87,7 +87,8 @@ inline std::vector<std::array<int, 2> > one_edge_of_each_cell(const Numbered_mes
   return result;
 }
 
-// Splits one edge of each cell that untangling has left inverted. After two rounds in vain, gives up and splits nothing.
+// Splits the edges found, or else one of each cell that untangling has left inverted. After two rounds in vain, gives up and
+// splits nothing.
 inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
                                        const Stuck_untangling_3& before)
 {
@@ -105,7 +106,7 @@ inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_
   untangling.goes_on = untangling.number_of_vain_rounds < patience;
   untangling.has_given_up = !untangling.goes_on;
   if(untangling.goes_on)
-    plan.edges = one_edge_of_each_cell(mesh, cells);
+    plan.edges = found.splits.empty() ? one_edge_of_each_cell(mesh, cells) : found.splits;
   return plan;
 }
 

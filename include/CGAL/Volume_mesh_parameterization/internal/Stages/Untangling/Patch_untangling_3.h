@@ -14,17 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Untangler_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_setting.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patch_3.h>
 
 #include <Eigen/Core>
 
@@ -63,7 +57,6 @@ public:
 
 private:
   static constexpr int maximal_number_of_rings = 2;
-  static constexpr int maximal_number_of_steps = 60;
 
   void begin_sweep()
   {
@@ -80,48 +73,13 @@ private:
   void untangle(const Patch_3& patch)
   {
     Patch_mesh_3 p(m_mesh, m_positions, patch);
-    // the volume does not depend on the free vertices
-    if(volume(p.mesh, p.mesh.target) > 0 && improve(p.mesh, p.positions))
+    if(!(volume(p.mesh, p.mesh.target) > 0)) // which does not depend on the free vertices
+      return;
+    const std::size_t before = inverted_cells(p.mesh, p.positions).number;
+    const std::size_t after = untangle_patch_3(p.mesh, m_solver, p.positions);
+    m_number_of_inverted_cells -= before - after;
+    if(after < before)
       p.write(m_positions);
-  }
-
-  // From the positions and from the harmonic map, with each setting, until no cell is inverted. Returns whether fewer are.
-  bool improve(const Numbered_mesh_3& patch, Eigen::Matrix3Xd& positions)
-  {
-    const std::size_t before = inverted_cells(patch, positions).number;
-    std::size_t fewest = before;
-    const Eigen::Matrix3Xd start = positions;
-    for(const bool is_harmonic : {false, true})
-      for(const Untangling_setting& setting : untangling_settings)
-      {
-        if(fewest == 0)
-          break;
-        Newton_system_3 system(patch, reference_cells(patch, setting), free_vertices(patch), m_solver, false);
-        Eigen::Matrix3Xd u = system.unit() * start;
-        if(is_harmonic)
-          harmonic_map_3(system, u);
-        const Eigen::Matrix3Xd found = snapped(patch, untangled(patch, system, u, setting.theta) / system.unit());
-        const std::size_t number = inverted_cells(patch, found).number;
-        if(number < fewest)
-        {
-          fewest = number;
-          positions = found;
-        }
-      }
-    m_number_of_inverted_cells -= before - fewest;
-    return fewest < before;
-  }
-
-  // Cells that have just become positive are flat.
-  static Eigen::Matrix3Xd untangled(const Numbered_mesh_3& patch, Newton_system_3& system, const Eigen::Matrix3Xd& u,
-                                    const double theta)
-  {
-    Untangler_3 untangler(system, u, theta);
-    for(int i = 0; i < maximal_number_of_steps && untangler.step() == Step_status::CONTINUE; ++i) {}
-    if(!untangler.evaluation().is_flip_free())
-      return untangler.positions();
-    system.set_references(patch, cells_scaled_to_target(patch));
-    return relaxed_3(system, untangler.positions());
   }
 
   const Numbered_mesh_3& m_mesh;

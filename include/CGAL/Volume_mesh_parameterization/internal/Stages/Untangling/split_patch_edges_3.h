@@ -1,0 +1,92 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_SPLIT_PATCH_EDGES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_SPLIT_PATCH_EDGES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The edges of a patch with an end that moves, such that a cell around it is inverted. Those of inverted cells come last.
+inline std::vector<std::array<int, 2> > edges_around_inverted_cells(const Numbered_mesh_3& patch,
+                                                                    const Eigen::Matrix3Xd& image)
+{
+  const std::vector<bool> is_center
+    = free_vertices_of(patch, [&](const std::array<int, 4>& cell) { return !is_positive(image, cell); });
+  std::map<std::array<int, 2>, bool> is_of_inverted_cell;
+  for(const std::array<int, 4>& cell : patch.cells)
+    for(const int a : cell)
+      for(const int b : cell)
+        if(a < b && (is_center[a] || is_center[b]))
+          is_of_inverted_cell[{a, b}] |= !is_positive(image, cell);
+  std::vector<std::array<int, 2> > result;
+  for(const bool is_last : {false, true})
+    for(const auto& [edge, is_of_inverted] : is_of_inverted_cell)
+      if(is_of_inverted == is_last)
+        result.push_back(edge);
+  return result;
+}
+
+// The points with the midpoints of edges, which come after the first n points.
+inline Eigen::Matrix3Xd with_midpoints(const Eigen::Matrix3Xd& points, const std::vector<std::array<int, 2> >& edges,
+                                       const int n)
+{
+  Eigen::Matrix3Xd result(3, points.cols() + edges.size());
+  result.leftCols(n) = points.leftCols(n);
+  result.rightCols(points.cols() - n) = points.rightCols(points.cols() - n);
+  for(std::size_t i = 0; i < edges.size(); ++i)
+    result.col(n + i) = (points.col(edges[i][0]) + points.col(edges[i][1])) / 2;
+  return result;
+}
+
+// Splits edges of a patch, one after the other, at their midpoints in source and image. The new vertices move.
+inline void split_patch_edges_3(Numbered_mesh_3& patch, Eigen::Matrix3Xd& image,
+                                const std::vector<std::array<int, 2> >& edges)
+{
+  const int n = patch.number_of_free_vertices;
+  const int number_of_edges = static_cast<int>(edges.size());
+  patch.source = with_midpoints(patch.source, edges, n);
+  image = with_midpoints(image, edges, n);
+  patch.number_of_free_vertices += number_of_edges;
+  patch.target = image;
+  patch.target.leftCols(patch.number_of_free_vertices).setZero();
+
+  const auto number = [&](const int v) { return v < n ? v : v + number_of_edges; };
+  for(std::array<int, 4>& cell : patch.cells)
+    std::transform(cell.begin(), cell.end(), cell.begin(), number);
+  for(int i = 0; i < number_of_edges; ++i)
+    for(std::size_t c = patch.cells.size(); c-- > 0; )
+    {
+      std::array<int, 4> halves[2] = { patch.cells[c], patch.cells[c] };
+      const auto a = std::find(halves[0].begin(), halves[0].end(), number(edges[i][0]));
+      const auto b = std::find(halves[1].begin(), halves[1].end(), number(edges[i][1]));
+      if(a == halves[0].end() || b == halves[1].end())
+        continue;
+      *a = *b = n + i;
+      patch.cells[c] = halves[0];
+      patch.cells.push_back(halves[1]);
+    }
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_SPLIT_PATCH_EDGES_3_H
