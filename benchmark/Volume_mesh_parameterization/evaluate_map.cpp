@@ -1,5 +1,5 @@
-// Evaluates a map at random points: round trips, and points a second, against point location by a Delaunay
-// triangulation of the same vertices in the same run.
+// Evaluates a map at random points: round trips, points outside, and points a second, against point location by a
+// Delaunay triangulation of the same vertices in the same run.
 //
 //     evaluate_map [SOURCE.mesh TARGET.mesh [NUMBER_OF_POINTS]]
 //
@@ -8,6 +8,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -73,6 +74,27 @@ std::vector<Point_3> random_points(const Tetrahedron_soup_3& soup, const std::si
   return points;
 }
 
+// Above each facet of the boundary, a billionth of the diagonal away, and as many well outside of the bounding box.
+std::vector<Point_3> points_outside(const Tetrahedron_soup_3& soup, const CGAL::Bbox_3& box, const double diagonal)
+{
+  std::vector<std::array<int, 4> > cells(soup.cells.size());
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    std::copy(soup.cells[c].begin(), soup.cells[c].end(), cells[c].begin());
+  const auto point = [&](const int v) { return Eigen::Map<const Eigen::Vector3d>(soup.points[v].data()); };
+  const Eigen::Vector3d center = Eigen::Vector3d(box.xmin() + box.xmax(), box.ymin() + box.ymax(),
+                                                 box.zmin() + box.zmax()) / 2;
+  std::vector<Point_3> result;
+  for(const auto& [a, b, c] : VMP::internal::boundary_facets_3(cells))
+  {
+    const Eigen::Vector3d normal = (point(b) - point(a)).cross(point(c) - point(a)).stableNormalized();
+    const Eigen::Vector3d above = (point(a) + point(b) + point(c)) / 3 + 1e-9 * diagonal * normal;
+    const Eigen::Vector3d away = center + diagonal * normal;
+    result.emplace_back(above[0], above[1], above[2]);
+    result.emplace_back(away[0], away[1], away[2]);
+  }
+  return result;
+}
+
 // Calls f and prints how many points a second it has done.
 template <typename Function>
 void time(const std::string& name, const std::size_t n, const Function& f)
@@ -104,6 +126,12 @@ void measure_round_trips(const VMP::Volume_map_3& map, const std::vector<Point_3
             << " of the points and " << not_found_back << " of their images outside\n";
 }
 
+void measure_points_outside(const VMP::Volume_map_3& map, const std::vector<Point_3>& points)
+{
+  std::cout << std::count_if(points.begin(), points.end(), [&](const Point_3& p) { return map.image(p).has_value(); })
+            << " of " << points.size() << " points outside, half of them just above the boundary, are found\n";
+}
+
 } // namespace
 
 int main(const int argc, char* argv[])
@@ -130,7 +158,9 @@ try
   time("image, parallel", n, [&] { map.images<CGAL::Parallel_if_available_tag>(points); });
   time("Delaunay locate", n, [&] { for(const Point_3& p : points) delaunay.locate(p); });
   const CGAL::Bbox_3 box = CGAL::bbox_3(vertices.begin(), vertices.end());
-  measure_round_trips(map, points, std::hypot(box.x_span(), box.y_span(), box.z_span()));
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  measure_round_trips(map, points, diagonal);
+  measure_points_outside(map, points_outside(source, box, diagonal));
   return EXIT_SUCCESS;
 }
 catch(const std::exception& error)
