@@ -273,6 +273,62 @@ TEST_CASE("Vertices slide where the map has turned the faces of a box")
   CHECK(enclosed_volume(mesh) == Approx(216)); // the edges of the box are edges of hexahedra
 }
 
+TEST_CASE("Vertices move one after the other on a curved boundary until corners suffice")
+{
+  const Body ball(8, 0, rounded);
+  const VMP::Volume_map_3 map(ball.soup.points, ball.soup.cells, ball.images);
+  const VMP::internal::Box_grid_3 grid(ball.soup.cells, ball.images, 1);
+  const Hexahedron_soup_3 boxes = grid.boxes([](const auto& centers) { return std::vector<bool>(centers.size(), true); });
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+  VMP::internal::Pulled_back_hexahedra_3<CGAL::Sequential_tag> hexahedra(map, ball.soup.points, ball.soup.cells,
+                                                                         ball.images, boxes, 1, linear_solver);
+  const Hexahedron_soup_3 before = hexahedra.mesh();
+  REQUIRE(VMP::internal::judged(before, false).minimal_scaled_jacobian < 0.11); // two faces of the cube on the sphere
+  VMP::internal::smooth_hexahedra_3(hexahedra, 0.3);
+  CHECK(VMP::internal::judged(hexahedra.mesh(), false).minimal_scaled_jacobian > 0.2);
+
+  for(std::size_t v = 0; v < boxes.points.size(); ++v)
+  {
+    const std::array<double, 3>& image = boxes.points[v];
+    const auto number_of_planes = std::count(image.begin(), image.end(), 0) + std::count(image.begin(), image.end(), 8);
+    if(number_of_planes > 0)
+      CHECK(ball.distance_to_boundary(hexahedra.mesh().points[v]) < 1e-13);
+    if(number_of_planes == 2)
+      for(int axis = 0; axis < 3; ++axis) // still on the image of its edge
+        if(image[axis] == 0 || image[axis] == 8)
+          CHECK(hexahedra.place(v).image[axis] == image[axis]);
+    if(number_of_planes == 3)
+      CHECK(hexahedra.mesh().points[v] == before.points[v]);
+  }
+}
+
+TEST_CASE("A vertex does not move where its quadrangles would not cover the boundary once")
+{
+  const Body box(4, 0, same);
+  const VMP::Volume_map_3 map(box.soup.points, box.soup.cells, box.images);
+  const VMP::internal::Box_grid_3 grid(box.soup.cells, box.images, 1);
+  const Hexahedron_soup_3 boxes = grid.boxes([](const auto& centers) { return std::vector<bool>(centers.size(), true); });
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+  VMP::internal::Pulled_back_hexahedra_3<CGAL::Sequential_tag> hexahedra(map, box.soup.points, box.soup.cells,
+                                                                         box.images, boxes, 1, linear_solver);
+  const auto can_move = [&](const std::array<double, 3>& from, const std::array<double, 3>& offset)
+  {
+    const auto v = std::find(boxes.points.begin(), boxes.points.end(), from) - boxes.points.begin();
+    const auto place = hexahedra.place(v);
+    const bool result = hexahedra.move(v, offset);
+    hexahedra.put(v, place);
+    return result;
+  };
+  CHECK(can_move({2, 2, 0}, {0.4, 0.4, 0}));
+  CHECK_FALSE(can_move({2, 2, 0}, {0.6, 0.6, 0})); // across the diagonal of a square
+  CHECK_FALSE(can_move({2, 2, 0}, {0, 0, 0.1}));   // off its face
+  CHECK(can_move({2, 0, 0}, {0.4, 0, 0}));
+  CHECK_FALSE(can_move({2, 0, 0}, {0.4, 0.1, 0})); // off its edge
+  CHECK_FALSE(can_move({0, 0, 0}, {0.1, 0, 0}));
+}
+
 TEST_CASE("Hexahedra do not depend on the number of threads")
 {
 #ifdef CGAL_LINKED_WITH_TBB

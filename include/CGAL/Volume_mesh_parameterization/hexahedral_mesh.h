@@ -24,6 +24,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/check_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/judge_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pad_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
@@ -32,6 +33,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -43,28 +45,46 @@ namespace internal {
 
 constexpr double sufficient_scaled_jacobian = 0.3;
 
-// Improves hexahedra until they suffice, and keeps the best ones: first with the vertices on the boundary fixed.
+inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
+{
+  return a.number_of_inverted_corners != b.number_of_inverted_corners
+         ? a.number_of_inverted_corners < b.number_of_inverted_corners
+         : a.minimal_scaled_jacobian > b.minimal_scaled_jacobian;
+}
+
+// Improves hexahedra until they suffice, and keeps the best ones: first with the vertices on the boundary fixed, then
+// all at once, as long as that helps, and then one after the other where corners around them are bad.
 template <typename ConcurrencyTag>
 Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra,
                                          const bool has_padding, Hexahedron_soup_3& best)
 {
-  constexpr int maximal_number_of_rounds = 4;
+  constexpr int maximal_number_of_rounds = 16, patience = 4;
+  constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
   hexahedra.improve_inside();
   best = hexahedra.mesh();
   Hexahedral_mesh_result result = judged(best, has_padding);
-  for(int round = 0; round < maximal_number_of_rounds; ++round)
+  const auto keep_if_better = [&]
+  {
+    const Hexahedral_mesh_result next = judged(hexahedra.mesh(), has_padding);
+    if(!is_better(next, result))
+      return false;
+    result = next;
+    best = hexahedra.mesh();
+    return true;
+  };
+  bool is_sliding = true;
+  for(int round = 0, in_vain = 0; round < maximal_number_of_rounds && in_vain < patience; ++round)
   {
     if(result.minimal_scaled_jacobian >= sufficient_scaled_jacobian)
       break;
-    if(!hexahedra.slide())
-      break;
+    is_sliding = is_sliding && hexahedra.slide();
+    if(!is_sliding)
+      smooth_hexahedra_3(hexahedra, (std::max)(0., result.minimal_scaled_jacobian) + gain);
+    bool is_better_now = keep_if_better();
     hexahedra.improve_inside();
-    const Hexahedral_mesh_result next = judged(hexahedra.mesh(), has_padding);
-    if(next.minimal_scaled_jacobian > result.minimal_scaled_jacobian)
-    {
-      result = next;
-      best = hexahedra.mesh();
-    }
+    is_better_now = keep_if_better() || is_better_now;
+    in_vain = is_better_now || is_sliding ? 0 : in_vain + 1;
+    is_sliding = is_sliding && is_better_now;
   }
   return result;
 }
@@ -85,11 +105,13 @@ similar to the corner of a cube by minimizing `MIPS_energy_3`. As long as the mi
 
 - those on the boundary move as well, a few times, in the tangent planes of the boundary and along the edges that are
   mapped to those of the domain, and are put back onto it through the map,
+- then, if that does not help, vertices move one after the other such that the corners around them become better, those
+  on the boundary in the faces and along the edges of the domain,
 - a second mesh is made, with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where
   an edge of the domain is mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so.
 
-The best of these meshes is returned. That all corners are positive is checked with exact predicates on the coordinates
-written.
+The best of these meshes is returned: that with the fewest inverted corners, or, among these, with the largest minimal
+scaled Jacobian. That all corners are positive is checked with exact predicates on the coordinates written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -151,10 +173,10 @@ Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >
     if(!(result.minimal_scaled_jacobian >= internal::sufficient_scaled_jacobian))
     {
       internal::Pulled_back_hexahedra_3<ConcurrencyTag> hexahedra(
-        map, points, cells, images, has_padding ? internal::padded(boxes) : boxes, linear_solver);
+        map, points, cells, images, has_padding ? internal::padded(boxes) : boxes, spacing, linear_solver);
       Hexahedron_soup_3 candidate;
       const Hexahedral_mesh_result of_candidate = internal::improve_in_rounds(hexahedra, has_padding, candidate);
-      if(!has_padding || of_candidate.minimal_scaled_jacobian > result.minimal_scaled_jacobian)
+      if(!has_padding || internal::is_better(of_candidate, result))
       {
         result = of_candidate;
         found = std::move(candidate);

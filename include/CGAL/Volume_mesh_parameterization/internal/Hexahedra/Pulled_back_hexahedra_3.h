@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -35,20 +36,22 @@ template <typename ConcurrencyTag>
 class Pulled_back_hexahedra_3
 {
 public:
+  // The spacing is that of the domain.
   Pulled_back_hexahedra_3(const Volume_map_3& map, const std::vector<std::array<double, 3> >& points,
                           const std::vector<std::array<std::size_t, 4> >& cells,
                           const std::vector<std::array<double, 3> >& images, const Hexahedron_soup_3& domain,
-                          Linear_solver_3& solver)
+                          const double spacing, Linear_solver_3& solver)
     : m_map(map), m_points(points), m_cells(cells), m_images(images), m_domain(domain), m_mesh(domain),
+      m_spacing(spacing), m_quadrangles(domain.points.size()),
       m_cell_of_vertex(domain.points.size()), m_is_inside(domain.points.size(), Eigen::Matrix3d::Identity()),
       m_moves_along(domain.points.size(), { true, true, true }), m_solver(solver)
   {
     for(const Quadrangle& quadrangle : boundary_quadrangles_3(domain))
     {
       const std::size_t axis = normal_axis(quadrangle);
-      m_boundary.push_back({ quadrangle, axis, turn(quadrangle, 0, axis) > 0 });
       for(const std::size_t v : quadrangle)
       {
+        m_quadrangles[v].push_back({ quadrangle, axis, turn(quadrangle, 0, axis) > 0 });
         m_moves_along[v][axis] = false;
         m_is_inside[v].setZero();
       }
@@ -57,6 +60,8 @@ public:
   }
 
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
+  bool is_on_boundary(const std::size_t v) const { return m_is_inside[v].isZero(0); }
+  double spacing() const { return m_spacing; }
 
   // Moves the vertices inside.
   void improve_inside() { improve_hexahedra_3(m_mesh, m_is_inside, m_solver, is_parallel<ConcurrencyTag>()); }
@@ -83,13 +88,49 @@ public:
         else
           m_mesh.points[v] = { p[0], p[1], p[2] };
       }
-      if(has_convex_boundary())
+      std::size_t v = 0;
+      while(v < m_mesh.points.size() && has_convex_quadrangles(v))
+        ++v;
+      if(v == m_mesh.points.size())
         return true;
       m_mesh = mesh;
       m_domain = domain;
       m_cell_of_vertex = cell_of_vertex;
     }
     return false;
+  }
+
+  // A vertex in the domain and in the body, and the cell there.
+  struct Place
+  {
+    std::array<double, 3> image, point;
+    std::size_t cell;
+  };
+
+  Place place(const std::size_t v) const { return { m_domain.points[v], m_mesh.points[v], m_cell_of_vertex[v] }; }
+
+  void put(const std::size_t v, const Place& place)
+  {
+    m_domain.points[v] = place.image;
+    m_mesh.points[v] = place.point;
+    m_cell_of_vertex[v] = place.cell;
+  }
+
+  // Moves a vertex, in the body, or in the domain if it is on the boundary. Returns false if that does not allow it.
+  bool move(const std::size_t v, const std::array<double, 3>& offset)
+  {
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if(is_on_boundary(v) && offset[axis] != 0 && !m_moves_along[v][axis])
+        return false;
+      (is_on_boundary(v) ? m_domain : m_mesh).points[v][axis] += offset[axis];
+    }
+    if(!is_on_boundary(v))
+      return true;
+    const auto location = has_convex_quadrangles(v) ? m_map.preimage(image_of(v)) : std::nullopt;
+    if(location)
+      take(v, *location);
+    return location.has_value();
   }
 
 private:
@@ -103,17 +144,15 @@ private:
     bool turns_left;
   };
 
-  // Are the quadrangles of the boundary convex in the domain, and oriented as at first? Then they cover it once.
-  bool has_convex_boundary() const
+  // Are the quadrangles of the boundary around a vertex convex in the domain, and oriented as at first? If all are,
+  // they cover it once.
+  bool has_convex_quadrangles(const std::size_t v) const
   {
-    return std::all_of(m_boundary.begin(), m_boundary.end(), [&](const Boundary_quadrangle& quadrangle)
-    {
-      const double sign = quadrangle.turns_left ? 1 : -1;
+    for(const Boundary_quadrangle& quadrangle : m_quadrangles[v])
       for(std::size_t i = 0; i < 4; ++i)
-        if(!(sign * turn(quadrangle.vertices, i, quadrangle.axis) > 0))
+        if(!((quadrangle.turns_left ? 1 : -1) * turn(quadrangle.vertices, i, quadrangle.axis) > 0))
           return false;
-      return true;
-    });
+    return true;
   }
 
   // At a corner of a quadrangle of the domain: the area of the parallelogram there, seen along the axis.
@@ -125,8 +164,6 @@ private:
     };
     return edge_to(i + 1).cross(edge_to(i + 3))[axis];
   }
-
-  bool is_on_boundary(const std::size_t v) const { return m_is_inside[v].isZero(0); }
 
   std::size_t normal_axis(const Quadrangle& quadrangle) const
   {
@@ -143,11 +180,17 @@ private:
   void pull_back()
   {
     std::vector<Volume_map_3::Point_3> points;
-    for(const std::array<double, 3>& p : m_domain.points)
-      points.emplace_back(p[0], p[1], p[2]);
+    for(std::size_t v = 0; v < m_domain.points.size(); ++v)
+      points.push_back(image_of(v));
     const auto locations = m_map.template preimages<ConcurrencyTag>(points);
     for(std::size_t v = 0; v < points.size(); ++v)
       take(v, locations[v] ? *locations[v] : *m_map.nearest_preimage(points[v])); // padding may leave the domain
+  }
+
+  Volume_map_3::Point_3 image_of(const std::size_t v) const
+  {
+    const std::array<double, 3>& q = m_domain.points[v];
+    return Volume_map_3::Point_3(q[0], q[1], q[2]);
   }
 
   void take(const std::size_t v, const Volume_map_3::Location& location)
@@ -200,7 +243,8 @@ private:
   const std::vector<std::array<std::size_t, 4> >& m_cells;
   const std::vector<std::array<double, 3> >& m_images;
   Hexahedron_soup_3 m_domain, m_mesh;
-  std::vector<Boundary_quadrangle> m_boundary;
+  double m_spacing;
+  std::vector<std::vector<Boundary_quadrangle> > m_quadrangles; // around each vertex
   std::vector<std::size_t> m_cell_of_vertex; // of the tetrahedral mesh
   std::vector<Eigen::Matrix3d> m_is_inside;  // 1 for the vertices inside, and 0 for the others
   std::vector<std::array<bool, 3> > m_moves_along; // each axis of the domain
