@@ -22,6 +22,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -66,9 +67,8 @@ public:
 private:
   void move()
   {
-    constexpr double solver_tolerance = 1e-2;
     m_step_length = 0;
-    m_direction = m_system.direction(m_energy, m_u, m_negative_curvature.part(), solver_tolerance);
+    m_direction = m_system.direction(m_energy, m_u, m_negative_curvature.part(), solver_tolerance());
     if(!m_direction.is_usable())
       return;
     Line_search_step_3 step = search();
@@ -88,10 +88,17 @@ private:
     return step;
   }
 
-  // the squared Newton decrement bounds what a step can gain
-  bool is_converged() const
+  // The squared Newton decrement, which bounds what a step can gain, relative to the energy.
+  double relative_gain() const { return -m_direction.slope / (std::max)(1., m_evaluation.energy); }
+
+  bool is_converged() const { return relative_gain() <= 1e-8; }
+
+  // Tighter as the minimum is near, so that the last step meets it (Eisenstat and Walker, Choosing the forcing terms in an
+  // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
+  double solver_tolerance() const
   {
-    return -m_direction.slope <= 1e-8 * (std::max)(1., m_evaluation.energy);
+    constexpr double smallest = 1e-4, largest = 1e-2;
+    return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
   }
 
   Newton_system_3& m_system;

@@ -52,7 +52,7 @@ public:
     if(!m_splits)
       begin_patch();
     else
-      m_splits->answer(inverted_cells_with(m_splits->question()) <= m_fewest);
+      m_splits->answer(inverted_cells_with(m_splits->question(), m_fewest) <= m_fewest);
     if(m_splits && !m_splits->is_running())
       end_patch();
     next_step(Phase::UNTANGLING).number_of_inverted_cells = m_number_of_inverted_cells;
@@ -90,7 +90,7 @@ private:
     m_patch.emplace(m_mesh, m_positions, m_waiting.back());
     m_waiting.pop_back();
     const std::vector<Edge> edges = edges_around_inverted_cells(m_patch->mesh, m_patch->positions);
-    m_fewest = inverted_cells_with(edges);
+    m_fewest = inverted_cells_with(edges, 0);
     const bool must_untangle = levels[m_next_level - 1].must_untangle;
     if(m_fewest < (must_untangle ? 1 : inverted_cells(m_patch->mesh, m_patch->positions).number))
       m_splits.emplace(edges);
@@ -105,11 +105,11 @@ private:
     m_splits.reset();
   }
 
-  std::size_t inverted_cells_with(const std::vector<Edge>& edges) const
+  std::size_t inverted_cells_with(const std::vector<Edge>& edges, const std::size_t allowed) const
   {
     Patch_mesh_3 split = *m_patch;
     split_patch_edges_3(split.mesh, split.positions, edges);
-    return untangle_patch_3(split.mesh, m_solver, split.positions);
+    return untangle_patch_3(split.mesh, m_solver, split.positions, allowed);
   }
 
   const Numbered_mesh_3& m_mesh;

@@ -44,16 +44,17 @@ inline Eigen::Matrix3Xd untangled_3(const Numbered_mesh_3& patch, Newton_system_
   return relaxed_3(system, untangler.positions());
 }
 
-// From the images and from the harmonic map, with each setting, until no cell is inverted. Keeps the images with the fewest
-// inverted cells, and returns their number. The solver serves the patch then.
-inline std::size_t untangle_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, Eigen::Matrix3Xd& image)
+// From the images and from the harmonic map, with each setting, until so few cells are inverted as are allowed. Keeps the
+// images with the fewest inverted cells, and returns their number. The solver serves the patch then.
+inline std::size_t untangle_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, Eigen::Matrix3Xd& image,
+                                    const std::size_t allowed = 0)
 {
   std::size_t fewest = inverted_cells(patch, image).number;
   const Eigen::Matrix3Xd start = image;
   for(const bool is_harmonic : {false, true})
     for(const Untangling_setting& setting : untangling_settings)
     {
-      if(fewest == 0)
+      if(fewest <= allowed)
         break;
       Newton_system_3 system(patch, reference_cells(patch, setting), free_vertices(patch), solver, false);
       Eigen::Matrix3Xd u = system.unit() * start;
