@@ -25,6 +25,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -33,7 +35,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 struct Polycube_chart_3
 {
   std::size_t label = 0;
-  bool is_valid = true;
+  int number_of_defects = 0; // see below
+  bool is_valid() const { return number_of_defects == 0; }
   int axis() const { return axis_of_direction(label); }
 };
 
@@ -71,10 +74,15 @@ public:
   const std::vector<Polycube_chain_3>& chains() const { return m_chains; }
   const std::vector<Vertex>& corners() const { return m_corners; }
 
-  bool are_valid() const
+  int number_of_defects() const
   {
-    return std::all_of(m_charts.begin(), m_charts.end(), [](const Polycube_chart_3& chart) { return chart.is_valid; });
+    return std::accumulate(m_charts.begin(), m_charts.end(), 0, [](const int sum, const Polycube_chart_3& chart)
+    {
+      return sum + chart.number_of_defects;
+    });
   }
+
+  bool are_valid() const { return number_of_defects() == 0; }
 
   std::vector<Vertex> vertices(const Polycube_chain_3& chain) const
   {
@@ -140,7 +148,7 @@ private:
 
     for(const Halfedge h : m_mesh.halfedges()) // closed lines without a corner
       if(separates(h) && !is_in_chain[h])
-        m_charts[chart(h)].is_valid = false;
+        ++m_charts[chart(h)].number_of_defects;
   }
 
   void add_chain(Halfedge h, const std::vector<bool>& is_corner, std::vector<bool>& is_in_chain)
@@ -169,8 +177,7 @@ private:
     add_turns(turning);
     const std::vector<int> euler_characteristic = euler_characteristics();
     for(std::size_t c = 0; c < m_charts.size(); ++c)
-      if(turning[c] != 4 * euler_characteristic[c])
-        m_charts[c].is_valid = false;
+      m_charts[c].number_of_defects += std::abs(turning[c] - 4 * euler_characteristic[c]);
 
     for(const Vertex v : m_corners)
     {
@@ -179,7 +186,7 @@ private:
         has_axis[m_charts[chart(h)].axis()] = true;
       if(has_axis != std::array<bool, 3>{true, true, true})
         for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh))
-          m_charts[chart(h)].is_valid = false;
+          m_charts[chart(h)].number_of_defects += separates(h);
     }
   }
 
@@ -200,7 +207,7 @@ private:
         const Side next = side_of_halfedge[next_on_border(last)];
         const Eigen::Vector3i d = direction(chain, is_reversed), e = direction(m_chains[next.chain], next.is_reversed);
         if(d.isZero() || e == -d)
-          m_charts[c].is_valid = false;
+          ++m_charts[c].number_of_defects;
         turning[c] += d.cross(e)[m_charts[c].axis()] * sign_of_direction(m_charts[c].label);
       }
   }

@@ -22,33 +22,61 @@
 #include <Eigen/Dense>
 
 #include <cstddef>
+#include <map>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Proposes labels with more and more smoothing until there is a polycube for them.
+// Labels that cost little, with valid charts, for more and more smoothing; the best ones first.
+inline std::vector<std::vector<std::size_t> > propose_labels_3(const Boundary_mesh_3& mesh)
+{
+  const Normal_labels_3 judge(mesh, 0.01);
+  std::multimap<double, std::vector<std::size_t> > proposals;
+  for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
+  {
+    Normal_labels_3 costs(mesh, smoothing);
+    std::vector<std::size_t> labels = costs.minimize();
+    if(repair_labels_3(mesh, costs, labels))
+      proposals.emplace(judge.cost(labels), labels);
+  }
+  std::vector<std::vector<std::size_t> > result;
+  for(const auto& [cost, labels] : proposals)
+    if(result.empty() || result.back() != labels)
+      result.push_back(labels);
+  return result;
+}
+
+// Gives faces for which there is no place to neighbouring charts, a few times.
+inline Error_code map_to_similar_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
+                                            std::vector<std::size_t> labels, const double spacing,
+                                            std::vector<Eigen::Vector3d>& images)
+{
+  const Normal_labels_3 costs(mesh, 0.01);
+  Error_code status = ERROR_NO_POLYCUBE;
+  for(int attempt = 0; attempt < 10; ++attempt)
+  {
+    Polycube_map_3 map(mesh, box, labels, spacing);
+    status = map.run();
+    if(status == OK)
+      images = map.images();
+    if(status == OK || !give_away_faces(mesh, map.flipped_faces(), costs, labels)
+       || !repair_labels_3(mesh, costs, labels))
+      break;
+  }
+  return status;
+}
+
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                              const double spacing, std::vector<Eigen::Vector3d>& images)
 {
-  const Normal_labels_3 costs(mesh);
   Error_code status = ERROR_NO_POLYCUBE;
-  for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
+  for(const std::vector<std::size_t>& labels : propose_labels_3(mesh))
   {
-    std::vector<std::size_t> labels = costs.minimize(smoothing);
-    for(int attempt = 0; attempt < 10 && repair_labels_3(mesh, costs, smoothing, labels); ++attempt)
-    {
-      Polycube_map_3 map(mesh, box, labels, spacing);
-      const Error_code status_of_map = map.run();
-      if(status_of_map == OK)
-      {
-        images = map.images();
-        return OK;
-      }
-      if(status == ERROR_NO_POLYCUBE)
-        status = status_of_map;
-      if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
-        break;
-    }
+    const Error_code status_of_proposal = map_to_similar_polycube_3(mesh, box, labels, spacing, images);
+    if(status_of_proposal == OK || status == ERROR_NO_POLYCUBE)
+      status = status_of_proposal;
+    if(status == OK)
+      break;
   }
   return status;
 }

@@ -19,65 +19,82 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The invalid chart of smallest area.
-inline std::size_t smallest_invalid_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                          const Normal_labels_3& costs)
+// Another label for a chart, and by how much the labels of the surface cost more then.
+struct Chart_relabelling_3
 {
-  std::vector<double> area(charts.charts().size(), 0.);
+  std::size_t chart, label;
+  double cost;
+};
+
+// Those of the charts that are not valid, and of their neighbours; the cheapest first.
+inline std::vector<Chart_relabelling_3> relabellings_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                                       const Normal_labels_3& costs)
+{
+  std::vector<std::array<double, 6> > cost(charts.charts().size(), std::array<double, 6>{});
+  std::vector<bool> is_candidate(cost.size(), false);
   for(const auto f : mesh.faces())
-    area[charts.chart_of_face()[f]] += costs.area(f);
-  double smallest = (std::numeric_limits<double>::infinity)();
-  std::size_t result = 0;
-  for(std::size_t c = 0; c < area.size(); ++c)
-    if(!charts.charts()[c].is_valid && area[c] < smallest)
-    {
-      smallest = area[c];
-      result = c;
-    }
+    for(std::size_t label = 0; label < 6; ++label)
+      cost[charts.chart_of_face()[f]][label] += costs.cost(f, label);
+  for(const auto h : mesh.halfedges())
+  {
+    const std::size_t c = charts.chart(h), neighbour = charts.chart(mesh.opposite(h));
+    is_candidate[c] = is_candidate[c] || !charts.charts()[neighbour].is_valid(); // or itself, around inner edges
+    if(c != neighbour)
+      cost[c][charts.charts()[neighbour].label] -= costs.cost(mesh.edge(h));
+  }
+
+  std::vector<Chart_relabelling_3> result;
+  for(std::size_t c = 0; c < cost.size(); ++c)
+    for(std::size_t label = 0; label < 6; ++label)
+      if(is_candidate[c] && label != charts.charts()[c].label)
+        result.push_back({ c, label, cost[c][label] - cost[c][charts.charts()[c].label] });
+  std::stable_sort(result.begin(), result.end(), [](const Chart_relabelling_3& a, const Chart_relabelling_3& b)
+  {
+    return a.cost < b.cost;
+  });
   return result;
 }
 
-// Gives a chart the label of the neighbour for which the labels of the surface cost least. Returns whether it has one.
-inline bool merge_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::size_t chart,
-                        const Normal_labels_3& costs, const double smoothing, std::vector<std::size_t>& labels)
+// Gives a chart the label for which the labels of the surface cost least of those with fewer defects. If there is none,
+// a chart that is not valid is merged into a neighbour. Returns whether there was any.
+inline bool relabel_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
+                          std::vector<std::size_t>& labels)
 {
-  std::array<double, 6> cost = {};
-  std::array<bool, 6> has_neighbour = {};
-  for(const auto f : mesh.faces())
-    for(std::size_t label = 0; label < 6 && charts.chart_of_face()[f] == chart; ++label)
-      cost[label] += costs.cost(f, label);
-  for(const auto h : mesh.halfedges())
+  std::optional<std::vector<std::size_t> > merged;
+  for(const Chart_relabelling_3& change : relabellings_3(mesh, charts, costs))
   {
-    const std::size_t neighbour = charts.chart(mesh.opposite(h));
-    if(charts.chart(h) == chart && neighbour != chart)
+    std::vector<std::size_t> candidate = labels;
+    for(const auto f : mesh.faces())
+      if(charts.chart_of_face()[f] == change.chart)
+        candidate[f] = change.label;
+    const Polycube_charts_3 next(mesh, candidate);
+    if(next.number_of_defects() < charts.number_of_defects())
     {
-      has_neighbour[charts.charts()[neighbour].label] = true;
-      cost[charts.charts()[neighbour].label] -= smoothing * costs.weight(mesh.edge(h));
+      labels = candidate;
+      return true;
     }
+    if(!merged && !charts.charts()[change.chart].is_valid() && next.charts().size() < charts.charts().size())
+      merged = candidate;
   }
-
-  std::size_t best = 6;
-  for(std::size_t label = 0; label < 6; ++label)
-    if(has_neighbour[label] && (best == 6 || cost[label] < cost[best]))
-      best = label;
-  for(const auto f : mesh.faces())
-    if(charts.chart_of_face()[f] == chart)
-      labels[f] = (best < 6) ? best : labels[f];
-  return best < 6;
+  if(merged)
+    labels = *merged;
+  return merged.has_value();
 }
 
-// Makes all charts valid: straightens their borders, and merges those that are not valid into their neighbours.
-// Returns whether there are enough of them.
-inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
-                            std::vector<std::size_t>& labels)
+// Makes all charts valid: straightens their borders, and relabels those that are not valid, or their neighbours.
+// Returns whether that was possible.
+inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, std::vector<std::size_t>& labels)
 {
+  const Polycube_charts_3 start(mesh, labels);
+  std::size_t steps = start.charts().size() + start.number_of_defects(); // each step takes one of them, or more
   while(true)
   {
     const Polycube_charts_3 charts(mesh, labels);
@@ -87,7 +104,7 @@ inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& 
       continue;
     if(charts.are_valid())
       return true;
-    if(!merge_chart(mesh, charts, smallest_invalid_chart(mesh, charts, costs), costs, smoothing, labels))
+    if(steps-- == 0 || !relabel_chart(mesh, charts, costs, labels))
       return false;
   }
 }
