@@ -23,60 +23,71 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Labels that cost little, with valid charts, for more and more smoothing; the best ones first.
-inline std::vector<std::vector<std::size_t> > propose_labels_3(const Boundary_mesh_3& mesh)
+// Labels with valid charts, each once. The cheapest are taken first, whatever they were found with.
+class Proposed_labels_3
 {
-  const Normal_labels_3 judge(mesh, 0.01);
-  std::multimap<double, std::vector<std::size_t> > proposals;
-  for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
-  {
-    Normal_labels_3 costs(mesh, smoothing);
-    std::vector<std::size_t> labels = costs.minimize();
-    if(repair_labels_3(mesh, costs, labels))
-      proposals.emplace(judge.cost(labels), labels);
-  }
-  std::vector<std::vector<std::size_t> > result;
-  for(const auto& [cost, labels] : proposals)
-    if(result.empty() || result.back() != labels)
-      result.push_back(labels);
-  return result;
-}
+public:
+  using Labels = Normal_labels_3::Labels;
 
-// Gives faces for which there is no place to neighbouring charts, a few times.
-inline Error_code map_to_similar_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
-                                            std::vector<std::size_t> labels, const double spacing,
-                                            std::vector<Eigen::Vector3d>& images)
-{
-  const Normal_labels_3 costs(mesh, 0.01);
-  Error_code status = ERROR_NO_POLYCUBE;
-  for(int attempt = 0; attempt < 10; ++attempt)
+  explicit Proposed_labels_3(const Boundary_mesh_3& mesh) : m_costs(mesh, 0.01)
   {
-    Polycube_map_3 map(mesh, box, labels, spacing);
-    status = map.run();
-    if(status == OK)
-      images = map.images();
-    if(status == OK || !give_away_faces(mesh, map.flipped_faces(), costs, labels)
-       || !repair_labels_3(mesh, costs, labels))
-      break;
+    for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
+    {
+      Normal_labels_3 costs(mesh, smoothing);
+      Labels labels = costs.minimize();
+      if(repair_labels_3(mesh, costs, labels))
+        insert(labels);
+    }
   }
-  return status;
-}
 
+  const Normal_labels_3& costs() const { return m_costs; }
+  bool empty() const { return m_waiting.empty(); }
+
+  void insert(const Labels& labels)
+  {
+    if(m_all.insert(labels).second)
+      m_waiting.emplace(m_costs.cost(labels), labels);
+  }
+
+  Labels take_cheapest()
+  {
+    const Labels result = m_waiting.begin()->second;
+    m_waiting.erase(m_waiting.begin());
+    return result;
+  }
+
+private:
+  Normal_labels_3 m_costs;
+  std::multimap<double, Labels> m_waiting;
+  std::set<Labels> m_all;
+};
+
+// Where the boundary is too coarse, faces for which there is no place are given to neighbouring charts.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                              const double spacing, std::vector<Eigen::Vector3d>& images)
 {
+  Proposed_labels_3 proposals(mesh);
   Error_code status = ERROR_NO_POLYCUBE;
-  for(const std::vector<std::size_t>& labels : propose_labels_3(mesh))
+  for(int attempt = 0; attempt < 50 && !proposals.empty(); ++attempt)
   {
-    const Error_code status_of_proposal = map_to_similar_polycube_3(mesh, box, labels, spacing, images);
-    if(status_of_proposal == OK || status == ERROR_NO_POLYCUBE)
-      status = status_of_proposal;
-    if(status == OK)
-      break;
+    std::vector<std::size_t> labels = proposals.take_cheapest();
+    Polycube_map_3 map(mesh, box, labels, spacing);
+    const Error_code status_of_map = map.run();
+    if(status_of_map == OK)
+    {
+      images = map.images();
+      return OK;
+    }
+    if(status == ERROR_NO_POLYCUBE)
+      status = status_of_map;
+    if(give_away_faces(mesh, map.flipped_faces(), proposals.costs(), labels)
+       && repair_labels_3(mesh, proposals.costs(), labels))
+      proposals.insert(labels);
   }
   return status;
 }

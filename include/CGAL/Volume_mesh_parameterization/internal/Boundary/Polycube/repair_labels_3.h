@@ -46,7 +46,7 @@ inline std::vector<Chart_relabelling_3> relabellings_3(const Boundary_mesh_3& me
   for(const auto h : mesh.halfedges())
   {
     const std::size_t c = charts.chart(h), neighbour = charts.chart(mesh.opposite(h));
-    is_candidate[c] = is_candidate[c] || !charts.charts()[neighbour].is_valid(); // or itself, around inner edges
+    is_candidate[c] = is_candidate[c] || !charts.charts()[c].is_valid() || !charts.charts()[neighbour].is_valid();
     if(c != neighbour)
       cost[c][charts.charts()[neighbour].label] -= costs.cost(mesh.edge(h));
   }
