@@ -79,17 +79,6 @@ public:
            * (eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h))).norm();
   }
 
-  double cost(const Labels& labels) const
-  {
-    double sum = 0;
-    for(const auto f : m_mesh.faces())
-      sum += cost(f, labels[f]);
-    for(const auto e : m_mesh.edges())
-      if(labels[m_mesh.face(m_mesh.halfedge(e))] != labels[m_mesh.face(m_mesh.opposite(m_mesh.halfedge(e)))])
-        sum += cost(e);
-    return sum;
-  }
-
 private:
   Labels cut() const
   {

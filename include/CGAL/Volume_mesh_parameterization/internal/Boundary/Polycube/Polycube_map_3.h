@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -67,6 +68,26 @@ public:
 
   // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
   const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
+
+  // The integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t of the map. As sizes and ratios
+  // count alike, and extreme ones little, the maps of bodies that follow are compared well by it.
+  double distortion() const
+  {
+    double sum = 0;
+    for(const Face f : m_mesh.faces())
+    {
+      const auto h = m_mesh.halfedge(f);
+      const auto a = m_mesh.source(h), b = m_mesh.target(h), c = m_mesh.target(m_mesh.next(h));
+      Eigen::Matrix<double, 3, 2> from, to;
+      from << eigen_point(m_mesh, b) - eigen_point(m_mesh, a), eigen_point(m_mesh, c) - eigen_point(m_mesh, a);
+      to << m_images[b] - m_images[a], m_images[c] - m_images[a];
+      to /= m_box.sizes().maxCoeff();
+      const Eigen::Matrix2d metric = from.transpose() * from, metric_of_image = to.transpose() * to;
+      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(metric_of_image, metric);
+      sum += std::sqrt(metric.determinant()) / 2 * (solver.eigenvalues().array().log() / 2).square().sum();
+    }
+    return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
+  }
 
 private:
   // Spaces the vertices by their distances on the surface.

@@ -22,72 +22,40 @@
 #include <Eigen/Dense>
 
 #include <cstddef>
-#include <map>
+#include <limits>
 #include <set>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Labels with valid charts, each once. The cheapest are taken first, whatever they were found with.
-class Proposed_labels_3
-{
-public:
-  using Labels = Normal_labels_3::Labels;
-
-  explicit Proposed_labels_3(const Boundary_mesh_3& mesh) : m_costs(mesh, 0.01)
-  {
-    for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
-    {
-      Normal_labels_3 costs(mesh, smoothing);
-      Labels labels = costs.minimize();
-      if(repair_labels_3(mesh, costs, labels))
-        insert(labels);
-    }
-  }
-
-  const Normal_labels_3& costs() const { return m_costs; }
-  bool empty() const { return m_waiting.empty(); }
-
-  void insert(const Labels& labels)
-  {
-    if(m_all.insert(labels).second)
-      m_waiting.emplace(m_costs.cost(labels), labels);
-  }
-
-  Labels take_cheapest()
-  {
-    const Labels result = m_waiting.begin()->second;
-    m_waiting.erase(m_waiting.begin());
-    return result;
-  }
-
-private:
-  Normal_labels_3 m_costs;
-  std::multimap<double, Labels> m_waiting;
-  std::set<Labels> m_all;
-};
-
-// Where the boundary is too coarse, faces for which there is no place are given to neighbouring charts.
+// Proposes labels with more and more smoothing, and takes those whose map has the least distortion. Where the boundary is
+// too coarse, faces for which there is no place are given to neighbouring charts.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                              const double spacing, std::vector<Eigen::Vector3d>& images)
 {
-  Proposed_labels_3 proposals(mesh);
   Error_code status = ERROR_NO_POLYCUBE;
-  for(int attempt = 0; attempt < 50 && !proposals.empty(); ++attempt)
+  double least_distortion = (std::numeric_limits<double>::infinity)();
+  std::set<std::vector<std::size_t> > tried;
+  for(double smoothing = 0.001; smoothing < 0.1; smoothing *= 2)
   {
-    std::vector<std::size_t> labels = proposals.take_cheapest();
-    Polycube_map_3 map(mesh, box, labels, spacing);
-    const Error_code status_of_map = map.run();
-    if(status_of_map == OK)
+    Normal_labels_3 costs(mesh, smoothing);
+    std::vector<std::size_t> labels = costs.minimize();
+    for(int attempt = 0; attempt < 10; ++attempt)
     {
-      images = map.images();
-      return OK;
+      if(!repair_labels_3(mesh, costs, labels) || !tried.insert(labels).second)
+        break;
+      Polycube_map_3 map(mesh, box, labels, spacing);
+      const Error_code status_of_map = map.run();
+      if(status_of_map == OK && (status != OK || map.distortion() < least_distortion))
+      {
+        images = map.images();
+        least_distortion = map.distortion();
+      }
+      if(status_of_map == OK || status == ERROR_NO_POLYCUBE)
+        status = status_of_map;
+      if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
+        break;
     }
-    if(status == ERROR_NO_POLYCUBE)
-      status = status_of_map;
-    if(give_away_faces(mesh, map.flipped_faces(), proposals.costs(), labels)
-       && repair_labels_3(mesh, proposals.costs(), labels))
-      proposals.insert(labels);
   }
   return status;
 }
