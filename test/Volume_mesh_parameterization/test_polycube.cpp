@@ -281,6 +281,19 @@ TEST_CASE("a spacing that makes a polycube touch itself is named")
   CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
 }
 
+// By direction and coordinate. Each triangle of the image is normal to an axis.
+std::set<std::pair<std::size_t, double> > faces_of_image(const Complex& complex)
+{
+  std::set<std::pair<std::size_t, double> > faces;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) < 6);
+    faces.emplace(direction(t), t[0][static_cast<int>(direction(t) / 2)]);
+  }
+  return faces;
+}
+
 TEST_CASE("labels are proposed for a cylinder")
 {
   Complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>
@@ -289,14 +302,17 @@ TEST_CASE("labels are proposed for a cylinder")
     return (length == 0) ? stay(0, 0, z) : stay(u * radius / length, v * radius / length, z);
   }));
   REQUIRE(complex.parameterize() == VMP::OK);
-  std::set<std::pair<std::size_t, double> > faces;
-  for(const Facet& f : complex.boundary())
-  {
-    const std::array<Point_3, 3> t = complex.image_triangle(f);
-    REQUIRE(direction(t) < 6);
-    faces.emplace(direction(t), t[0][static_cast<int>(direction(t) / 2)]);
-  }
-  CHECK(faces.size() == 6);
+  CHECK(faces_of_image(complex).size() == 6);
+}
+
+TEST_CASE("where the normals turn around, a face is put between")
+{
+  // a tent: no facet looks upwards, and the ridge is so sharp that its sides could have opposite labels
+  const Brick tent_size = {12, 10, 6};
+  const auto tent = [](const double x, const double y, const double z) { return stay(x, y, z * (1 + 4 * (6 - std::abs(x - 6)))); };
+  Complex complex(bricks(tent_size, is_box, tent));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
 }
 
 TEST_CASE("the size and the place of the source do not matter")
