@@ -63,30 +63,35 @@ inline std::vector<Chart_relabelling_3> relabellings_3(const Boundary_mesh_3& me
   return result;
 }
 
-// Gives a chart the label for which the labels of the surface cost least of those with fewer defects. If there is none,
-// a chart that is not valid is merged into a neighbour. Returns whether there was any.
-inline bool relabel_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
-                          std::vector<std::size_t>& labels)
+// Gives charts other labels, each at most once and to the cheapest one with which there are fewer defects. If there is
+// none, a chart that is not valid is merged into a neighbour. Returns whether anything changed.
+inline bool relabel_charts(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
+                           std::vector<std::size_t>& labels)
 {
+  int defects = charts.number_of_defects();
+  std::vector<bool> is_relabelled(charts.charts().size(), false);
   std::optional<std::vector<std::size_t> > merged;
   for(const Chart_relabelling_3& change : relabellings_3(mesh, charts, costs))
   {
+    if(is_relabelled[change.chart])
+      continue;
     std::vector<std::size_t> candidate = labels;
     for(const auto f : mesh.faces())
       if(charts.chart_of_face()[f] == change.chart)
         candidate[f] = change.label;
     const Polycube_charts_3 next(mesh, candidate);
-    if(next.number_of_defects() < charts.number_of_defects())
+    if(next.number_of_defects() < defects)
     {
       labels = candidate;
-      return true;
+      defects = next.number_of_defects();
+      is_relabelled[change.chart] = true;
     }
-    if(!merged && !charts.charts()[change.chart].is_valid() && next.charts().size() < charts.charts().size())
+    else if(!merged && !charts.charts()[change.chart].is_valid() && next.charts().size() < charts.charts().size())
       merged = candidate;
   }
-  if(merged)
+  if(defects == charts.number_of_defects() && merged)
     labels = *merged;
-  return merged.has_value();
+  return defects < charts.number_of_defects() || merged;
 }
 
 // Makes all charts valid: straightens their borders, and relabels those that are not valid, or their neighbours.
@@ -104,7 +109,7 @@ inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& 
       continue;
     if(charts.are_valid())
       return true;
-    if(steps-- == 0 || !relabel_chart(mesh, charts, costs, labels))
+    if(steps-- == 0 || !relabel_charts(mesh, charts, costs, labels))
       return false;
   }
 }
