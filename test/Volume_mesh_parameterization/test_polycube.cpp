@@ -308,9 +308,10 @@ TEST_CASE("labels are proposed for a cylinder")
 TEST_CASE("where the normals turn around, a face is put between")
 {
   // a tent: no facet looks upwards, and the ridge is so sharp that its sides could have opposite labels
-  const Brick tent_size = {12, 10, 6};
-  const auto tent = [](const double x, const double y, const double z) { return stay(x, y, z * (1 + 4 * (6 - std::abs(x - 6)))); };
-  Complex complex(bricks(tent_size, is_box, tent));
+  Complex complex(bricks({12, 10, 6}, is_box, [](const double x, const double y, const double z)
+  {
+    return stay(x, y, z * (1 + 4 * (6 - std::abs(x - 6))));
+  }));
   REQUIRE(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 6);
 }

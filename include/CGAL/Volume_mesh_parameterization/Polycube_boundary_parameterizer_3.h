@@ -70,8 +70,11 @@ public:
   /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
   ///
   /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}. They are
-  /// found by `CGAL::alpha_expansion_graphcut()`. Charts that no polycube can have are merged into their neighbours.
-  /// This is tried with more and more weight on short lines.
+  /// found by `CGAL::alpha_expansion_graphcut()`. Where opposite directions would be neighbours, another one is put
+  /// between them. Charts that no polycube can have, and their neighbours, get other labels, at the lowest cost, until
+  /// no such chart is left. This is done with more and more weight on short lines; of the polycubes found, the one is
+  /// taken to which the boundary is mapped with the least distortion: the mean square of the logarithms of the singular
+  /// values.
   ///
   /// \param c3t3 the complex
   /// \param target receives the images
@@ -86,9 +89,10 @@ public:
   ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_SPACING_TOO_COARSE` if there is a
   ///         polycube, but not with multiples of the spacing
   ///
-  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus that
-  /// of minimum cuts, at least one for each of the six labels and each weight that is tried, plus the solution of sparse
-  /// linear systems for each chart.
+  /// The running time is in \f$ O(k\, n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, and
+  /// \f$ k \f$ labels of charts that are tried, which are few for mechanical parts and up to thousands for bodies with many
+  /// details, plus that of minimum cuts, at least one for each of the six labels and each of seven weights, plus the
+  /// solution of sparse linear systems for each chart of the polycubes found.
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
   {

@@ -34,8 +34,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels minimize
 //   sum over faces f of area(f) (1 - n(f) . direction(label(f)))
 //   + smoothing sum over edges between faces f, g of different labels of length max(0, n(f) . n(g))^2,
-// by alpha expansion. Sharp edges are free. Around edges at which opposite directions meet, which no polycube has, labels
-// of their axis are made expensive, until there is no such edge any more.
+// by alpha expansion. Sharp edges are free. Around edges at which opposite directions meet, which no polycube has,
+// labels of their axis are made expensive, until no more can be done against such edges.
 class Normal_labels_3
 {
 public:

@@ -69,8 +69,8 @@ public:
   // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
   const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
 
-  // The integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t of the map. As sizes and ratios
-  // count alike, and extreme ones little, the maps of bodies that follow are compared well by it.
+  // The integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t of the map. Of several
+  // polycubes, the one where this is least had the least distortion inside, too, or nearly, in experiments.
   double distortion() const
   {
     double sum = 0;
