@@ -90,8 +90,8 @@ public:
   ///         polycube, but not with multiples of the spacing
   ///
   /// The running time is in \f$ O(k\, n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, and
-  /// \f$ k \f$ labels of charts that are tried, which are few for mechanical parts and up to thousands for bodies with many
-  /// details, plus that of minimum cuts, at least one for each of the six labels and each of seven weights, plus the
+  /// \f$ k \f$ labels of charts that are tried: few for mechanical parts, up to thousands for bodies with many details.
+  /// To this are added minimum cuts, at least one for each of the six labels and each of seven weights, and the
   /// solution of sparse linear systems for each chart of the polycubes found.
   template <typename C3t3, typename VertexPointMap>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
