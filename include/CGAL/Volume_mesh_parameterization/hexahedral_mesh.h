@@ -44,6 +44,7 @@ namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
 constexpr double sufficient_scaled_jacobian = 0.3;
+constexpr double poor_scaled_jacobian = 0.1; // to raise the worst corners further costs the others too much
 
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
 {
@@ -53,7 +54,7 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
 }
 
 // Improves hexahedra until they suffice, and keeps the best ones: first with the vertices on the boundary fixed, then
-// all at once, as long as that helps, and then one after the other where corners around them are bad.
+// all at once, as long as that helps, and then, if corners are poor, one after the other around these.
 template <typename ConcurrencyTag>
 Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra,
                                          const bool has_padding, Hexahedron_soup_3& best)
@@ -79,7 +80,11 @@ Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3<ConcurrencyTag>
       break;
     is_sliding = is_sliding && hexahedra.slide();
     if(!is_sliding)
+    {
+      if(result.minimal_scaled_jacobian >= poor_scaled_jacobian)
+        break;
       smooth_hexahedra_3(hexahedra, (std::max)(0., result.minimal_scaled_jacobian) + gain);
+    }
     bool is_better_now = keep_if_better();
     hexahedra.improve_inside();
     is_better_now = keep_if_better() || is_better_now;
@@ -105,8 +110,8 @@ similar to the corner of a cube by minimizing `MIPS_energy_3`. As long as the mi
 
 - those on the boundary move as well, a few times, in the tangent planes of the boundary and along the edges that are
   mapped to those of the domain, and are put back onto it through the map,
-- then, if that does not help, vertices move one after the other such that the corners around them become better, those
-  on the boundary in the faces and along the edges of the domain,
+- then, where that leaves less than 0.1, vertices move one after the other such that the worst corners around them become
+  better, which makes others worse; those on the boundary move in the faces and along the edges of the domain,
 - a second mesh is made, with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where
   an edge of the domain is mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so.
 
