@@ -83,10 +83,16 @@ std::vector<Point_3> points_outside(const Tetrahedron_soup_3& soup, const CGAL::
   const auto point = [&](const int v) { return Eigen::Map<const Eigen::Vector3d>(soup.points[v].data()); };
   const Eigen::Vector3d center = Eigen::Vector3d(box.xmin() + box.xmax(), box.ymin() + box.ymax(),
                                                  box.zmin() + box.zmax()) / 2;
+  const auto normal_of = [&](const int a, const int b, const int c) -> Eigen::Vector3d
+  {
+    return (point(b) - point(a)).cross(point(c) - point(a)).stableNormalized();
+  };
+  const auto& [i, j, k, l] = cells[0]; // the cells of some files are all inverted
+  const double side = normal_of(i, j, k).dot(point(l) - point(i)) > 0 ? 1 : -1;
   std::vector<Point_3> result;
   for(const auto& [a, b, c] : VMP::internal::boundary_facets_3(cells))
   {
-    const Eigen::Vector3d normal = (point(b) - point(a)).cross(point(c) - point(a)).stableNormalized();
+    const Eigen::Vector3d normal = side * normal_of(a, b, c);
     const Eigen::Vector3d above = (point(a) + point(b) + point(c)) / 3 + 1e-9 * diagonal * normal;
     const Eigen::Vector3d away = center + diagonal * normal;
     result.emplace_back(above[0], above[1], above[2]);
