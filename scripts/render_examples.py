@@ -279,11 +279,11 @@ def draw_hexahedra(vtu, output):
     """Hexahedra, and those of one half with their scaled Jacobians."""
     direction, up, normal = VIEWS["polycube"]
     mesh = render.read(str(vtu))
-    quality = render.quality_surface(render.cut(mesh, normal), "scaled_jacobian")
+    quality = render.quality_surface(render.whole_cells_behind(mesh, normal), "scaled_jacobian")
     with tempfile.TemporaryDirectory() as name:
         panels = [Path(name) / f"{i}.png" for i in range(2)]
         render.picture(panels[0], [render.surface(mesh)], direction, up)
-        render.picture(panels[1], [quality], direction, up, legend=True)
+        render.picture(panels[1], [quality], direction, up, legend="scaled J.")
         join(panels, output)
 
 

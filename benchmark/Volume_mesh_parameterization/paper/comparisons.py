@@ -143,6 +143,6 @@ class Bounded_distortion:
             largest = 2 * distortions(shown[0][2])[i]
             rows.append(figures([(picture(output / f"figure_8_{case.name}_{key}_{array}.png",
                                           [colored_surface(cut(read(run.vtu), (1, 0, 0)), array, largest)],
-                                          direction, up, legend=True), f"{case.name}: {title}, {name}")
+                                          direction, up, legend="log. scale"), f"{case.name}: {title}, {name}")
                                  for name, key, run in shown], 220))
         return rows

@@ -26,18 +26,35 @@ def image_of(grid):
     return image
 
 
-def cut(grid, normal, part=0.5):
-    """What is behind a plane through the bounding box, with cells cut where the plane meets them."""
+def plane_through(grid, normal, part):
+    """A plane through the bounding box."""
     bounds = grid.GetBounds()
     plane = vtk.vtkPlane()
     plane.SetOrigin(*(bounds[2 * i] + part * (bounds[2 * i + 1] - bounds[2 * i]) for i in range(3)))
     plane.SetNormal(*normal)
+    return plane
+
+
+def cut(grid, normal, part=0.5):
+    """What is behind a plane through the bounding box, with cells cut where the plane meets them."""
+    plane = plane_through(grid, normal, part)
     clip = vtk.vtkClipDataSet()
     clip.SetInputData(grid)
     clip.SetClipFunction(plane)
     clip.InsideOutOn()
     clip.Update()
     return clip.GetOutput()
+
+
+def whole_cells_behind(grid, normal, part=0.5):
+    """What is behind a plane through the bounding box, without the cells that the plane meets."""
+    plane = plane_through(grid, normal, part)
+    extract = vtk.vtkExtractGeometry()
+    extract.SetInputData(grid)
+    extract.SetImplicitFunction(plane)
+    extract.ExtractInsideOn()
+    extract.Update()
+    return extract.GetOutput()
 
 
 def inverted_cells(grid):
@@ -109,15 +126,15 @@ def actor(grid, edges, paint):
     return actor
 
 
-def picture(filename, actors, direction, up, legend=False, aspect=1):
-    """Looks along -direction at all actors, which fill the view. The legend is that of the first one."""
+def picture(filename, actors, direction, up, legend="", aspect=1):
+    """Looks along -direction at all actors, which fill the view. The legend, with that title, is of the first one."""
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     for actor in actors:
         renderer.AddActor(actor)
     focus, half_size, right = _frame(actors, direction, up, aspect)
     if legend:
-        renderer.AddActor2D(_color_bar(actors[0].GetMapper().GetLookupTable()))
+        renderer.AddActor2D(_color_bar(actors[0].GetMapper().GetLookupTable(), legend))
         focus = [x + 0.2 * half_size * r for x, r in zip(focus, right)]
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
@@ -141,10 +158,10 @@ def picture(filename, actors, direction, up, legend=False, aspect=1):
     return Path(filename).name
 
 
-def _color_bar(table):
+def _color_bar(table, title):
     bar = vtk.vtkScalarBarActor()
     bar.SetLookupTable(table)
-    bar.SetTitle("log. scale")
+    bar.SetTitle(title)
     bar.SetNumberOfLabels(4)
     bar.SetLabelFormat("%.3g")
     bar.SetPosition(0.87, 0.05)
