@@ -273,16 +273,33 @@ TEST_CASE("Vertices slide where the map has turned the faces of a box")
   CHECK(enclosed_volume(mesh) == Approx(216)); // the edges of the box are edges of hexahedra
 }
 
+namespace {
+
+// A grid of unit boxes, pulled back.
+struct Hexahedra_of_body
+{
+  VMP::Volume_map_3 map;
+  Hexahedron_soup_3 boxes;
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver;
+  VMP::internal::Pulled_back_hexahedra_3<CGAL::Sequential_tag> hexahedra;
+
+  explicit Hexahedra_of_body(const Body& body)
+    : map(body.soup.points, body.soup.cells, body.images),
+      boxes(VMP::internal::Box_grid_3(body.soup.cells, body.images, 1).boxes([](const auto& centers)
+            { return std::vector<bool>(centers.size(), true); })),
+      linear_solver(solver), hexahedra(map, body.soup.points, body.soup.cells, body.images, boxes, 1, linear_solver)
+  {}
+};
+
+} // namespace
+
 TEST_CASE("Vertices move one after the other on a curved boundary until corners suffice")
 {
   const Body ball(8, 0, rounded);
-  const VMP::Volume_map_3 map(ball.soup.points, ball.soup.cells, ball.images);
-  const VMP::internal::Box_grid_3 grid(ball.soup.cells, ball.images, 1);
-  const Hexahedron_soup_3 boxes = grid.boxes([](const auto& centers) { return std::vector<bool>(centers.size(), true); });
-  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
-  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
-  VMP::internal::Pulled_back_hexahedra_3<CGAL::Sequential_tag> hexahedra(map, ball.soup.points, ball.soup.cells,
-                                                                         ball.images, boxes, 1, linear_solver);
+  Hexahedra_of_body of_body(ball);
+  auto& hexahedra = of_body.hexahedra;
+  const Hexahedron_soup_3& boxes = of_body.boxes;
   const Hexahedron_soup_3 before = hexahedra.mesh();
   REQUIRE(VMP::internal::judged(before, false).minimal_scaled_jacobian < 0.11); // two faces of the cube on the sphere
   VMP::internal::smooth_hexahedra_3(hexahedra, 0.3);
@@ -306,13 +323,9 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
 TEST_CASE("A vertex does not move where its quadrangles would not cover the boundary once")
 {
   const Body box(4, 0, same);
-  const VMP::Volume_map_3 map(box.soup.points, box.soup.cells, box.images);
-  const VMP::internal::Box_grid_3 grid(box.soup.cells, box.images, 1);
-  const Hexahedron_soup_3 boxes = grid.boxes([](const auto& centers) { return std::vector<bool>(centers.size(), true); });
-  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
-  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
-  VMP::internal::Pulled_back_hexahedra_3<CGAL::Sequential_tag> hexahedra(map, box.soup.points, box.soup.cells,
-                                                                         box.images, boxes, 1, linear_solver);
+  Hexahedra_of_body of_body(box);
+  auto& hexahedra = of_body.hexahedra;
+  const Hexahedron_soup_3& boxes = of_body.boxes;
   const auto can_move = [&](const std::array<double, 3>& from, const std::array<double, 3>& offset)
   {
     const auto v = std::find(boxes.points.begin(), boxes.points.end(), from) - boxes.points.begin();

@@ -26,32 +26,30 @@ def image_of(grid):
     return image
 
 
-def plane_through(grid, normal, part):
-    """A plane through the bounding box."""
+def plane_through(grid, normal):
+    """A plane through the middle of the bounding box."""
     bounds = grid.GetBounds()
     plane = vtk.vtkPlane()
-    plane.SetOrigin(*(bounds[2 * i] + part * (bounds[2 * i + 1] - bounds[2 * i]) for i in range(3)))
+    plane.SetOrigin(*((bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)))
     plane.SetNormal(*normal)
     return plane
 
 
-def cut(grid, normal, part=0.5):
-    """What is behind a plane through the bounding box, with cells cut where the plane meets them."""
-    plane = plane_through(grid, normal, part)
+def cut(grid, normal):
+    """What is behind a plane through the middle of the bounding box, with cells cut where the plane meets them."""
     clip = vtk.vtkClipDataSet()
     clip.SetInputData(grid)
-    clip.SetClipFunction(plane)
+    clip.SetClipFunction(plane_through(grid, normal))
     clip.InsideOutOn()
     clip.Update()
     return clip.GetOutput()
 
 
-def whole_cells_behind(grid, normal, part=0.5):
-    """What is behind a plane through the bounding box, without the cells that the plane meets."""
-    plane = plane_through(grid, normal, part)
+def whole_cells_behind(grid, normal):
+    """What is behind a plane through the middle of the bounding box, without the cells that the plane meets."""
     extract = vtk.vtkExtractGeometry()
     extract.SetInputData(grid)
-    extract.SetImplicitFunction(plane)
+    extract.SetImplicitFunction(plane_through(grid, normal))
     extract.ExtractInsideOn()
     extract.Update()
     return extract.GetOutput()

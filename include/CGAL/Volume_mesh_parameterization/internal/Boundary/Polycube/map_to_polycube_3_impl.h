@@ -46,10 +46,11 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
         break;
       Polycube_map_3 map(mesh, box, labels, spacing);
       const Error_code status_of_map = map.run();
-      if(status_of_map == OK && (status != OK || map.distortion() < least_distortion))
+      const double distortion = status_of_map == OK ? map.distortion() : least_distortion;
+      if(status_of_map == OK && (status != OK || distortion < least_distortion))
       {
         images = map.images();
-        least_distortion = map.distortion();
+        least_distortion = distortion;
       }
       if(status_of_map == OK || status == ERROR_NO_POLYCUBE)
         status = status_of_map;

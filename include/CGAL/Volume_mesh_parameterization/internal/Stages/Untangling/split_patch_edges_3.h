@@ -34,10 +34,13 @@ inline std::vector<std::array<int, 2> > edges_around_inverted_cells(const Number
     = free_vertices_of(patch, [&](const std::array<int, 4>& cell) { return !is_positive(image, cell); });
   std::map<std::array<int, 2>, bool> is_of_inverted_cell;
   for(const std::array<int, 4>& cell : patch.cells)
+  {
+    const bool is_inverted = !is_positive(image, cell);
     for(const int a : cell)
       for(const int b : cell)
         if(a < b && (is_center[a] || is_center[b]))
-          is_of_inverted_cell[{a, b}] |= !is_positive(image, cell);
+          is_of_inverted_cell[{a, b}] |= is_inverted;
+  }
   std::vector<std::array<int, 2> > result;
   for(const bool is_last : {false, true})
     for(const auto& [edge, is_of_inverted] : is_of_inverted_cell)
