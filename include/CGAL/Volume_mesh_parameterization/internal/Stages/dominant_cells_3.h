@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -38,35 +39,33 @@ struct Dominant_cells_3
   bool hold_most() const { return part_of_energy > 0.5; }
 };
 
-// The cells whose energy is far above the median.
+// The cells whose energy is far above the median, and not below the mean.
 inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
                                          const Eigen::Matrix3Xd& image)
 {
   constexpr double far_above = 100;
   const std::vector<double> psi
     = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, factor_to_source_volume(mesh, image));
+  const std::vector<double> weights = cell_weights(mesh);
+  const double mean = std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.);
   std::vector<double> sorted = psi;
   const auto median = sorted.begin() + sorted.size() / 2;
   std::nth_element(sorted.begin(), median, sorted.end());
+  const double bound = (std::max)(far_above * *median, mean);
 
-  const std::vector<double> weights = cell_weights(mesh);
   Dominant_cells_3 result;
-  double sum = 0, dominant_sum = 0;
   for(std::size_t c = 0; c < psi.size(); ++c)
   {
-    sum += weights[c] * psi[c];
-    if(!(psi[c] > far_above * *median))
+    if(!(psi[c] > bound))
       continue;
-    dominant_sum += weights[c] * psi[c];
+    result.part_of_energy += weights[c] * psi[c] / mean;
     result.cells.push_back(c);
     if(psi[c] > psi[result.cells.front()])
       std::swap(result.cells.front(), result.cells.back());
   }
-  result.part_of_energy = dominant_sum / sum;
   return result;
 }
 
-// Why the minimization over all vertices was ended.
 inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mesh_3& mesh)
 {
   std::ostringstream out;
