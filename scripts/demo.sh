@@ -8,7 +8,7 @@ elephant="$root/build/data/meshes/elephant.off"
 
 "$root/scripts/install_dependencies.sh"
 cmake -S "$root" -B "$root/build"
-cmake --build "$root/build" --parallel "$(nproc)" --target elephant_to_ball elephant_to_cube parameterize_mesh_file
+cmake --build "$root/build" --parallel "$(nproc)" --target demo
 for domain in ball cube; do
   echo
   echo "The elephant to the $domain:"
