@@ -9,7 +9,10 @@
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Neighborhood_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -111,9 +114,9 @@ bool is_valid(const Soup& soup, const Points& images)
   });
 }
 
-// Compares with the map of one process, which does without PETSc.
+// Compares with the map of one process, which does without PETSc. Returns how both were untangled.
 template <typename NamedParameters>
-void check_map(const Problem& problem, const NamedParameters& np)
+std::string check_map(const Problem& problem, const NamedParameters& np)
 {
   Points expected, slice;
   const Result serial = CGAL::stretch_minimizing_volume_parameterization(problem.soup.points, problem.soup.cells,
@@ -126,6 +129,7 @@ void check_map(const Problem& problem, const NamedParameters& np)
   CHECK(result.energy == Approx(serial.energy).epsilon(1e-9));
   CHECK(result.distortion.angle_mean == Approx(serial.distortion.angle_mean).epsilon(1e-6));
   CHECK(result.distortion.volume_max == Approx(serial.distortion.volume_max).epsilon(1e-4));
+  CHECK(result.untangling_method == serial.untangling_method);
   CHECK(result.number_of_cells == serial.number_of_cells);
   CHECK(result.number_of_vertices == serial.number_of_vertices);
   CHECK(result.number_of_boundary_vertices == serial.number_of_boundary_vertices);
@@ -145,6 +149,7 @@ void check_map(const Problem& problem, const NamedParameters& np)
   }
   CHECK(largest < 1e-6 * std::cbrt(problem.soup.cells.size())); // the diagonal is longer
   CHECK(meets_boundary);
+  return result.untangling_method;
 }
 
 // How the call ends if only the culprit has changed its part.
@@ -208,7 +213,59 @@ TEST_CASE("the map of several processes is that of one")
 {
   const Problem problem = problem_of(ring(6));
   check_map(problem, params::number_of_iterations(200));
+  CHECK(check_map(problem_of(ring(4)), params::number_of_iterations(200)) == "patches");
   check_map(problem, params::energy(VMP::Symmetric_Dirichlet_energy_3()).use_volume_weights(true));
+}
+
+// The vertices on a line through the cube are so near to others that the cells between them are flat.
+TEST_CASE("what patches see of a mesh, and change, is the same with one process and with several")
+{
+  namespace internal = VMP::internal;
+  constexpr double distance = 0.995;
+  const auto image_of = [&](Eigen::Matrix3Xd points)
+  {
+    for(Eigen::Index v = 0; v < points.cols(); ++v)
+      if(points(1, v) == 3 && points(2, v) == 3 && points(0, v) > 0 && points(0, v) < 6)
+        points(1, v) += distance;
+    return points;
+  };
+  const auto is_flat = [&](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+  { return internal::edge_matrix(positions, cell).determinant() < 0.01; };
+  const internal::Numbered_mesh_3 mesh = cube_mesh(6);
+  const Problem problem = problem_of(mesh);
+  const internal::Distributed_mesh_3 distributed(world(), problem.slice(), problem.slice_of_targets(),
+                                                 [](std::size_t) { return false; }, false);
+  const internal::Numbered_mesh_3& part = distributed.mesh();
+  Eigen::Matrix3Xd serial = image_of(mesh.source), image = image_of(part.source);
+  REQUIRE(internal::inverted_cells(mesh, serial).number == 0);
+  const double holds_flat = std::any_of(part.cells.begin(), part.cells.end() - part.number_of_copied_cells,
+                                        [&](const auto& cell) { return is_flat(image, cell); });
+  REQUIRE(world().sum(holds_flat) == (std::min)(size(), 2));
+
+  const std::vector<internal::Patch_3> patches = internal::patches_3(mesh, serial, is_flat, 2);
+  REQUIRE(patches.size() == 1);
+  const internal::Patch_mesh_3 patch(mesh, serial, patches.front());
+  const internal::Neighborhood_3 neighborhood(part, image, is_flat, 2);
+  const internal::Numbered_mesh_3& gathered = neighborhood.mesh();
+  const int n = gathered.number_of_free_vertices;
+  REQUIRE(n == patch.mesh.number_of_free_vertices);
+  CHECK(gathered.number_of_vertices() == patch.mesh.number_of_vertices());
+  CHECK(gathered.cells.size() == patch.mesh.cells.size());
+  CHECK(gathered.source.leftCols(n) == patch.mesh.source.leftCols(n));
+  CHECK(neighborhood.positions().leftCols(n) == patch.positions.leftCols(n));
+  CHECK(internal::volume(gathered, gathered.source) == Approx(internal::volume(patch.mesh, patch.mesh.source)));
+  CHECK(neighborhood.found_by_first([]() { return Eigen::Matrix3Xd::Constant(3, 2, rank()); }).isZero(0));
+  const auto fail = []() -> Eigen::Matrix3Xd { throw std::bad_alloc(); };
+  CHECK_THROWS_AS(world().together([&]() { return neighborhood.found_by_first(fail); }), std::bad_alloc);
+
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> traits;
+  internal::Linear_solver_of<decltype(traits)> solver(traits);
+  const Eigen::Matrix3Xd before = serial;
+  internal::relax_flat_cells_3(mesh, solver, serial);
+  internal::relax_flat_cells_3(part, solver, image);
+  CHECK((serial - before).norm() > 0.1);
+  for(int v = 0; v < part.number_of_vertices(); ++v)
+    CHECK((image.col(v) - serial.col(static_cast<Eigen::Index>(part.vertex_numbers[v]))).norm() < 1e-6);
 }
 
 TEST_CASE("fewer cells than processes, negative cells, and points without a cell")

@@ -103,8 +103,9 @@ The Newton systems are solved by PETSc: by default conjugate gradients that stop
 (`KSPSTCG`) with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for
 instance `-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two
 runs of a program with the same number of processes give the same bits. All is tried that is tried for one process with
-fixed boundary, except to untangle small patches of the mesh. Connected components of the target are not looked at one by
-one: the volume of all must be positive.
+fixed boundary, except to untangle small patches of the mesh, or to relax them, if there are more than a million cells
+around the inverted or flat ones. Connected components of the target are not looked at one by one: the volume of all must
+be positive.
 
 \param soup this process's slice of the mesh
 \param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The

@@ -81,6 +81,9 @@ public:
       = number(cells, numbers, all.get(soup.points), all.get(targets), owner, all.get(is_prescribed_in_slice));
     for(const std::size_t v : places_of_own)
       m_own_numbers.push_back(places[v]);
+    m_mesh.vertex_numbers.resize(places.size());
+    for(std::size_t v = 0; v < places.size(); ++v)
+      m_mesh.vertex_numbers[places[v]] = vertices[v];
     set_rows(all, places);
 
     m_number_of_vertices = static_cast<std::size_t>(communicator.sum(static_cast<double>(own.size())));

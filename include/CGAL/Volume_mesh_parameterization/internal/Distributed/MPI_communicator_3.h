@@ -46,7 +46,7 @@ public:
   ~MPI_communicator_3() override { MPI_Comm_free(&m_communicator); }
 
   MPI_Comm get() const { return m_communicator; }
-  int rank() const { return m_rank; }
+  int rank() const override { return m_rank; }
   int size() const { return m_size; }
 
   // Also with one process, so that the same is computed with any number of them.
@@ -62,6 +62,11 @@ public:
   {
     const std::vector<double> all = gathered(x);
     return *std::min_element(all.begin(), all.end());
+  }
+
+  std::vector<double> concatenated(const std::vector<double>& numbers) const override
+  {
+    return exchanged(std::vector<std::vector<double> >(m_size, numbers));
   }
 
   std::pair<int, std::string> first_failure(const int code, const std::string& sentence) const override

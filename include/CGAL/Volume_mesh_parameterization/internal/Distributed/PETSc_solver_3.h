@@ -13,10 +13,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
+
+#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -88,6 +91,7 @@ public:
   }
 
   Newton_matrix_3 make_matrix() const override { return Matrix(); }
+  Linear_solver_3& for_patches() override { return m_solver_for_patches; }
 
   void analyze_pattern(const Newton_matrix_3& A) override
   {
@@ -144,6 +148,7 @@ public:
 
 private:
   using Matrix = Block_sparse_matrix_3<float>;
+  using Default_solver = Conjugate_gradient_solver_traits_3<Sequential_tag>; // of one process
 
   PetscInt number_of_own_rows() const { return m_mesh.number_of_own_rows(); }
 
@@ -176,6 +181,8 @@ private:
   KSP m_ksp;
   std::vector<PetscInt> m_columns;   // of one row
   std::vector<PetscScalar> m_values; // of one row
+  Default_solver m_default_solver;
+  Linear_solver_of<Default_solver> m_solver_for_patches{ m_default_solver };
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

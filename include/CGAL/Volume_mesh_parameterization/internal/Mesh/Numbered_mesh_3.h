@@ -37,6 +37,7 @@ struct Numbered_mesh_3
   const Communicator_3* communicator = &single_process();
   std::size_t number_of_copied_cells = 0;
   int number_of_copied_vertices = 0;     // free ones
+  std::vector<double> vertex_numbers;    // in the mesh of all processes; none if this process is alone
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
   std::size_t number_of_own_cells() const { return cells.size() - number_of_copied_cells; }

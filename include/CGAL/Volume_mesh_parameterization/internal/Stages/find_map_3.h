@@ -91,9 +91,9 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
     untangled = untangle_from_3(mesh, system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()),
                                 initial.cols() > 0 ? progress.seconds() : begin, progress, found);
-  if(untangled.status == OK && untangled.number_of_steps > 0 && mesh.communicator->is_alone())
+  if(untangled.status == OK && untangled.number_of_steps > 0)
   {
-    relax_flat_cells_3(mesh, solver, untangled.positions);
+    relax_flat_cells_3(mesh, solver.for_patches(), untangled.positions);
     system.claim_solver();
   }
   found.map = judged(mesh, untangled.positions);

@@ -40,6 +40,7 @@ public:
   virtual void analyze_pattern(const Newton_matrix_3& A) = 0;
   virtual Linear_solver_status factorize(const Newton_matrix_3& A) = 0;
   virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) = 0;
+  virtual Linear_solver_3& for_patches() { return *this; } // for systems of a single process
   virtual std::size_t number_of_iterations() const { return 0; } // in all calls of `solve()`; 0 if it does not iterate
 };
 

@@ -76,9 +76,9 @@ private:
   void find_patches()
   {
     while(m_waiting.empty() && m_next_level < levels.size())
-      m_waiting = patches_3(m_mesh, [&](const std::array<int, 4>& cell)
+      m_waiting = patches_3(m_mesh, m_positions, [&](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
       {
-        return !is_positive(m_positions, cell)
+        return !is_positive(positions, cell)
           && std::none_of(cell.begin(), cell.end(), [&](const int v) { return m_is_solved[v]; });
       }, levels[m_next_level++].number_of_rings);
     if(m_waiting.empty())

@@ -23,6 +23,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -35,7 +36,7 @@ struct Patch_3
   std::vector<std::size_t> cells;
 };
 
-// The free vertices of those cells for which `is_chosen` is true.
+// The free vertices of those cells for which `is_chosen` is true, which may be with another process.
 template <typename Condition>
 std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition& is_chosen)
 {
@@ -45,19 +46,39 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
       for(const int v : cell)
         if(mesh.is_free(v))
           result[v] = true;
+  if(mesh.communicator->is_alone())
+    return result;
+  std::vector<double> numbers;
+  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
+    if(result[v])
+      numbers.push_back(mesh.vertex_numbers[v]);
+  numbers = mesh.communicator->concatenated(numbers);
+  const std::unordered_set<double> all(numbers.begin(), numbers.end());
+  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
+    result[v] = all.count(mesh.vertex_numbers[v]) > 0;
+  return result;
+}
+
+// Those of rings of cells around them, too.
+template <typename Condition>
+std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions,
+                                       const Condition& is_chosen, const int number_of_rings)
+{
+  std::vector<bool> result = free_vertices_of(mesh, [&](const auto& cell) { return is_chosen(positions, cell); });
+  for(int ring = 1; ring < number_of_rings; ++ring)
+    result = free_vertices_of(mesh, [&](const auto& cell)
+    { return std::any_of(cell.begin(), cell.end(), [&](const int v) { return bool(result[v]); }); });
   return result;
 }
 
 // The cells for which `is_chosen` is true with rings of cells around them, whose free vertices move: one patch for each
 // connected part.
 template <typename Condition>
-std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Condition& is_chosen, const int number_of_rings)
+std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Condition& is_chosen,
+                               const int number_of_rings)
 {
-  std::vector<bool> is_moving = free_vertices_of(mesh, is_chosen);
+  const std::vector<bool> is_moving = free_vertices_around(mesh, positions, is_chosen, number_of_rings);
   const auto moves = [&](const int v) { return bool(is_moving[v]); };
-  for(int ring = 1; ring < number_of_rings; ++ring)
-    is_moving = free_vertices_of(mesh, [&](const std::array<int, 4>& cell)
-                                       { return std::any_of(cell.begin(), cell.end(), moves); });
 
   Disjoint_sets components(mesh.number_of_free_vertices);
   std::vector<std::pair<std::size_t, int> > cells; // with one of their moving vertices

@@ -22,6 +22,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Neighborhood_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
 
 #include <Eigen/Core>
@@ -44,20 +45,26 @@ inline Eigen::Matrix3Xd relaxed_3(Newton_system_3& system, const Eigen::Matrix3X
 // The same for patches of those cells that are flat, from a map on that inverts none. They hold most of an energy, and a
 // minimization over the whole mesh would deal with them in its first ten steps, which take far longer. The solver serves
 // these patches then.
-inline void relax_flat_cells_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Eigen::Matrix3Xd& positions)
+inline void relax_flat_cells_3(const Numbered_mesh_3& whole, Linear_solver_3& solver, Eigen::Matrix3Xd& image)
 {
   constexpr double flat_part = 0.01; // of the mean volume
-  const double flat = flat_part * 6 * volume(mesh, positions) / static_cast<double>(mesh.cells.size());
-  const auto is_flat
-    = [&](const std::array<int, 4>& cell) { return edge_matrix(positions, cell).determinant() < flat; };
-  for(const Patch_3& patch : patches_3(mesh, is_flat, 1))
+  const double flat = flat_part * 6 * volume(whole, image) / whole.number_of_all_cells();
+  const auto is_flat = [&](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+  { return edge_matrix(positions, cell).determinant() < flat; };
+  const Neighborhood_3 neighborhood(whole, image, is_flat, 1);
+  Eigen::Matrix3Xd positions = neighborhood.positions();
+  for(const Patch_3& patch : patches_3(neighborhood.mesh(), positions, is_flat, 1))
   {
-    Patch_mesh_3 p(mesh, positions, patch);
-    Newton_system_3 system(p.mesh, cells_scaled_to_target(p.mesh), free_vertices(p.mesh), solver, false);
-    p.positions = snapped(p.mesh, relaxed_3(system, system.unit() * p.positions) / system.unit());
+    Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
+    p.positions = neighborhood.found_by_first([&]() -> Eigen::Matrix3Xd
+    {
+      Newton_system_3 system(p.mesh, cells_scaled_to_target(p.mesh), free_vertices(p.mesh), solver, false);
+      return snapped(p.mesh, relaxed_3(system, system.unit() * p.positions) / system.unit());
+    });
     if(inverted_cells(p.mesh, p.positions).number == 0)
       p.write(positions);
   }
+  image = neighborhood.in_whole(positions);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -81,10 +81,10 @@ public:
   // Unless so many cells are inverted that they are no exceptions.
   void untangle_patches(const Eigen::Matrix3Xd& start, const std::string& method)
   {
-    const std::size_t most_for_patches = (std::max)(std::size_t(100), m_mesh.cells.size() / 100);
-    if(!m_mesh.communicator->is_alone() || inverted_cells(m_mesh, start).number > most_for_patches)
+    const double most_for_patches = (std::max)(100., m_mesh.number_of_all_cells() / 100);
+    if(static_cast<double>(inverted_cells(m_mesh, start).number) > most_for_patches)
       return;
-    Patch_untangling_3 patches(m_mesh, m_solver, start);
+    Patch_untangling_3 patches(m_mesh, m_solver.for_patches(), start);
     run(patches, method);
     m_system.claim_solver();
   }
