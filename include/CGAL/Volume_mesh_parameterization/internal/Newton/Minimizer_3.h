@@ -98,7 +98,7 @@ private:
   double solver_tolerance() const
   {
     constexpr double smallest = 1e-4, largest = 1e-2;
-    return relative_gain() > 0 ? std::clamp(0.1 * std::sqrt(relative_gain()), smallest, largest) : largest;
+    return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
   }
 
   Newton_system_3& m_system;
