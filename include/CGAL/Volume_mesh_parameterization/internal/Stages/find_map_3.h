@@ -52,14 +52,9 @@ inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3&
   Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
   const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + u / system.unit()); };
   Newton_direction_3 direction = harmonic_map_3(system, u, energy_tolerance);
-  Eigen::Matrix3Xd start = image();
+  const Eigen::Matrix3Xd start = image();
   found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
-  if(direction.is_usable() && found.number_of_inverted_cells_at_start == 0)
-  {
-    direction = harmonic_map_3(system, u);
-    start = image();
-  }
-  else if(direction.is_usable())
+  if(direction.is_usable() && found.number_of_inverted_cells_at_start > 0)
   {
     system.set_references(mesh, regular_cells_scaled_to_target(mesh));
     direction = harmonic_map_3(system, u, energy_tolerance);
