@@ -66,6 +66,7 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
   return result;
 }
 
+// Why the minimization over all vertices was ended.
 inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mesh_3& mesh)
 {
   std::ostringstream out;

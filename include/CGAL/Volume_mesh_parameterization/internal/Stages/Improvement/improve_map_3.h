@@ -77,9 +77,11 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
       found.map = start;
       found.number_of_sliding_vertices = 0;
       sliding.reset();
-      begin_system();
       if(!progress.is_interrupted())
+      {
+        begin_system();
         minimize(energy);
+      }
     }
   }
   if(found.map.is_solution() && !progress.is_interrupted() && std::isfinite(bound))
