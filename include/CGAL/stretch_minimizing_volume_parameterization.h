@@ -162,7 +162,7 @@ predicates on the coordinates that are written.
                           no cell, a vertex whose facets are coplanar moves in their plane, one whose facets
                           lie in two planes along their common line, and every other one stays. So the images of
                           planar patches, of the edges between them and of the complex remain the same, and
-                          remain one to one. Where a patch would fold over, no vertex of the boundary slides.}
+                          remain one to one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A

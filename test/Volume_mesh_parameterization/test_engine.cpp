@@ -243,6 +243,39 @@ TEST_CASE("The largest step is the first root of a determinant")
     }
 }
 
+TEST_CASE("A step is not doubled where a cell is turned over on the way")
+{
+  // half a turn of two vertices about the other two, on lines that just miss the axis
+  Numbered_mesh_3 mesh;
+  mesh.source.resize(3, 4);
+  mesh.source << 1, 0, 0, 0,
+                 0, 1, 0, 0,
+                 0, 0, 0, 1;
+  mesh.target = mesh.source;
+  mesh.cells = { {2, 3, 0, 1} };
+  mesh.number_of_free_vertices = 2;
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  const VMP::internal::Scaled_cells_3 scaled{1, inverse_sources(mesh), {1.}};
+  const VMP::internal::Newton_system_3 system(mesh, scaled, free_vertices(mesh), linear_solver, false);
+  const VMP::Stretch_energy_3 stretch;
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
+
+  const auto length_after = [&](const Vector3d& c, const Vector3d& d)
+  {
+    VMP::internal::Newton_direction_3 direction;
+    direction.vectors = Matrix3Xd::Zero(3, 4);
+    direction.vectors.leftCols(2) << c, d;
+    const Matrix3Xd u = mesh.source + 0.4 * direction.vectors, doubled = mesh.source + 0.8 * direction.vectors;
+    REQUIRE(system.evaluate(energy, u).is_flip_free());
+    REQUIRE(system.evaluate(energy, doubled).is_flip_free());
+    REQUIRE(system.evaluate(energy, doubled).energy < system.evaluate(energy, u).energy);
+    return extrapolated(system, energy, mesh.source, direction, {0.4, u, system.evaluate(energy, u)}).length;
+  };
+  CHECK(length_after(Vector3d(-2, 0.1, 0), Vector3d(0.1, -2, 0)) == 0.4);  // the determinant is negative halfway
+  CHECK(length_after(Vector3d(-2, 0.1, 0), Vector3d(-0.1, -2, 0)) > 0.4);  // and here it is not
+}
+
 TEST_CASE("The identity and affine maps are recovered on cells of equal volume")
 {
   Matrix3d A;

@@ -222,6 +222,18 @@ TEST_CASE("Planes are recognized in spite of rounding, but not of bumps")
   CHECK(number_of_sliding_vertices(rounded_cube(1e-5)) == 0);
 }
 
+TEST_CASE("The normals of planes along the axes have no rounding error")
+{
+  for(int k = 1; k <= 100; ++k)
+  {
+    const Numbered_mesh_3 mesh = mapped_cube(2, 0, [&](const Vector3d& p) -> Vector3d { return p / k + origin; });
+    const auto facets = VMP::internal::boundary_facets_3(mesh.cells);
+    const VMP::internal::Planar_patches_3 patches(mesh.target, facets, 0);
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      CHECK(patches.normal(patches.patch(f)).cwiseAbs().sum() == 1);
+  }
+}
+
 TEST_CASE("A vertex outside its plane or a facet turned over is found")
 {
   const Numbered_mesh_3 mesh = cube_mesh(n);

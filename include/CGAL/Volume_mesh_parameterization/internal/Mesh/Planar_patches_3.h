@@ -57,6 +57,12 @@ private:
     return a.cross(b);
   }
 
+  // Along an axis, it is so exactly: a division by the length may be a multiplication by its rounded reciprocal.
+  static Eigen::Vector3d unit_normal(const Eigen::Vector3d& n)
+  {
+    return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized();
+  }
+
   static Exact_point_3 exact_point(const Eigen::Matrix3Xd& points, const int v)
   {
     return Exact_point_3(points(0, v), points(1, v), points(2, v));
@@ -120,7 +126,7 @@ private:
     for(std::size_t f = 0; f < facets.size(); ++f)
       m_normal[m_patch[f]] += area_vector(points, facets[f]);
     for(Eigen::Vector3d& normal : m_normal)
-      normal.stableNormalize();
+      normal = unit_normal(normal);
     for(std::size_t f = 0; f < facets.size(); ++f)
     {
       const std::size_t patch = m_patch[f];

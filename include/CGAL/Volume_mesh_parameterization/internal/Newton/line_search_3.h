@@ -67,16 +67,18 @@ inline Line_search_step_3 safe_line_search_3(const Newton_system_3& system, cons
                        gradient_bound);
 }
 
-// Doubles a step from u as long as the energy falls and no cell is inverted.
+// Doubles a step from u as long as the energy falls and no cell is inverted, not even on the way: a cell that is turned
+// twice is positive again, but facets that slide in the boundary may have been turned over with it.
 inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell_energy_3& energy,
                                        const Eigen::Matrix3Xd& u, const Newton_direction_3& direction,
                                        Line_search_step_3 step)
 {
   while(true)
   {
-    Eigen::Matrix3Xd trial = u + 2 * step.length * direction.vectors;
+    const Eigen::Matrix3Xd doubled = 2 * step.length * direction.vectors;
+    Eigen::Matrix3Xd trial = u + doubled;
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
-    if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy))
+    if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy) || system.largest_step(u, doubled) < 1)
       return step;
     step = { 2 * step.length, std::move(trial), evaluation };
   }

@@ -53,37 +53,18 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
   }
   double begin = progress.seconds();
   const Scaled_cells_3 scaled = cells_scaled_to_target(mesh);
-  std::optional<Newton_system_3> system;
-  const auto begin_system = [&]()
-  {
-    system.emplace(mesh, scaled, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver,
-                   options.is_parallel);
-  };
-  begin_system();
+  Newton_system_3 system(mesh, scaled, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver,
+                         options.is_parallel);
   const auto minimize = [&](const Cell_energy_3& psi)
   {
-    Minimization_3 minimization(*system, psi, found.map.positions);
+    Minimization_3 minimization(system, psi, found.map.positions);
     const Error_code status = progress.run(minimization, begin);
     take_over(minimization, status, sliding ? judged(mesh, *sliding, sliding->restored(minimization.positions()))
                                             : judged(mesh, snapped(mesh, minimization.positions())), found);
     begin = progress.seconds();
   };
   if(sliding)
-  {
-    const Map_3 start = found.map;
     minimize(energy);
-    if(!found.map.is_solution()) // cells stay positive, but facets of the boundary may fold over; so it stays as it was
-    {
-      found.map = start;
-      found.number_of_sliding_vertices = 0;
-      sliding.reset();
-      if(!progress.is_interrupted())
-      {
-        begin_system();
-        minimize(energy);
-      }
-    }
-  }
   if(found.map.is_solution() && !progress.is_interrupted() && std::isfinite(bound))
     bound_angle_distortion_3(mesh, energy, bound, sliding.has_value(), minimize, progress, found);
   if(found.map.is_solution() && !progress.is_interrupted() && options.minimize_maximal_angle_distortion)
