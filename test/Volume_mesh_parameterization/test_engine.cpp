@@ -14,6 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Crawl_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Minimal_subset.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Split_search_3.h>
@@ -761,6 +762,38 @@ TEST_CASE("A minimization stagnates where neither the energy nor the decrement f
   CHECK(is_noticed(0.99995, 0.9));
   CHECK(!is_noticed(0.99995, 0.7)); // near a minimum
   CHECK(!is_noticed(0.9998, 1));
+}
+
+TEST_CASE("A search crawls where a few cells hold most of the energy, and it falls for them alone")
+{
+  // Every ten steps, the first cell becomes higher by a tenth, and all of the mesh by the rate.
+  const Numbered_mesh_3 mesh = cube_mesh(6);
+  const VMP::Stretch_energy_3 stretch;
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
+  const auto first_notice = [&](const double first_height, const double rate, const bool is_stagnating)
+  {
+    VMP::internal::Crawl_3 crawl(mesh, energy);
+    for(std::size_t step = 10; step <= 300; step += 10)
+    {
+      const double rounds = static_cast<double>(step) / 10;
+      Matrix3Xd image = mesh.source;
+      const Vector3d a = image.col(mesh.cells[0][0]), b = image.col(mesh.cells[0][1]);
+      const Vector3d normal = (image.col(mesh.cells[0][2]) - b).cross(image.col(mesh.cells[0][3]) - b).normalized();
+      image.col(mesh.cells[0][0]) -= (1 - first_height * std::pow(1.1, rounds)) * normal.dot(a - b) * normal;
+      image.row(2) *= 0.1 * std::pow(rate, rounds);
+      VMP::Parameterization_step s;
+      s.iteration = step;
+      s.energy = VMP::internal::Crawl_3::large_energy + 1;
+      if(crawl.notice(s, is_stagnating, image))
+        return step;
+    }
+    return std::size_t(0);
+  };
+  CHECK(first_notice(1e-5, 1, false) == 110);
+  CHECK(first_notice(1e-5, 0.99, false) == 110); // the others become worse
+  CHECK(first_notice(1e-5, 1.01, false) == 0);   // or better
+  CHECK(first_notice(1e-5, 1.01, true) == 10);
+  CHECK(first_notice(0.05, 1, true) == 0);       // no cell holds most of the energy
 }
 
 TEST_CASE("A cell that the boundary makes flat does not keep the other vertices from their minimum")

@@ -30,8 +30,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Minimization_3 : public Stage_3
 {
 public:
-  // Is it to end where the energy stagnates with these images of the vertices?
-  using Ends_here = std::function<bool(const Eigen::Matrix3Xd&)>;
+  // Is it to end after this step, where the energy stagnates or not, with these images of the vertices? Asked every ten
+  // steps.
+  using Ends_here = std::function<bool(const Parameterization_step&, bool, const Eigen::Matrix3Xd&)>;
 
   Minimization_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
                  Ends_here ends_here = nullptr, const Negative_curvature& negative_curvature = Negative_curvature())
@@ -45,7 +46,8 @@ public:
     const Step_status status = m_minimizer.step();
     report(Phase::MINIMIZATION, m_minimizer, m_energy_of_other_cells);
     conclude(status, ERROR_NOT_CONVERGED, m_minimizer.direction());
-    if(is_running() && m_ends_here && m_minimizer.is_stagnating() && m_ends_here(positions()))
+    if(is_running() && m_ends_here && last_step().iteration % 10 == 0
+       && m_ends_here(last_step(), m_minimizer.is_stagnating(), positions()))
       end(ERROR_NOT_CONVERGED);
   }
 

@@ -35,6 +35,7 @@ struct Dominant_cells_3
 {
   std::vector<std::size_t> cells; // the first one holds most
   double part_of_energy = 0;      // that all of them hold
+  double logarithmic_mean = 0;    // of 1 + the energy of all cells, where those far above the median count as not so far
 
   bool hold_most() const { return part_of_energy > 0.5; }
 };
@@ -51,11 +52,12 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
   std::vector<double> sorted = psi;
   const auto median = sorted.begin() + sorted.size() / 2;
   std::nth_element(sorted.begin(), median, sorted.end());
-  const double bound = (std::max)(far_above * *median, mean);
+  const double high = far_above * *median, bound = (std::max)(high, mean);
 
   Dominant_cells_3 result;
   for(std::size_t c = 0; c < psi.size(); ++c)
   {
+    result.logarithmic_mean += weights[c] * std::log1p((std::min)(psi[c], high));
     if(!(psi[c] > bound))
       continue;
     result.part_of_energy += weights[c] * psi[c] / mean;
@@ -71,8 +73,8 @@ inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mes
 {
   std::ostringstream out;
   out << dominant.cells.size() << " of " << mesh.cells.size() << " cells, which the prescribed vertices make flat, hold "
-      << std::floor(100 * dominant.part_of_energy) << " % of the energy and hardly improve any more; most of it holds the "
-      << "cell at " << describe(mesh.source.col(mesh.cells[dominant.cells.front()][0]))
+      << std::floor(100 * dominant.part_of_energy) << " % of the energy, and further steps would hardly lower it, or for them alone; most of it "
+      << "holds the cell at " << describe(mesh.source.col(mesh.cells[dominant.cells.front()][0]))
       << ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were then moved"
       << " alone, to where they hardly improve either.";
   return out.str();
