@@ -202,8 +202,9 @@ private:
 
   void check_limits(const VMP::Parameterization_result& result) const
   {
-    // three stages, one more that slides, and one more after each refinement
-    const std::size_t number_of_stages = m_do_refine ? 24 : 4;
+    // Three stages and one more that slides; with refinement, a search for edges as well, and all of them again after each
+    // round. A round adds at least one vertex, but for two that may be in vain.
+    const std::size_t number_of_stages = m_do_refine ? 5 * (3 + result.number_of_added_vertices) : 4;
     expect(result.number_of_iterations <= number_of_stages * m_number_of_iterations, "the number of iterations is respected");
     expect(m_visitor.number_of_steps == result.number_of_iterations, "the visitor is told of each step");
     expect(m_visitor.number_of_steps <= m_visitor.limit, "the visitor ends the computation");
