@@ -135,6 +135,9 @@ std::string check_map(const Problem& problem, const NamedParameters& np)
   CHECK(result.number_of_boundary_vertices == serial.number_of_boundary_vertices);
   CHECK(result.number_of_inverted_cells_at_start == serial.number_of_inverted_cells_at_start);
   CHECK(result.boundary_residual == 0);
+  const double iterations = static_cast<double>(serial.number_of_linear_solver_iterations);
+  CHECK(result.number_of_linear_solver_iterations <= 1.1 * iterations);
+  CHECK(result.number_of_linear_solver_iterations >= 0.4 * iterations); // multigrid needs about half of them
 
   const Points images = whole(slice);
   CHECK(is_valid(problem.soup, images));

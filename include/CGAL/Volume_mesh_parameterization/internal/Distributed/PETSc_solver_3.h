@@ -26,6 +26,7 @@
 #include <petscksp.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -144,6 +145,14 @@ public:
     check(VecResetArray(m_b));
     check(VecResetArray(m_x));
     return status();
+  }
+
+  // With those for patches, on whichever process.
+  std::size_t number_of_iterations() const override
+  {
+    PetscInt result;
+    check(KSPGetTotalIterations(m_ksp, &result));
+    return static_cast<std::size_t>(result + m_communicator.sum(m_solver_for_patches.number_of_iterations()));
   }
 
 private:
