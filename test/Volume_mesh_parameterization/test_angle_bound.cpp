@@ -60,7 +60,7 @@ Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_
   VMP::internal::Progress_3 progress([](const VMP::Parameterization_step&) { return true; }, 1000, 1e10);
   const VMP::internal::Input_check_3 check = check_input_3(mesh);
   const VMP::internal::Found_map_3 found = find_map_3(mesh, check, energy, solver, options, progress);
-  return {make_result_3(mesh, check, found, energy, progress), found.map.positions};
+  return {make_result_3(mesh, check, found, energy, solver, progress), found.map.positions};
 }
 
 // The mean over the cells, with both meshes scaled to one volume.

@@ -74,8 +74,7 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
     Map_options_3 options = problem.options;
     options.mode = Boundary_mode::FIXED;
     const Found_map_3 found = engine::find_map(mesh, check, problem.energy, solver, options, problem.progress);
-    result = engine::make_result(mesh, check, found, problem.energy, problem.progress);
-    result.number_of_linear_solver_iterations = solver.number_of_iterations();
+    result = engine::make_result(mesh, check, found, problem.energy, solver, problem.progress);
     if(result.has_valid_map)
       distributed.write(found.map.positions, images);
   }

@@ -118,8 +118,7 @@ Parameterization_result written_result(const Checked_complex_3<Numbered>& comple
                                        const Found_map_3& found, Images& images)
 {
   Parameterization_result result
-    = engine::make_result(complex.numbered.mesh(), complex.check, found, problem.energy, problem.progress);
-  result.number_of_linear_solver_iterations = problem.solver.number_of_iterations();
+    = engine::make_result(complex.numbered.mesh(), complex.check, found, problem.energy, problem.solver, problem.progress);
   add_counts(complex.numbered, result);
   if(result.has_valid_map)
     complex.numbered.write(found.map.positions, images);

@@ -67,7 +67,8 @@ Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matr
 // The result but for the counts of the complex.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
-                                    const Cell_energy_3& energy, const Progress_3& progress);
+                                    const Cell_energy_3& energy, const Linear_solver_3& solver,
+                                    const Progress_3& progress);
 
 // Is each cell positive, by exact predicates?
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -78,9 +78,10 @@ Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matr
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
-                                    const Cell_energy_3& energy, const Progress_3& progress)
+                                    const Cell_energy_3& energy, const Linear_solver_3& solver,
+                                    const Progress_3& progress)
 {
-  return make_result_3(mesh, check, found, energy, progress);
+  return make_result_3(mesh, check, found, energy, solver, progress);
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -22,9 +22,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Stagnation
 {
 public:
+  static constexpr int number_of_steps = 10; // after which it may be noticed
+
   void add(const double energy, const double squared_decrement)
   {
-    constexpr int number_of_steps = 10;
     m_smallest_decrement = (std::min)(m_smallest_decrement, squared_decrement);
     m_is_noticed = false;
     if(++m_number_of_steps % number_of_steps != 0)

@@ -26,7 +26,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Notices that a minimization crawls: a few cells hold most of the energy, and the energy stagnates, or it falls for these
 // cells alone. The latter is the case if the mean of the logarithms, in which these cells count as little as others, has
-// not become lower for a hundred steps.
+// not become notably lower for a hundred steps.
 class Crawl_3
 {
 public:
@@ -38,11 +38,11 @@ public:
   bool notice(const Parameterization_step& step, const bool is_stagnating, const Eigen::Matrix3Xd& image)
   {
     constexpr std::size_t patience = 100;
-    constexpr double lower = 1e-3;
+    constexpr double notable = 1e-3;
     m_is_noticed = false;
     if(!(is_stagnating || step.energy > large_energy) || !is_dominated(image))
       return false;
-    if(m_dominant.logarithmic_mean < m_lowest_mean - lower)
+    if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
     {
       m_lowest_mean = m_dominant.logarithmic_mean;
       m_step_of_lowest_mean = step.iteration;

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
 
@@ -30,8 +31,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Minimization_3 : public Stage_3
 {
 public:
-  // Is it to end after this step, where the energy stagnates or not, with these images of the vertices? Asked every ten
-  // steps.
+  // Is it to end after this step, where the energy stagnates or not, with these images of the vertices? Asked where a
+  // stagnation may be noticed.
   using Ends_here = std::function<bool(const Parameterization_step&, bool, const Eigen::Matrix3Xd&)>;
 
   Minimization_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
@@ -46,7 +47,7 @@ public:
     const Step_status status = m_minimizer.step();
     report(Phase::MINIMIZATION, m_minimizer, m_energy_of_other_cells);
     conclude(status, ERROR_NOT_CONVERGED, m_minimizer.direction());
-    if(is_running() && m_ends_here && last_step().iteration % 10 == 0
+    if(is_running() && m_ends_here && last_step().iteration % Stagnation::number_of_steps == 0
        && m_ends_here(last_step(), m_minimizer.is_stagnating(), positions()))
       end(ERROR_NOT_CONVERGED);
   }

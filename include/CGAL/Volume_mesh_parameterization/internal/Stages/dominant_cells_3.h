@@ -73,8 +73,8 @@ inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mes
 {
   std::ostringstream out;
   out << dominant.cells.size() << " of " << mesh.cells.size() << " cells, which the prescribed vertices make flat, hold "
-      << std::floor(100 * dominant.part_of_energy) << " % of the energy, and further steps would hardly lower it, or for them alone; most of it "
-      << "holds the cell at " << describe(mesh.source.col(mesh.cells[dominant.cells.front()][0]))
+      << std::floor(100 * dominant.part_of_energy) << " % of the energy, and further steps would hardly lower it, or "
+      << "for them alone; most of it holds the cell at " << describe(mesh.source.col(mesh.cells[dominant.cells.front()][0]))
       << ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were then moved"
       << " alone, to where they hardly improve either.";
   return out.str();

@@ -20,6 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
 
@@ -73,7 +74,7 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const E
 // The result of a search without its counts of the complex: the only place where it is written.
 inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
                                              const Found_map_3& found, const Cell_energy_3& energy,
-                                             const Progress_3& progress)
+                                             const Linear_solver_3& solver, const Progress_3& progress)
 {
   const double begin = progress.seconds();
   Parameterization_result result;
@@ -105,6 +106,7 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   const Effort_3& effort = progress.effort();
   result.number_of_iterations = effort.number_of_iterations;
   result.number_of_untangling_iterations = effort.number_of_untangling_iterations;
+  result.number_of_linear_solver_iterations = solver.number_of_iterations();
   result.seconds_to_flip_free = effort.seconds_to_flip_free;
   result.seconds_numbering = effort.seconds_numbering;
   result.seconds_start = effort.seconds_start;
