@@ -1,5 +1,5 @@
-// Cuts thin blocks out of a tetrahedral mesh, with about half of their vertices on the boundary and slivers there, and maps
-// the boundary of each to a box.
+// Cuts thin blocks with wavy faces out of a tetrahedral mesh, with about half of their vertices on the boundary and slivers
+// there, and maps the boundary of each to a box.
 #include "write_case.h"
 
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
@@ -15,11 +15,13 @@
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -39,81 +41,170 @@ using Vertex_handle = C3t3::Vertex_handle;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Soup = VMP::Tetrahedron_soup_3;
+using Cell = std::array<std::size_t, 4>;
 using Facet = std::array<std::size_t, 3>;
+using Edge = std::array<std::size_t, 2>;
 
 Eigen::Vector3d point(const Soup& soup, const std::size_t v) { return Eigen::Vector3d(soup.points[v].data()); }
-
-Eigen::Vector3d center(const Soup& soup, const std::array<std::size_t, 4>& cell)
-{
-  return (point(soup, cell[0]) + point(soup, cell[1]) + point(soup, cell[2]) + point(soup, cell[3])) / 4;
-}
 
 double mean_edge_length(const Soup& soup)
 {
   double sum = 0;
-  for(const auto& cell : soup.cells)
+  for(const Cell& cell : soup.cells)
     sum += (point(soup, cell[1]) - point(soup, cell[0])).norm();
   return sum / static_cast<double>(soup.cells.size());
 }
 
-// The cells whose center is in the box, as far as they hang together by facets with one of them.
-Soup block_around(const Soup& soup, const std::size_t first, const Eigen::Vector3d& half_sides)
+// In ascending order, so that the cells around a facet cut its edges in the same order.
+std::array<Edge, 6> edges_of_cell(Cell cell)
 {
-  const Eigen::Vector3d middle = center(soup, soup.cells[first]);
-  std::map<Facet, std::vector<std::size_t> > cells_of_facet;
-  const auto facets = [&](const std::size_t c)
+  std::sort(cell.begin(), cell.end());
+  const auto& [a, b, c, d] = cell;
+  return {{ { a, b }, { a, c }, { a, d }, { b, c }, { b, d }, { c, d } }};
+}
+
+std::array<Facet, 4> facets_of_cell(Cell cell)
+{
+  std::sort(cell.begin(), cell.end());
+  const auto& [a, b, c, d] = cell;
+  return {{ { a, b, c }, { a, b, d }, { a, c, d }, { b, c, d } }};
+}
+
+void split_edge(std::vector<Cell>& cells, const Edge& edge, const std::size_t middle)
+{
+  for(std::size_t i = cells.size(); i-- > 0; )
   {
-    std::array<Facet, 4> result;
-    for(std::size_t i = 0; i < 4; ++i)
+    const auto first = std::find(cells[i].begin(), cells[i].end(), edge[0]);
+    const auto second = std::find(cells[i].begin(), cells[i].end(), edge[1]);
+    if(first == cells[i].end() || second == cells[i].end())
+      continue;
+    Cell half = cells[i];
+    half[first - cells[i].begin()] = middle;
+    *second = middle;
+    cells.push_back(half);
+  }
+}
+
+// Cells are cut in two where the function is zero, as close to a vertex as that may be: this makes slivers.
+template <typename Function>
+Soup part_where_positive(const Soup& soup, const Function& function)
+{
+  Soup part;
+  part.points = soup.points;
+  std::vector<double> values(soup.points.size());
+  for(std::size_t v = 0; v < values.size(); ++v)
+    values[v] = function(point(soup, v));
+  std::map<Edge, std::size_t> zeros;
+  const auto zero_of_edge = [&](const Edge& edge)
+  {
+    const auto [place, is_new] = zeros.emplace(edge, part.points.size());
+    if(is_new)
     {
-      for(std::size_t k = 0; k < 3; ++k)
-        result[i][k] = soup.cells[c][(i + k + 1) % 4];
-      std::sort(result[i].begin(), result[i].end());
+      const auto [a, b] = edge;
+      const double ratio = values[a] / (values[a] - values[b]);
+      const Eigen::Vector3d zero = (1 - ratio) * point(soup, a) + ratio * point(soup, b);
+      part.points.push_back({ zero[0], zero[1], zero[2] });
+      values.push_back(0);
     }
-    return result;
+    return place->second;
   };
-  for(std::size_t c = 0; c < soup.cells.size(); ++c)
-    if(((center(soup, soup.cells[c]) - middle).cwiseAbs().array() <= half_sides.array()).all())
-      for(const Facet& facet : facets(c))
-        cells_of_facet[facet].push_back(c);
-
-  std::vector<bool> is_found(soup.cells.size(), false);
-  std::vector<std::size_t> found = { first };
-  is_found[first] = true;
-  for(std::size_t i = 0; i < found.size(); ++i)
-    for(const Facet& facet : facets(found[i]))
-      for(const std::size_t c : cells_of_facet[facet])
-        if(!is_found[c])
-        {
-          is_found[c] = true;
-          found.push_back(c);
-        }
-
-  Soup block;
-  std::unordered_map<std::size_t, std::size_t> number;
-  for(const std::size_t c : found)
+  for(const Cell& cell : soup.cells)
   {
-    block.cells.push_back(soup.cells[c]);
-    block.cell_references.push_back(1);
-    for(std::size_t& v : block.cells.back())
+    std::vector<Cell> pieces = { cell };
+    for(const Edge& edge : edges_of_cell(cell))
+      if(values[edge[0]] * values[edge[1]] < 0)
+        split_edge(pieces, edge, zero_of_edge(edge));
+    for(const Cell& piece : pieces)
+      if(std::all_of(piece.begin(), piece.end(), [&](const std::size_t v) { return values[v] >= 0; }))
+        part.cells.push_back(piece);
+  }
+  return part;
+}
+
+// The largest of the parts that hang together by facets, its vertices numbered anew.
+Soup largest_component(const Soup& soup)
+{
+  std::map<Facet, std::vector<std::size_t> > cells_of_facet;
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    for(const Facet& facet : facets_of_cell(soup.cells[c]))
+      cells_of_facet[facet].push_back(c);
+  std::vector<bool> is_found(soup.cells.size(), false);
+  std::vector<std::size_t> largest;
+  for(std::size_t first = 0; first < soup.cells.size(); ++first)
+  {
+    std::vector<std::size_t> found;
+    const auto find = [&](const std::size_t c)
     {
-      const auto [place, is_new] = number.emplace(v, block.points.size());
+      if(!is_found[c])
+        found.push_back(c);
+      is_found[c] = true;
+    };
+    find(first);
+    for(std::size_t i = 0; i < found.size(); ++i)
+      for(const Facet& facet : facets_of_cell(soup.cells[found[i]]))
+        for(const std::size_t c : cells_of_facet[facet])
+          find(c);
+    if(found.size() > largest.size())
+      largest = found;
+  }
+
+  Soup component;
+  std::unordered_map<std::size_t, std::size_t> number;
+  for(const std::size_t c : largest)
+  {
+    component.cells.push_back(soup.cells[c]);
+    component.cell_references.push_back(1);
+    for(std::size_t& v : component.cells.back())
+    {
+      const auto [place, is_new] = number.emplace(v, component.points.size());
       if(is_new)
-        block.points.push_back(soup.points[v]);
+        component.points.push_back(soup.points[v]);
       v = place->second;
     }
   }
-  return block;
+  return component;
 }
 
-// Four to seven edges thick, and ten to thirty wide.
-Eigen::Vector3d random_half_sides(const double edge, std::mt19937& engine)
+// A box in random direction with wavy faces, four to seven edges thick, and ten to thirty wide.
+class Wavy_box
 {
-  std::uniform_real_distribution<double> thin(2, 3.5), wide(5, 15);
-  std::array<double, 3> sides = { thin(engine), wide(engine), wide(engine) };
-  std::shuffle(sides.begin(), sides.end(), engine);
-  return edge * Eigen::Vector3d(sides.data());
-}
+public:
+  Wavy_box(const Eigen::Vector3d& middle, const double edge, std::mt19937& engine)
+    : m_middle(middle)
+  {
+    std::uniform_real_distribution<double> thin(2, 3.5), wide(5, 15), angle(0, 6.28), height(0, 0.4);
+    m_half_sides = edge * Eigen::Vector3d(thin(engine), wide(engine), wide(engine));
+    for(int i = 0; i < 3; ++i)
+    {
+      m_axes = Eigen::AngleAxisd(angle(engine), Eigen::Vector3d::Unit(i)) * m_axes;
+      m_phases[i] = angle(engine);
+    }
+    m_height = height(engine) * m_half_sides[1];
+  }
+  Eigen::Vector3d sides() const { return 2 * m_half_sides; }
+  Soup part_of(Soup soup) const
+  {
+    for(int face = 0; face < 6; ++face)
+      soup = part_where_positive(soup, [&](const Eigen::Vector3d& p) { return depth(face, p); });
+    return largest_component(soup);
+  }
+
+private:
+  // below a face; along the wide sides there is one wave
+  double depth(const int face, const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d q = m_axes * (p - m_middle);
+    const int i = face / 2;
+    const int k = i == 1 ? 2 : 1;
+    const double wave = m_height * std::sin(3 * q[k] / m_half_sides[k] + m_phases[i]);
+    return m_half_sides[i] - (face % 2 == 0 ? q[i] - wave : wave - q[i]);
+  }
+
+  Eigen::Vector3d m_middle, m_half_sides;
+  Eigen::Matrix3d m_axes = Eigen::Matrix3d::Identity();
+  std::array<double, 3> m_phases;
+  double m_height;
+};
 
 // Is the boundary a sphere that can be mapped to the box?
 bool write_block(const Soup& block, const Eigen::Vector3d& sides, const std::string& name)
@@ -122,11 +213,12 @@ bool write_block(const Soup& block, const Eigen::Vector3d& sides, const std::str
   std::vector<Vertex_handle> vertices;
   std::vector<C3t3::Cell_handle> cells;
   VMP::tetrahedron_soup_to_mesh_complex_3(block, c3t3, vertices, cells);
-  VMP::make_parameterizable(c3t3); // cells with all vertices on the boundary would become flat in the faces of the box
   std::unordered_map<Vertex_handle, Point_3> targets;
   const VMP::Cube_boundary_parameterizer_3 parameterizer(sides[0], sides[1], sides[2]);
   if(parameterizer.parameterize(c3t3, boost::make_assoc_property_map(targets)) != VMP::OK)
     return false;
+  // cells, facets and edges that would become flat in the faces of the box, and no others
+  VMP::make_parameterizable(c3t3, CGAL::parameters::boundary_map(boost::make_assoc_property_map(targets)));
   Soup refined;
   VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, refined, vertices);
   write_mesh(name, refined);
@@ -153,11 +245,11 @@ int main(int argc, char* argv[])
     int number = 0;
     for(int i = 0; number < std::atoi(argv[2]) && i < 1000; ++i)
     {
-      const Eigen::Vector3d half_sides = random_half_sides(edge, engine);
-      const Soup block = block_around(soup, engine() % soup.cells.size(), half_sides);
+      const Wavy_box box(point(soup, engine() % soup.points.size()), edge, engine);
+      const Soup block = box.part_of(soup);
       if(block.points.size() < 500 || block.points.size() > 20000)
         continue;
-      number += write_block(block, 2 * half_sides, argv[4] + std::to_string(number + 1));
+      number += write_block(block, box.sides(), argv[4] + std::to_string(number + 1));
     }
     return EXIT_SUCCESS;
   }

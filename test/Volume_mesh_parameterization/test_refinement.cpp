@@ -278,6 +278,30 @@ Soup five_cells_around_edge()
   return fan({ 0, 0, -1 }, { 0, 0, 1 }, { around[0], { 0, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 }, { 1, -1, 0 } });
 }
 
+// The lower half of an octahedron around the edge of vertices 0 and 1 is filled from the vertex 6 inside, above its lowest 5.
+Soup octahedron_with_vertex_below_axis()
+{
+  Soup soup;
+  soup.points = { { -1, 0, 0 }, { 1, 0, 0 }, { 0, -1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 0, 0, -0.5 } };
+  soup.cells = { { 0, 1, 3, 4 }, { 0, 2, 1, 4 }, { 0, 3, 1, 6 }, { 0, 1, 2, 6 },
+                 { 0, 3, 6, 5 }, { 3, 1, 6, 5 }, { 1, 2, 6, 5 }, { 2, 0, 6, 5 } };
+  soup.cell_references.assign(soup.cells.size(), 1);
+  return soup;
+}
+
+// Below a tetrahedron another, which is filled from a vertex inside.
+Soup tetrahedron_upon_three_around_vertex()
+{
+  Soup soup;
+  soup.points = { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 4, 0 }, { 1, 1, 4 }, { 1, 1, -4 }, { 1, 1, -1 } };
+  soup.cells = { { 0, 1, 2, 3 }, { 0, 2, 1, 5 }, { 0, 1, 4, 5 }, { 1, 2, 4, 5 }, { 2, 0, 4, 5 } };
+  soup.cell_references.assign(soup.cells.size(), 1);
+  return soup;
+}
+
+// All that is below goes up into the plane.
+Point_3 flat_below(const Point_3& p) { return Point_3(p.x(), p.y(), (std::max)(p.z(), 0.)); }
+
 template <typename C3t3, typename Function>
 std::size_t refine_for_map(C3t3& c3t3, const Function& map)
 {
@@ -438,12 +462,12 @@ TEST_CASE("with a boundary map only degenerate simplices are removed")
     CHECK(refine_for_map(built.c3t3, [](const Point_3& p) { return Point_3(2 * p.x() + p.y(), p.y(), p.z()); }) == 0);
     CHECK(built.c3t3.number_of_cells_in_complex() == 48);
   }
-  SECTION("all cells are flat, no facet is: one vertex in each body diagonal suffices")
+  SECTION("all is flat: a vertex in each body diagonal, and one in that of the common square")
   {
     Built<Remeshing_C3t3> built(box(2, 1, 1));
-    CHECK(refine_for_map(built.c3t3, [](const Point_3& p) { return Point_3(p.x() + 0.3 * p.z(), p.y() + 0.1 * p.z(), 0); }) == 2);
+    CHECK(refine_for_map(built.c3t3, [](const Point_3& p) { return Point_3(p.x() + 0.3 * p.z(), p.y() + 0.1 * p.z(), 0); }) == 3);
     check_valid(built.c3t3);
-    CHECK(count_bad(built.c3t3).edges == 1); // in the common square
+    CHECK(count_bad(built.c3t3) == Counts());
   }
   SECTION("one cell is inverted")
   {
@@ -464,6 +488,23 @@ TEST_CASE("with a boundary map only degenerate simplices are removed")
     Built<Remeshing_C3t3> built(five_cells_around_edge());
     CHECK(refine_for_map(built.c3t3, [](const Point_3& p) { return Point_3(p.x(), p.y(), 0); }) == 1);
     check_valid(built.c3t3);
+  }
+  SECTION("an edge between vertices of a flat side is mapped into it, though no cell becomes flat")
+  {
+    Built<Remeshing_C3t3> built(octahedron_with_vertex_below_axis());
+    Remeshing_C3t3& c3t3 = built.c3t3;
+    CHECK(refine_for_map(c3t3, [](const Point_3& p) { return p; }) == 0);
+    CHECK(refine_for_map(c3t3, flat_below) == 1);
+    check_valid(c3t3);
+    CHECK_FALSE(c3t3.triangulation().tds().is_edge(built.vertices[0], built.vertices[1]));
+  }
+  SECTION("a facet between edges of a flat side is mapped onto it")
+  {
+    Built<Remeshing_C3t3> built(tetrahedron_upon_three_around_vertex());
+    CHECK(refine_for_map(built.c3t3, [](const Point_3& p) { return p; }) == 0);
+    CHECK(refine_for_map(built.c3t3, flat_below) == 1);
+    check_valid(built.c3t3);
+    CHECK(built.c3t3.number_of_cells_in_complex() == 5 + 4);
   }
   SECTION("missing targets degenerate nothing")
   {

@@ -41,8 +41,7 @@ first; among edges those that the boundary map degenerates, then the one that mo
 removed contain (each counted once for each cell around the edge), then the longest. Facets and cells get a vertex
 only if none of their edges can be split. Without a boundary map, all edges inside the complex that join two
 vertices of the boundary must be split, and the number of insertions is minimal; with a
-boundary map this rule is a heuristic for a small number. It is then not recognized that an edge with distinct images
-may need a vertex as well, for instance if it joins two vertices of a flat part of the target's boundary.
+boundary map this rule is a heuristic for a small number.
 
 The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
 subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of
@@ -61,9 +60,10 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{boundary_map}
-    \cgalParamDescription{If given, only those simplices are removed that the images of their vertices force to
-                          be degenerate: edges with coincident, facets with collinear, and cells with coplanar or
-                          negatively oriented images, by exact predicates.}
+    \cgalParamDescription{If given, only those simplices are removed that cannot be mapped well with these images of
+                          their vertices, by exact predicates: edges with coincident, facets with collinear, and cells
+                          with coplanar or negatively oriented images; and edges and facets that are mapped into the
+                          boundary, as an edge is that joins two vertices of a side of a cube.}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamDefault{not given: all simplices with all vertices on the boundary are removed}
