@@ -165,14 +165,14 @@ Soup largest_component(const Soup& soup)
   return component;
 }
 
-// A box in random direction with wavy faces, four to seven edges thick, and ten to thirty wide.
+// A box in random direction with wavy faces, six to ten edges thick, and twelve to thirty wide.
 class Wavy_box
 {
 public:
   Wavy_box(const Eigen::Vector3d& middle, const double edge, std::mt19937& engine)
     : m_middle(middle)
   {
-    std::uniform_real_distribution<double> thin(2, 3.5), wide(5, 15), angle(0, 6.28), height(0, 0.4);
+    std::uniform_real_distribution<double> thin(3, 5), wide(6, 15), angle(0, 6.28), height(0, 0.4);
     m_half_sides = edge * Eigen::Vector3d(thin(engine), wide(engine), wide(engine));
     for(int i = 0; i < 3; ++i)
     {

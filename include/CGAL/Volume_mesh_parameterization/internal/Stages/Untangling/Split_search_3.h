@@ -28,6 +28,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -87,7 +88,8 @@ private:
 
   void begin_patch()
   {
-    m_patch.emplace(m_mesh, m_positions, m_waiting.back());
+    m_patch.emplace(m_mesh, m_positions,
+                    with_cells_around_prescribed_edges(m_mesh, m_positions, std::move(m_waiting.back())));
     m_waiting.pop_back();
     const std::vector<Edge> edges = edges_around_inverted_cells(m_patch->mesh, m_patch->positions);
     m_fewest = inverted_cells_with(edges, 0);

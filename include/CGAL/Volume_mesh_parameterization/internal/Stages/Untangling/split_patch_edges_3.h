@@ -22,11 +22,51 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The edges of a patch with an end that moves, such that a cell around it is inverted. Those of inverted cells come last.
+// The patch with all cells around the edges of its inverted cells that join two prescribed vertices: such an edge can be
+// what keeps the cells around it from being positive, and be split only with all of them.
+inline Patch_3 with_cells_around_prescribed_edges(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image, Patch_3 patch)
+{
+  const auto for_each_prescribed_edge = [&](const std::array<int, 4>& cell, const auto& call)
+  {
+    for(const int a : cell)
+      for(const int b : cell)
+        if(a < b && !mesh.is_free(a) && !mesh.is_free(b))
+          call(std::array<int, 2>{a, b});
+  };
+  std::set<std::array<int, 2> > edges;
+  for(const std::size_t c : patch.cells)
+    if(!is_positive(image, mesh.cells[c]))
+      for_each_prescribed_edge(mesh.cells[c], [&](const std::array<int, 2>& edge) { edges.insert(edge); });
+  std::set<std::size_t> cells(patch.cells.begin(), patch.cells.end());
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for_each_prescribed_edge(mesh.cells[c], [&](const std::array<int, 2>& edge)
+    {
+      if(edges.count(edge) > 0)
+        cells.insert(c);
+    });
+  patch.cells.assign(cells.begin(), cells.end());
+  return patch;
+}
+
+// Do cells lie all around an edge?
+inline bool is_inside(const Numbered_mesh_3& mesh, const std::array<int, 2>& edge)
+{
+  std::map<int, int> number_of_cells; // at the facets of the edge and a third vertex
+  for(const std::array<int, 4>& cell : mesh.cells)
+    if(std::count(cell.begin(), cell.end(), edge[0]) > 0 && std::count(cell.begin(), cell.end(), edge[1]) > 0)
+      for(const int v : cell)
+        if(v != edge[0] && v != edge[1])
+          ++number_of_cells[v];
+  return std::all_of(number_of_cells.begin(), number_of_cells.end(), [](const auto& facet) { return facet.second == 2; });
+}
+
+// The edges of a patch with an end that moves, such that a cell around it is inverted; and the edges of inverted cells. The
+// latter come last.
 inline std::vector<std::array<int, 2> > edges_around_inverted_cells(const Numbered_mesh_3& patch,
                                                                     const Eigen::Matrix3Xd& image)
 {
@@ -38,7 +78,7 @@ inline std::vector<std::array<int, 2> > edges_around_inverted_cells(const Number
     const bool is_inverted = !is_positive(image, cell);
     for(const int a : cell)
       for(const int b : cell)
-        if(a < b && (is_center[a] || is_center[b]))
+        if(a < b && (is_center[a] || is_center[b] || (is_inverted && is_inside(patch, {a, b}))))
           is_of_inverted_cell[{a, b}] |= is_inverted;
   }
   std::vector<std::array<int, 2> > result;
