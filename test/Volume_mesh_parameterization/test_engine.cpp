@@ -554,6 +554,40 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   CHECK(has_target_boundary(mesh, image));
 }
 
+TEST_CASE("An edge between prescribed vertices is split where it leaves the target, although no free vertex is at it")
+{
+  // An octahedron around its axis, the edge of vertices 1 and 2; its lower half is filled from the vertex 0. Its lowest
+  // vertex goes up above the axis.
+  Numbered_mesh_3 mesh;
+  mesh.number_of_free_vertices = 1;
+  mesh.source.resize(3, 7);
+  mesh.source << 0, -1, 1, 0, 0, 0, 0,
+                 0, 0, 0, -1, 1, 0, 0,
+                 -0.5, 0, 0, 0, 0, 1, -1;
+  mesh.target = mesh.source;
+  mesh.target.col(0).setZero();
+  mesh.target(2, 6) = 0.3;
+  mesh.cells = { { 1, 2, 4, 5 }, { 1, 3, 2, 5 }, { 1, 4, 2, 0 }, { 1, 2, 3, 0 },
+                 { 1, 4, 0, 6 }, { 4, 2, 0, 6 }, { 2, 3, 0, 6 }, { 3, 1, 0, 6 } };
+  REQUIRE(number_of_inverted_cells(mesh, mesh.source) == 0);
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  Matrix3Xd image = mesh.target;
+  image(2, 0) = 0.6;
+  REQUIRE(VMP::internal::untangle_patch_3(mesh, linear_solver, image) > 0);
+
+  VMP::internal::Split_search_3 search(mesh, linear_solver, image);
+  while(search.is_running())
+    search.step();
+  const std::vector<std::array<int, 2> > edges = search.edges();
+  CHECK(std::count(edges.begin(), edges.end(), std::array<int, 2>{ 1, 2 }) == 1);
+  CHECK(edges.size() <= 3);
+  split_patch_edges_3(mesh, image, edges);
+  CHECK(VMP::internal::untangle_patch_3(mesh, linear_solver, image) == 0);
+  CHECK(number_of_inverted_cells(mesh, image) == 0);
+  CHECK(has_target_boundary(mesh, image));
+}
+
 TEST_CASE("Flat cells become thicker, and only the vertices of flat cells move")
 {
   const Numbered_mesh_3 mesh = cube_mesh(8);

@@ -27,26 +27,34 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The patch with all cells around the edges of its inverted cells that join two prescribed vertices: such an edge can be
-// what keeps the cells around it from being positive, and be split only with all of them.
+// Calls f for the edges of a cell, in ascending order of their vertices, that join two prescribed ones.
+template <typename Function>
+void for_each_prescribed_edge(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell, const Function& f)
+{
+  for(const int a : cell)
+    for(const int b : cell)
+      if(a < b && !mesh.is_free(a) && !mesh.is_free(b))
+        f(std::array<int, 2>{a, b});
+}
+
+// The patch with all cells around edges that join two prescribed vertices: those in the patch, and those at the vertices of
+// its inverted cells. Such edges have prescribed directions, which can be what keeps cells between them from being positive;
+// and an edge can be split only with all cells around it.
 inline Patch_3 with_cells_around_prescribed_edges(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image, Patch_3 patch)
 {
-  const auto for_each_prescribed_edge = [&](const std::array<int, 4>& cell, const auto& call)
-  {
-    for(const int a : cell)
-      for(const int b : cell)
-        if(a < b && !mesh.is_free(a) && !mesh.is_free(b))
-          call(std::array<int, 2>{a, b});
-  };
   std::set<std::array<int, 2> > edges;
+  std::set<int> centers;
   for(const std::size_t c : patch.cells)
+  {
+    for_each_prescribed_edge(mesh, mesh.cells[c], [&](const std::array<int, 2>& edge) { edges.insert(edge); });
     if(!is_positive(image, mesh.cells[c]))
-      for_each_prescribed_edge(mesh.cells[c], [&](const std::array<int, 2>& edge) { edges.insert(edge); });
+      centers.insert(mesh.cells[c].begin(), mesh.cells[c].end());
+  }
   std::set<std::size_t> cells(patch.cells.begin(), patch.cells.end());
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for_each_prescribed_edge(mesh.cells[c], [&](const std::array<int, 2>& edge)
+    for_each_prescribed_edge(mesh, mesh.cells[c], [&](const std::array<int, 2>& edge)
     {
-      if(edges.count(edge) > 0)
+      if(edges.count(edge) > 0 || centers.count(edge[0]) > 0 || centers.count(edge[1]) > 0)
         cells.insert(c);
     });
   patch.cells.assign(cells.begin(), cells.end());
@@ -65,26 +73,34 @@ inline bool is_inside(const Numbered_mesh_3& mesh, const std::array<int, 2>& edg
   return std::all_of(number_of_cells.begin(), number_of_cells.end(), [](const auto& facet) { return facet.second == 2; });
 }
 
-// The edges of a patch with an end that moves, such that a cell around it is inverted; and the edges of inverted cells. The
-// latter come last.
+// The edges of a patch at vertices of inverted cells that move; and those inside that join two prescribed vertices, and are
+// in a cell at any vertex of an inverted one. Those of inverted cells come last.
 inline std::vector<std::array<int, 2> > edges_around_inverted_cells(const Numbered_mesh_3& patch,
                                                                     const Eigen::Matrix3Xd& image)
 {
-  const std::vector<bool> is_center
-    = free_vertices_of(patch, [&](const std::array<int, 4>& cell) { return !is_positive(image, cell); });
+  std::set<int> centers;
+  for(const std::array<int, 4>& cell : patch.cells)
+    if(!is_positive(image, cell))
+      centers.insert(cell.begin(), cell.end());
   std::map<std::array<int, 2>, bool> is_of_inverted_cell;
   for(const std::array<int, 4>& cell : patch.cells)
   {
     const bool is_inverted = !is_positive(image, cell);
-    for(const int a : cell)
-      for(const int b : cell)
-        if(a < b && (is_center[a] || is_center[b] || (is_inverted && is_inside(patch, {a, b}))))
-          is_of_inverted_cell[{a, b}] |= is_inverted;
+    const auto is_center = [&](const int v) { return centers.count(v) > 0; };
+    for(const int v : cell)
+      for(const int w : cell)
+        if(patch.is_free(v) && is_center(v) && v != w)
+          is_of_inverted_cell[{(std::min)(v, w), (std::max)(v, w)}] |= is_inverted;
+    if(std::any_of(cell.begin(), cell.end(), is_center))
+      for_each_prescribed_edge(patch, cell, [&](const std::array<int, 2>& edge)
+      {
+        is_of_inverted_cell[edge] |= is_inverted;
+      });
   }
   std::vector<std::array<int, 2> > result;
   for(const bool is_last : {false, true})
     for(const auto& [edge, is_of_inverted] : is_of_inverted_cell)
-      if(is_of_inverted == is_last)
+      if(is_of_inverted == is_last && (patch.is_free(edge[0]) || is_inside(patch, edge)))
         result.push_back(edge);
   return result;
 }
