@@ -1,5 +1,5 @@
-// Cuts thin blocks with wavy faces out of a tetrahedral mesh, with about half of their vertices on the boundary and slivers
-// there, and maps the boundary of each to a box.
+// Cuts blocks with wavy faces out of a tetrahedral mesh, with most of their vertices on the boundary and slivers there, and
+// maps the boundary of each to a box.
 #include "write_case.h"
 
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
@@ -217,7 +217,7 @@ bool write_block(const Soup& block, const Eigen::Vector3d& sides, const std::str
   const VMP::Cube_boundary_parameterizer_3 parameterizer(sides[0], sides[1], sides[2]);
   if(parameterizer.parameterize(c3t3, boost::make_assoc_property_map(targets)) != VMP::OK)
     return false;
-  // cells, facets and edges that would become flat in the faces of the box, and no others
+  // only what no map can have: other edges between vertices of the boundary stay, and make the case hard
   VMP::make_parameterizable(c3t3, CGAL::parameters::boundary_map(boost::make_assoc_property_map(targets)));
   Soup refined;
   VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, refined, vertices);
@@ -233,7 +233,7 @@ int main(int argc, char* argv[])
   if(argc != 5)
   {
     std::cerr << "Usage: cut_blocks SOURCE.mesh NUMBER SEED NAME\n"
-                 "Writes NAME1.mesh, NAME1_box.txt, ... for NUMBER thin blocks with 500 to 20,000 vertices." << std::endl;
+                 "Writes NAME1.mesh, NAME1_box.txt, ... for NUMBER blocks with 500 to 20,000 vertices." << std::endl;
     return EXIT_FAILURE;
   }
   try

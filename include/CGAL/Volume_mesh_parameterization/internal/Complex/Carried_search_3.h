@@ -63,7 +63,7 @@ public:
   {
     Untangling_start_3 result;
     if(may_split && !m_untangling.has_given_up)
-      result.most_inverted_cells_to_split = 100;
+      result.most_inverted_cells_to_split = (std::max)(std::size_t(100), complex.mesh().cells.size() / 100);
     if(m_untangling.goes_on)
       result.positions = positions(complex);
     return result;

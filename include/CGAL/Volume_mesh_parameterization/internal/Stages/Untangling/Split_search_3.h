@@ -53,9 +53,9 @@ public:
     if(!m_splits)
       begin_patch();
     else
-      m_splits->answer(inverted_cells_with(m_splits->question(), m_fewest) <= m_fewest);
+      m_splits->answer(inverted_cells_with(m_splits->question(), m_attempts, m_fewest) <= m_fewest);
     if(m_splits && !m_splits->is_running())
-      end_patch();
+      end_pass();
     next_step(Phase::UNTANGLING).number_of_inverted_cells = m_number_of_inverted_cells;
     if(!m_splits)
       find_patches();
@@ -92,10 +92,31 @@ private:
                     with_cells_around_prescribed_edges(m_mesh, m_positions, std::move(m_waiting.back())));
     m_waiting.pop_back();
     const std::vector<Edge> edges = edges_around_inverted_cells(m_patch->mesh, m_patch->positions);
-    m_fewest = inverted_cells_with(edges, 0);
     const bool must_untangle = levels[m_next_level - 1].must_untangle;
-    if(m_fewest < (must_untangle ? 1 : inverted_cells(m_patch->mesh, m_patch->positions).number))
-      m_splits.emplace(edges);
+    m_fewest = must_untangle ? 1 : inverted_cells(m_patch->mesh, m_patch->positions).number;
+    for(const Patch_attempt& attempt : patch_attempts)
+      if(m_fewest > 0)
+      {
+        const std::size_t number = inverted_cells_with(edges, { attempt }, 0);
+        if(number < m_fewest)
+        {
+          m_fewest = number;
+          m_attempts = { attempt };
+          m_splits.emplace(edges);
+        }
+      }
+  }
+
+  // The first pass asks one attempt, and the second, which has fewer edges, all of them.
+  void end_pass()
+  {
+    if(m_attempts.size() == 1)
+    {
+      m_attempts = patch_attempts;
+      m_splits = Minimal_subset<Edge>(m_splits->items());
+    }
+    if(!m_splits->is_running())
+      end_patch();
   }
 
   void end_patch()
@@ -107,11 +128,12 @@ private:
     m_splits.reset();
   }
 
-  std::size_t inverted_cells_with(const std::vector<Edge>& edges, const std::size_t allowed) const
+  std::size_t inverted_cells_with(const std::vector<Edge>& edges, const std::vector<Patch_attempt>& attempts,
+                                  const std::size_t allowed) const
   {
     Patch_mesh_3 split = *m_patch;
     split_patch_edges_3(split.mesh, split.positions, edges);
-    return untangle_patch_3(split.mesh, m_solver, split.positions, allowed);
+    return untangle_patch_3(split.mesh, m_solver, split.positions, allowed, attempts);
   }
 
   const Numbered_mesh_3& m_mesh;
@@ -124,6 +146,7 @@ private:
   std::optional<Patch_mesh_3> m_patch;
   std::optional<Minimal_subset<Edge> > m_splits; // of the patch, as long as it is asked about
   std::size_t m_fewest = 0;                      // inverted cells of the patch with all edges split
+  std::vector<Patch_attempt> m_attempts;         // that decide whether some edges suffice
   std::vector<Edge> m_edges;
 };
 

@@ -27,6 +27,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -35,7 +36,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline Eigen::Matrix3Xd untangled_3(const Numbered_mesh_3& patch, Newton_system_3& system, const Eigen::Matrix3Xd& u,
                                     const double theta)
 {
-  constexpr int maximal_number_of_steps = 60;
+  constexpr int maximal_number_of_steps = 250;
   Untangler_3 untangler(system, u, theta);
   for(int i = 0; i < maximal_number_of_steps && untangler.step() == Step_status::CONTINUE; ++i) {}
   if(!untangler.evaluation().is_flip_free())
@@ -44,30 +45,42 @@ inline Eigen::Matrix3Xd untangled_3(const Numbered_mesh_3& patch, Newton_system_
   return relaxed_3(system, untangler.positions());
 }
 
-// From the images and from the harmonic map, with each setting, until so few cells are inverted as are allowed. Keeps the
-// images with the fewest inverted cells, and returns their number. The solver serves the patch then.
+// A way to untangle a patch: from its images or from the harmonic map, with a setting.
+struct Patch_attempt
+{
+  bool is_harmonic;
+  Untangling_setting setting;
+};
+
+inline const std::vector<Patch_attempt> patch_attempts = {
+  { false, untangling_settings[0] }, { false, untangling_settings[1] }, { false, untangling_settings[2] },
+  { true, untangling_settings[0] }, { true, untangling_settings[1] }, { true, untangling_settings[2] }
+};
+
+// In one way after the other, until so few cells are inverted as are allowed. Keeps the images with the fewest inverted
+// cells, and returns their number. The solver serves the patch then.
 inline std::size_t untangle_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, Eigen::Matrix3Xd& image,
-                                    const std::size_t allowed = 0)
+                                    const std::size_t allowed = 0,
+                                    const std::vector<Patch_attempt>& attempts = patch_attempts)
 {
   std::size_t fewest = inverted_cells(patch, image).number;
   const Eigen::Matrix3Xd start = image;
-  for(const bool is_harmonic : {false, true})
-    for(const Untangling_setting& setting : untangling_settings)
+  for(const Patch_attempt& attempt : attempts)
+  {
+    if(fewest <= allowed)
+      break;
+    Newton_system_3 system(patch, reference_cells(patch, attempt.setting), free_vertices(patch), solver, false);
+    Eigen::Matrix3Xd u = system.unit() * start;
+    if(attempt.is_harmonic)
+      harmonic_map_3(system, u);
+    const Eigen::Matrix3Xd found = snapped(patch, untangled_3(patch, system, u, attempt.setting.theta) / system.unit());
+    const std::size_t number = inverted_cells(patch, found).number;
+    if(number < fewest)
     {
-      if(fewest <= allowed)
-        break;
-      Newton_system_3 system(patch, reference_cells(patch, setting), free_vertices(patch), solver, false);
-      Eigen::Matrix3Xd u = system.unit() * start;
-      if(is_harmonic)
-        harmonic_map_3(system, u);
-      const Eigen::Matrix3Xd found = snapped(patch, untangled_3(patch, system, u, setting.theta) / system.unit());
-      const std::size_t number = inverted_cells(patch, found).number;
-      if(number < fewest)
-      {
-        fewest = number;
-        image = found;
-      }
+      fewest = number;
+      image = found;
     }
+  }
   return fewest;
 }
 
