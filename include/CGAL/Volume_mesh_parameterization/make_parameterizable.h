@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 
@@ -104,12 +105,13 @@ std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = paramet
     return internal::Simplex_removal_3(c3t3, is_bad).run(out);
   };
 
+  const internal::Boundary_facets<C3t3> boundary(c3t3);
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
-    return remove(internal::Prescribed_simplices_3<Vertex_handle>(c3t3, is_constrained));
+    return remove(internal::Prescribed_simplices_3<Vertex_handle>(c3t3, boundary, is_constrained));
   else
   {
     auto target = get_parameter(np, internal_np::boundary_map);
-    return remove(internal::Degenerate_simplices_3<Vertex_handle, decltype(target)>(c3t3, is_constrained, target));
+    return remove(internal::Degenerate_simplices_3<Vertex_handle, decltype(target)>(c3t3, boundary, is_constrained, target));
   }
 }
 

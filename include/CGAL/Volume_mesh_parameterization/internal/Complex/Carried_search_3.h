@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 
 #include <Eigen/Core>
@@ -63,7 +64,7 @@ public:
   {
     Untangling_start_3 result;
     if(may_split && !m_untangling.has_given_up)
-      result.most_inverted_cells_to_split = (std::max)(std::size_t(100), complex.mesh().cells.size() / 100);
+      result.most_inverted_cells_to_split = most_exceptions(complex.mesh().number_of_all_cells());
     if(m_untangling.goes_on)
       result.positions = positions(complex);
     return result;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
@@ -38,7 +39,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <typename C3t3, typename VertexIsConstrainedMap, typename BoundaryMap>
 std::size_t remove_degenerate_simplices(C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
 {
-  const Degenerate_simplices_3<typename C3t3::Vertex_handle, BoundaryMap> is_bad(c3t3, is_constrained, target);
+  const Boundary_facets<C3t3> boundary(c3t3);
+  const Degenerate_simplices_3<typename C3t3::Vertex_handle, BoundaryMap> is_bad(c3t3, boundary, is_constrained, target);
   return Simplex_removal_3(c3t3, is_bad).run(Emptyset_iterator());
 }
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
@@ -30,10 +29,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The vertices of the boundary of a complex, and those that `is_constrained` tells.
 template <typename C3t3, typename VertexIsConstrainedMap>
 std::unordered_set<typename C3t3::Vertex_handle> prescribed_vertices(const C3t3& c3t3,
+                                                                     const Boundary_facets<C3t3>& boundary,
                                                                      const VertexIsConstrainedMap is_constrained)
 {
-  std::unordered_set<typename C3t3::Vertex_handle> vertices;
-  boundary_vertices(c3t3, std::inserter(vertices, vertices.end()));
+  std::unordered_set<typename C3t3::Vertex_handle> vertices(boundary.vertices.begin(), boundary.vertices.end());
   for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
     for(int i = 0; i < 4; ++i)
       if(get(is_constrained, it->vertex(i)))
@@ -47,8 +46,9 @@ class Prescribed_simplices_3
 {
 public:
   template <typename C3t3, typename VertexIsConstrainedMap>
-  Prescribed_simplices_3(const C3t3& c3t3, const VertexIsConstrainedMap is_constrained)
-    : m_vertices(prescribed_vertices(c3t3, is_constrained))
+  Prescribed_simplices_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary,
+                         const VertexIsConstrainedMap is_constrained)
+    : m_vertices(prescribed_vertices(c3t3, boundary, is_constrained))
   {}
 
   bool operator()(const Simplex_3<VertexHandle>& simplex) const
@@ -60,7 +60,7 @@ private:
   std::unordered_set<VertexHandle> m_vertices;
 };
 
-// The prescribed simplices inside the complex that no map with these images of its boundary can map well: their image, the
+// The prescribed simplices that no map with these images of its boundary can map well: their image, the
 // hull of the targets of their vertices, is degenerate, or inverted for a cell; or it begins in the image of the boundary,
 // as an edge does between two vertices of a side of a cube, though cells lie all around the simplex. With a coordinate that
 // is no number there is no image.
@@ -69,10 +69,10 @@ class Degenerate_simplices_3
 {
 public:
   template <typename C3t3, typename VertexIsConstrainedMap>
-  Degenerate_simplices_3(const C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
-    : m_is_prescribed(c3t3, is_constrained), m_target(target)
+  Degenerate_simplices_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary,
+                         const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
+    : m_is_prescribed(c3t3, boundary, is_constrained), m_target(target)
   {
-    const Boundary_facets<C3t3> boundary(c3t3);
     for(const auto& facet : boundary.facets)
       for(int i = 0; i < 3; ++i)
         m_links[boundary.vertices[facet[i]]].push_back({ boundary.vertices[facet[(i + 1) % 3]],

@@ -94,17 +94,18 @@ private:
     const std::vector<Edge> edges = edges_around_inverted_cells(m_patch->mesh, m_patch->positions);
     const bool must_untangle = levels[m_next_level - 1].must_untangle;
     m_fewest = must_untangle ? 1 : inverted_cells(m_patch->mesh, m_patch->positions).number;
-    for(const Patch_attempt& attempt : patch_attempts)
-      if(m_fewest > 0)
+    for(const Patch_attempt& attempt : patch_attempts())
+    {
+      if(m_fewest == 0)
+        break;
+      const std::size_t number = inverted_cells_with(edges, { attempt }, 0);
+      if(number < m_fewest)
       {
-        const std::size_t number = inverted_cells_with(edges, { attempt }, 0);
-        if(number < m_fewest)
-        {
-          m_fewest = number;
-          m_attempts = { attempt };
-          m_splits.emplace(edges);
-        }
+        m_fewest = number;
+        m_attempts = { attempt };
+        m_splits.emplace(edges);
       }
+    }
   }
 
   // The first pass asks one attempt, and the second, which has fewer edges, all of them.
@@ -112,7 +113,7 @@ private:
   {
     if(m_attempts.size() == 1)
     {
-      m_attempts = patch_attempts;
+      m_attempts = patch_attempts();
       m_splits = Minimal_subset<Edge>(m_splits->items());
     }
     if(!m_splits->is_running())

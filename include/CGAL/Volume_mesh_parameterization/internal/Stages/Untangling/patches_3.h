@@ -36,6 +36,12 @@ struct Patch_3
   std::vector<std::size_t> cells;
 };
 
+// So many inverted cells of a mesh are exceptions, which patches can mend.
+inline std::size_t most_exceptions(const double number_of_cells)
+{
+  return static_cast<std::size_t>((std::max)(100., number_of_cells / 100));
+}
+
 // The free vertices of those cells for which `is_chosen` is true, which may be with another process.
 template <typename Condition>
 std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition& is_chosen)

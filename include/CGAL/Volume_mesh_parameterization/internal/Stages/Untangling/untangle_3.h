@@ -26,7 +26,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -81,8 +80,7 @@ public:
   // Unless so many cells are inverted that they are no exceptions.
   void untangle_patches(const Eigen::Matrix3Xd& start, const std::string& method)
   {
-    const double most_for_patches = (std::max)(100., m_mesh.number_of_all_cells() / 100);
-    if(static_cast<double>(inverted_cells(m_mesh, start).number) > most_for_patches)
+    if(inverted_cells(m_mesh, start).number > most_exceptions(m_mesh.number_of_all_cells()))
       return;
     Patch_untangling_3 patches(m_mesh, m_solver.for_patches(), start);
     run(patches, method);

@@ -52,16 +52,20 @@ struct Patch_attempt
   Untangling_setting setting;
 };
 
-inline const std::vector<Patch_attempt> patch_attempts = {
-  { false, untangling_settings[0] }, { false, untangling_settings[1] }, { false, untangling_settings[2] },
-  { true, untangling_settings[0] }, { true, untangling_settings[1] }, { true, untangling_settings[2] }
-};
+inline std::vector<Patch_attempt> patch_attempts()
+{
+  std::vector<Patch_attempt> result;
+  for(const bool is_harmonic : {false, true})
+    for(const Untangling_setting& setting : untangling_settings)
+      result.push_back({ is_harmonic, setting });
+  return result;
+}
 
 // In one way after the other, until so few cells are inverted as are allowed. Keeps the images with the fewest inverted
 // cells, and returns their number. The solver serves the patch then.
 inline std::size_t untangle_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, Eigen::Matrix3Xd& image,
                                     const std::size_t allowed = 0,
-                                    const std::vector<Patch_attempt>& attempts = patch_attempts)
+                                    const std::vector<Patch_attempt>& attempts = patch_attempts())
 {
   std::size_t fewest = inverted_cells(patch, image).number;
   const Eigen::Matrix3Xd start = image;
