@@ -17,10 +17,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Minimal_subset.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_split_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/split_patch_edges_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patch_3.h>
 
 #include <Eigen/Core>
 
@@ -33,9 +32,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Looks for edges to split where untangling is stuck, as few as possible: around each patch of inverted cells all of them
-// at once, and if the patch can be untangled then, only those that are needed for it. Where that cannot be, it suffices
-// that fewer cells are inverted. A step is a question about a patch.
+// Looks for edges to split where untangling is stuck, as few as possible: first so that the patches of inverted cells can be
+// untangled, and where that cannot be, so that fewer cells are inverted. A step is an attempt at a patch.
 class Split_search_3 : public Stage_3
 {
 public:
@@ -50,15 +48,14 @@ public:
 
   void step() override
   {
-    if(!m_splits)
+    if(!m_search)
       begin_patch();
-    else
-      m_splits->answer(inverted_cells_with(m_splits->question(), m_attempts, m_fewest) <= m_fewest);
-    if(m_splits && !m_splits->is_running())
-      end_pass();
+    m_search->step();
     next_step(Phase::UNTANGLING).number_of_inverted_cells = m_number_of_inverted_cells;
-    if(!m_splits)
-      find_patches();
+    if(m_search->is_running())
+      return;
+    end_patch();
+    find_patches();
   }
 
   Eigen::Matrix3Xd positions() const override { return m_positions; }
@@ -88,53 +85,21 @@ private:
 
   void begin_patch()
   {
-    m_patch.emplace(m_mesh, m_positions,
-                    with_cells_around_prescribed_edges(m_mesh, m_positions, std::move(m_waiting.back())));
+    m_search.emplace(Patch_mesh_3(m_mesh, m_positions,
+                                  with_cells_around_prescribed_edges(m_mesh, m_positions, std::move(m_waiting.back()))),
+                     m_solver, levels[m_next_level - 1].must_untangle);
     m_waiting.pop_back();
-    const std::vector<Edge> edges = edges_around_inverted_cells(m_patch->mesh, m_patch->positions);
-    const bool must_untangle = levels[m_next_level - 1].must_untangle;
-    m_fewest = must_untangle ? 1 : inverted_cells(m_patch->mesh, m_patch->positions).number;
-    for(const Patch_attempt& attempt : patch_attempts())
-    {
-      if(m_fewest == 0)
-        break;
-      const std::size_t number = inverted_cells_with(edges, { attempt }, 0);
-      if(number < m_fewest)
-      {
-        m_fewest = number;
-        m_attempts = { attempt };
-        m_splits.emplace(edges);
-      }
-    }
-  }
-
-  // The first pass asks one attempt, and the second, which has fewer edges, all of them.
-  void end_pass()
-  {
-    if(m_attempts.size() == 1)
-    {
-      m_attempts = patch_attempts();
-      m_splits = Minimal_subset<Edge>(m_splits->items());
-    }
-    if(!m_splits->is_running())
-      end_patch();
   }
 
   void end_patch()
   {
-    for(const auto& [a, b] : m_splits->items())
-      m_edges.push_back({m_patch->vertices[a], m_patch->vertices[b]});
-    for(int i = 0; i < m_patch->mesh.number_of_free_vertices; ++i)
-      m_is_solved[m_patch->vertices[i]] = true;
-    m_splits.reset();
-  }
-
-  std::size_t inverted_cells_with(const std::vector<Edge>& edges, const std::vector<Patch_attempt>& attempts,
-                                  const std::size_t allowed) const
-  {
-    Patch_mesh_3 split = *m_patch;
-    split_patch_edges_3(split.mesh, split.positions, edges);
-    return untangle_patch_3(split.mesh, m_solver, split.positions, allowed, attempts);
+    const Patch_mesh_3& patch = m_search->patch();
+    for(const auto& [a, b] : m_search->edges())
+      m_edges.push_back({patch.vertices[a], patch.vertices[b]});
+    if(m_search->is_successful())
+      for(int i = 0; i < patch.mesh.number_of_free_vertices; ++i)
+        m_is_solved[patch.vertices[i]] = true;
+    m_search.reset();
   }
 
   const Numbered_mesh_3& m_mesh;
@@ -144,10 +109,7 @@ private:
   std::size_t m_number_of_inverted_cells;
   std::size_t m_next_level = 0;
   std::vector<Patch_3> m_waiting;
-  std::optional<Patch_mesh_3> m_patch;
-  std::optional<Minimal_subset<Edge> > m_splits; // of the patch, as long as it is asked about
-  std::size_t m_fewest = 0;                      // inverted cells of the patch with all edges split
-  std::vector<Patch_attempt> m_attempts;         // that decide whether some edges suffice
+  std::optional<Patch_split_search_3> m_search; // of the patch in work
   std::vector<Edge> m_edges;
 };
 

@@ -61,23 +61,28 @@ inline std::vector<Patch_attempt> patch_attempts()
   return result;
 }
 
-// In one way after the other, until so few cells are inverted as are allowed. Keeps the images with the fewest inverted
-// cells, and returns their number. The solver serves the patch then.
-inline std::size_t untangle_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, Eigen::Matrix3Xd& image,
-                                    const std::size_t allowed = 0,
-                                    const std::vector<Patch_attempt>& attempts = patch_attempts())
+// The images that an attempt finds from these. The solver serves the patch then.
+inline Eigen::Matrix3Xd attempt_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
+                                        const Patch_attempt& attempt)
+{
+  Newton_system_3 system(patch, reference_cells(patch, attempt.setting), free_vertices(patch), solver, false);
+  Eigen::Matrix3Xd u = system.unit() * start;
+  if(attempt.is_harmonic)
+    harmonic_map_3(system, u);
+  return snapped(patch, untangled_3(patch, system, u, attempt.setting.theta) / system.unit());
+}
+
+// One attempt after the other, until no cell is inverted. Keeps the images with the fewest inverted cells, and returns their
+// number.
+inline std::size_t untangle_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver, Eigen::Matrix3Xd& image)
 {
   std::size_t fewest = inverted_cells(patch, image).number;
   const Eigen::Matrix3Xd start = image;
-  for(const Patch_attempt& attempt : attempts)
+  for(const Patch_attempt& attempt : patch_attempts())
   {
-    if(fewest <= allowed)
+    if(fewest == 0)
       break;
-    Newton_system_3 system(patch, reference_cells(patch, attempt.setting), free_vertices(patch), solver, false);
-    Eigen::Matrix3Xd u = system.unit() * start;
-    if(attempt.is_harmonic)
-      harmonic_map_3(system, u);
-    const Eigen::Matrix3Xd found = snapped(patch, untangled_3(patch, system, u, attempt.setting.theta) / system.unit());
+    const Eigen::Matrix3Xd found = attempt_patch_3(patch, solver, start, attempt);
     const std::size_t number = inverted_cells(patch, found).number;
     if(number < fewest)
     {
