@@ -20,26 +20,22 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/Numbered_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/place_of_boundary_error.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
-#include <CGAL/Volume_mesh_parameterization/internal/require.h>
+#include <CGAL/Volume_mesh_parameterization/stretch_minimizing_volume_parameterization_of_arrays.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
-#include <cstddef>
 #include <type_traits>
 #include <unordered_map>
-#include <vector>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
@@ -292,51 +288,6 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     }
     using Numbered_complex = VMP::internal::Numbered_complex_3<std::remove_const_t<C3t3> >;
     return VMP::internal::parameterize_complex_3<Numbered_complex>(c3t3, problem, uvw_map);
-  });
-}
-
-/*!
-\ingroup PkgVolumeMeshParameterizationRef
-
-computes the same map for those whose mesh is arrays, without a complex. Vertices are indices of points, counted from 0.
-
-\param points the points
-\param cells four indices of points each, such that all cells are positive
-\param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
-       read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing
-       target.
-\param images receives the image of each point if the map is valid, and is left alone otherwise. Points without a cell
-       receive coordinates that are not numbers. May be the same array as `points` or `targets`.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function for a complex,
-       with `std::size_t` for `C3t3::Vertex_handle`, except `boundary_map` and `do_refine`, which are not compiled
-
-\return the same as for a complex
-
-`Volume_mesh_parameterization::Input_error` is thrown if a cell has an index that does not exist or an index twice, or
-if a facet has more than two cells or two on the same side; `CGAL::Precondition_exception` if there are not as many
-targets as points.
-*/
-template <typename ConcurrencyTag = Sequential_tag,
-          typename NamedParameters = parameters::Default_named_parameters>
-Volume_mesh_parameterization::Parameterization_result
-stretch_minimizing_volume_parameterization(const std::vector<std::array<double, 3> >& points,
-                                           const std::vector<std::array<std::size_t, 4> >& cells,
-                                           const std::vector<std::array<double, 3> >& targets,
-                                           std::vector<std::array<double, 3> >& images,
-                                           const NamedParameters& np = parameters::default_values())
-{
-  namespace VMP = Volume_mesh_parameterization;
-  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
-                "boundary_map must not be passed for arrays: the targets are an argument.");
-  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
-                "do_refine must not be passed for arrays, which are not refined: make a complex of them.");
-  VMP::internal::require(targets.size() == points.size(), "There are as many targets as points.");
-
-  const VMP::Tetrahedron_soup_3 soup = { points, cells, std::vector<int>(cells.size()), {}, {} };
-  const auto target_map = boost::make_iterator_property_map(targets.begin(), boost::identity_property_map());
-  return VMP::internal::run_problem<ConcurrencyTag, std::size_t>(np, target_map, [&](const auto& problem)
-  {
-    return VMP::internal::parameterize_complex_3<VMP::internal::Numbered_soup_3>(soup, problem, images);
   });
 }
 
