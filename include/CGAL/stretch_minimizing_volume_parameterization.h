@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Arrays/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
@@ -27,7 +28,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/place_of_boundary_error.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
-#include <CGAL/Volume_mesh_parameterization/stretch_minimizing_volume_parameterization_of_arrays.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
