@@ -358,6 +358,55 @@ TEST_CASE("The result is a minimum")
     }
 }
 
+namespace {
+
+struct Counting_solver : Solver<>
+{
+  int number_of_factorizations = 0;
+
+  VMP::Linear_solver_status factorize(const Matrix& A)
+  {
+    ++number_of_factorizations;
+    return Solver<>::factorize(A);
+  }
+};
+
+// By linear finite elements, each with the same weight, and a dense factorization.
+Matrix3Xd harmonic_map(const Numbered_mesh_3& mesh)
+{
+  const int n = mesh.number_of_vertices(), free = mesh.number_of_free_vertices;
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  for(const std::array<int, 4>& cell : mesh.cells)
+  {
+    Eigen::Matrix<double, 3, 4> gradients; // of the barycentric coordinates
+    gradients.rightCols(3) = VMP::internal::edge_matrix(mesh.source, cell).inverse().transpose();
+    gradients.col(0) = -gradients.rightCols(3).rowwise().sum();
+    const Eigen::Matrix4d products = gradients.transpose() * gradients;
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < 4; ++j)
+        stiffness(cell[i], cell[j]) += products(i, j);
+  }
+  Matrix3Xd result = mesh.target;
+  const Eigen::MatrixXd right = -stiffness.topRightCorner(free, n - free) * mesh.target.rightCols(n - free).transpose();
+  result.leftCols(free) = stiffness.topLeftCorner(free, free).ldlt().solve(right).transpose();
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("The harmonic map is that of a dense solution, by one matrix and steps that are not exact")
+{
+  for(const Numbered_mesh_3& mesh : { ring(6), twisted_cube(4, 0.2) })
+  {
+    Counting_solver solver;
+    fixed_boundary::Problem<VMP::Stretch_energy_3, Counting_solver> problem(mesh, VMP::Stretch_energy_3(), solver);
+    const Matrix3Xd map = fixed_boundary::harmonic_start(mesh, problem.system);
+    CHECK((map - harmonic_map(mesh)).norm() < 1e-6 * mesh.target.norm());
+    CHECK(solver.number_of_factorizations == 1);
+    CHECK(problem.solver.number_of_iterations() > std::size_t(solver.number_of_iterations()));
+  }
+}
+
 TEST_CASE("A map with inverted cells is untangled")
 {
   const Numbered_mesh_3 mesh = ring(8);

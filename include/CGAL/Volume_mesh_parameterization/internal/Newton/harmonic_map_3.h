@@ -19,28 +19,32 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton
-// step suffices; repeated steps make up for a solver that is not exact, until one gains no more than a part of the energy.
-// Returns the last direction.
+// Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton step suffices;
+// that of a solver which is not exact leaves about the squared tolerance of its gain. Then further steps with the same
+// matrix follow, until no more than a part of the energy is left to gain. Returns the last direction.
 inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& u,
-                                         const double energy_tolerance = 1e-9)
+                                         const double energy_tolerance = 1e-14)
 {
   constexpr int maximal_number_of_steps = 20;
-  constexpr double solver_tolerance = 1e-3;
   const Dirichlet_energy_3 energy;
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
 
-  Newton_direction_3 direction;
-  for(int i = 0; i < maximal_number_of_steps; ++i)
+  double tolerance = 1e-2;
+  Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance);
+  for(int i = 1; direction.is_usable(); ++i)
   {
-    direction = system.direction(dirichlet, u, 0., solver_tolerance);
-    if(!direction.is_usable())
-      break;
     u += direction.vectors;
-    if(-direction.slope <= energy_tolerance * system.evaluate(dirichlet, u).energy)
+    const double left = -direction.slope * tolerance * tolerance;
+    const double allowed = energy_tolerance * system.evaluate(dirichlet, u).energy;
+    if(left <= allowed || i == maximal_number_of_steps)
       break;
+    tolerance = std::clamp(0.5 * std::sqrt(allowed / left), 1e-3, 1e-1);
+    direction = system.next_direction(dirichlet, u, tolerance);
   }
   return direction;
 }

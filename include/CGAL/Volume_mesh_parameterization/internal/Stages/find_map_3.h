@@ -48,7 +48,7 @@ inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3&
                                    const Eigen::Matrix3Xd& initial, const double begin, Progress_3& progress,
                                    Found_map_3& found)
 {
-  constexpr double energy_tolerance = 1e-4; // of what is a start only
+  constexpr double energy_tolerance = 1e-6; // of what is a start only
   Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
   const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + u / system.unit()); };
   Newton_direction_3 direction = harmonic_map_3(system, u, energy_tolerance);

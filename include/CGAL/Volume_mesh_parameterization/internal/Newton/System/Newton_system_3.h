@@ -121,6 +121,14 @@ public:
     }, m_hessian);
   }
 
+  // The same with the matrix of the last direction, which a convex quadratic energy has everywhere.
+  Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance)
+  {
+    Newton_direction_3 direction = solve(gradient(energy, u), tolerance, true);
+    direction.is_of_semidefinite_matrix = true;
+    return direction;
+  }
+
   // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
   double largest_step(const Positions& u, const Positions& d) const
   {
@@ -142,12 +150,12 @@ private:
     m_unknowns.project(hessian);
   }
 
-  Newton_direction_3 solve(const Positions& columns, const double tolerance)
+  Newton_direction_3 solve(const Positions& columns, const double tolerance, const bool is_factorized = false)
   {
     const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
     Newton_direction_3 result;
     result.gradient_norm = std::sqrt(dot(gradient, gradient));
-    result.status = m_solver.factorize(m_hessian);
+    result.status = is_factorized ? Linear_solver_status::SUCCESS : m_solver.factorize(m_hessian);
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
     Eigen::VectorXd solution;
