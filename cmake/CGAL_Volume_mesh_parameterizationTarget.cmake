@@ -25,6 +25,7 @@ if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
 namespace CGAL::Volume_mesh_parameterization {
+template class internal::Conjugate_gradient_3<float>;
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #ifdef CGAL_LINKED_WITH_TBB
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;

@@ -15,14 +15,11 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Conjugate_gradient_3.h>
+
+#include <CGAL/tags.h>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -51,37 +48,17 @@ public:
   /// limits the number of iterations of each call of `solve()`. Where the limit is reached, what was found so far is
   /// the solution.
   explicit Conjugate_gradient_solver_traits_3(const int maximal_number_of_iterations = 2000)
-    : m_maximal_number_of_iterations(maximal_number_of_iterations)
+    : m_solver(internal::is_parallel<ConcurrencyTag>(), maximal_number_of_iterations)
   {}
 
   /// reserves memory for vectors.
-  void analyze_pattern(const Matrix& A)
-  {
-    const std::size_t n = 3 * std::size_t(A.size());
-    for(Vector* v : { &m_solution, &m_residual, &m_preconditioned, &m_direction, &m_product })
-      v->resize(n);
-    m_inverse_diagonal.resize(9 * std::size_t(A.size()));
-    m_partial_sums.resize(number_of_row_ranges());
-  }
+  void analyze_pattern(const Matrix& A) { m_solver.analyze_pattern(A); }
 
   /// computes the preconditioner, the inverses of the diagonal blocks. It does not notice whether `A` is positive
   /// definite.
   ///
   /// \return `SUCCESS`
-  Linear_solver_status factorize(const Matrix& A)
-  {
-    for_each_row([&](const int row)
-    {
-      const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
-      Eigen::Matrix<NT, 3, 3> inverse = D.inverse().template cast<NT>();
-      // the iteration must meet the negative curvature of this block, or what rounding makes of hardly a positive one
-      if(!is_positive_definite(D) || !is_positive_definite(inverse.template cast<double>()))
-        inverse = Eigen::Matrix<NT, 3, 3>::Identity() * static_cast<NT>(D.norm() > 0 ? 1 / D.norm() : 0);
-      inverse_diagonal(row) = inverse;
-    });
-    m_matrix = &A;
-    return Linear_solver_status::SUCCESS;
-  }
+  Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }
 
   /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
   /// preconditioner \f$M\f$, has fallen by the factor `tolerance`.
@@ -90,147 +67,14 @@ public:
   ///         a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once; `FAILED` if a number is not finite
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
   {
-    m_number_of_iterations = 0;
-    m_solution.setZero();
-    m_residual = b.template cast<NT>();
-    double rz = precondition();
-    m_direction = m_preconditioned;
-    const double target = tolerance * tolerance * rz;
-    Linear_solver_status status = rz < 0 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::SUCCESS;
-
-    while(rz > target && m_number_of_iterations < m_maximal_number_of_iterations)
-    {
-      const double curvature = multiply();
-      if(!(curvature > 0))
-      {
-        status = (m_number_of_iterations == 0) ? Linear_solver_status::NOT_POSITIVE_DEFINITE
-                                               : Linear_solver_status::TRUNCATED;
-        break;
-      }
-      ++m_number_of_iterations;
-      const double previous = rz;
-      rz = advance(static_cast<NT>(rz / curvature));
-      turn(static_cast<NT>(rz / previous));
-    }
-    x = m_solution.template cast<double>();
-    return std::isfinite(rz) ? status : Linear_solver_status::FAILED;
+    return m_solver.solve(b, x, tolerance);
   }
 
   /// returns the number of iterations of the last call of `solve()`.
-  int number_of_iterations() const { return m_number_of_iterations; }
+  int number_of_iterations() const { return m_solver.number_of_iterations(); }
 
 private:
-  using Vector = Eigen::Matrix<NT, Eigen::Dynamic, 1>;
-
-  // Rows are processed in ranges of fixed length, each with its own partial sum.
-  static constexpr int rows_per_range = 1024;
-
-  std::size_t number_of_row_ranges() const
-  {
-    return (m_inverse_diagonal.size() / 9 + rows_per_range - 1) / rows_per_range;
-  }
-
-  // Calls f(first_row, last_row), and returns the sum of its results.
-  template <typename Function>
-  double sum_over_row_ranges(const Function& f)
-  {
-    const int rows = static_cast<int>(m_inverse_diagonal.size() / 9);
-    internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, number_of_row_ranges(), [&](const std::size_t i)
-    {
-      const int first = static_cast<int>(i) * rows_per_range;
-      m_partial_sums[i] = f(first, (std::min)(rows, first + rows_per_range));
-    });
-    double sum = 0;
-    for(const double s : m_partial_sums)
-      sum += s;
-    return sum;
-  }
-
-  template <typename Function>
-  void for_each_row(const Function& f)
-  {
-    sum_over_row_ranges([&](const int first, const int last)
-    {
-      for(int row = first; row < last; ++row)
-        f(row);
-      return 0.;
-    });
-  }
-
-  // Sylvester's criterion.
-  static bool is_positive_definite(const Eigen::Matrix3d& D)
-  {
-    return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0;
-  }
-
-  auto inverse_diagonal(const int row)
-  {
-    return Eigen::Map<Eigen::Matrix<NT, 3, 3> >(m_inverse_diagonal.data() + 9 * std::size_t(row));
-  }
-
-  static auto range(Vector& v, const int first, const int last)
-  {
-    return v.segment(3 * std::size_t(first), 3 * std::size_t(last - first));
-  }
-
-  static double dot(Vector& a, Vector& b, const int first, const int last)
-  {
-    return static_cast<double>(range(a, first, last).dot(range(b, first, last)));
-  }
-
-  // z = M^{-1} r on a range; returns its part of r.z
-  double precondition(const int first, const int last)
-  {
-    for(int row = first; row < last; ++row)
-      m_preconditioned.template segment<3>(3 * std::size_t(row)).noalias()
-        = inverse_diagonal(row) * m_residual.template segment<3>(3 * std::size_t(row));
-    return dot(m_residual, m_preconditioned, first, last);
-  }
-
-  double precondition()
-  {
-    return sum_over_row_ranges([&](const int first, const int last) { return precondition(first, last); });
-  }
-
-  // q = A p; returns p.q
-  double multiply()
-  {
-    return sum_over_row_ranges([&](const int first, const int last)
-    {
-      for(int row = first; row < last; ++row)
-        m_product.template segment<3>(3 * std::size_t(row)) = m_matrix->multiply_row(row, m_direction.data());
-      return dot(m_direction, m_product, first, last);
-    });
-  }
-
-  // x += step p, r -= step q, z = M^{-1} r; returns r.z
-  double advance(const NT step)
-  {
-    return sum_over_row_ranges([&](const int first, const int last)
-    {
-      range(m_solution, first, last) += step * range(m_direction, first, last);
-      range(m_residual, first, last) -= step * range(m_product, first, last);
-      return precondition(first, last);
-    });
-  }
-
-  // p = z + ratio p
-  void turn(const NT ratio)
-  {
-    sum_over_row_ranges([&](const int first, const int last)
-    {
-      range(m_direction, first, last) = range(m_preconditioned, first, last)
-                                      + ratio * range(m_direction, first, last);
-      return 0.;
-    });
-  }
-
-  int m_maximal_number_of_iterations;
-  int m_number_of_iterations = 0;
-  const Matrix* m_matrix = nullptr;
-  std::vector<NT> m_inverse_diagonal;
-  Vector m_solution, m_residual, m_preconditioned, m_direction, m_product;
-  std::vector<double> m_partial_sums;
+  internal::Conjugate_gradient_3<NT> m_solver;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

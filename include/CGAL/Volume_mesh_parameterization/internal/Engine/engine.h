@@ -19,6 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Conjugate_gradient_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
@@ -85,6 +86,7 @@ Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 // The default solvers are compiled with the engine. Energies are not: they use the processor a unit is compiled for.
 namespace CGAL::Volume_mesh_parameterization {
+extern template class internal::Conjugate_gradient_3<float>;
 extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #  ifdef CGAL_LINKED_WITH_TBB
 extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
