@@ -48,9 +48,9 @@ public:
   ///         another matrix will be tried; or `OUT_OF_MEMORY` or `FAILED`, which end the computation
   CGAL::Volume_mesh_parameterization::Linear_solver_status factorize(const Matrix& A);
 
-  /// solves \f$A x = b\f$ for the matrix last passed to `factorize()`, perhaps several times, where `b` has three entries a
-  /// row of blocks, and `x`, whose size on entry is arbitrary, receives as many. An iterative solver may stop as soon
-  /// as the residual, in a norm of its choice, has fallen to `tolerance` times its value for \f$x = 0\f$.
+  /// solves \f$A x = b\f$ for the matrix last passed to `factorize()`, perhaps several times, where `b` has three
+  /// entries a row of blocks, and `x`, whose size on entry is arbitrary, receives as many. An iterative solver may stop
+  /// as soon as the residual, in a norm of its choice, has fallen to `tolerance` times its value for \f$x = 0\f$.
   ///
   /// \return `SUCCESS`; or `TRUNCATED` if the matrix is not positive definite, but `x` with
   ///         \f$b^T x > 0\f$ is the best one before this was noticed; or `NOT_POSITIVE_DEFINITE` if there
