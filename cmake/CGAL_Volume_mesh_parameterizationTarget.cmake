@@ -23,6 +23,7 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
 # processor that a unit is compiled for; the engine and its users must agree on that.
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
 namespace CGAL::Volume_mesh_parameterization {
 template class internal::Conjugate_gradient_3<float>;

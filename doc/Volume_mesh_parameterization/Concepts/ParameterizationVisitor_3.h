@@ -28,5 +28,13 @@ public:
   /// It should take little time compared with a step, which is linear in the number of cells.
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step);
 
+  /// may the computation go on? Asked many times between two steps, by the same thread, and by those functions that take
+  /// no such steps. This function is optional; without it, only `after_step()` and limits of time end a computation.
+  ///
+  /// \return `false` to end the computation as `after_step()` does
+  ///
+  /// It should do no more than to look at a variable.
+  bool goes_on();
+
   /// @}
 };

@@ -55,6 +55,9 @@ struct Default_visitor
 {
   /// returns `true`: the computation goes on.
   bool after_step(const Parameterization_step&) { return true; }
+
+  /// returns `true`: the computation goes on.
+  bool goes_on() { return true; }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

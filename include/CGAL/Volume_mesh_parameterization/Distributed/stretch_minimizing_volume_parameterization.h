@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
@@ -137,7 +137,6 @@ stretch_minimizing_volume_parameterization(
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   using parameters::is_default_parameter;
   namespace VMP = Volume_mesh_parameterization;
   using Result = VMP::Parameterization_result;
@@ -155,18 +154,13 @@ stretch_minimizing_volume_parameterization(
   static_assert(is_default_parameter<NamedParameters, internal_np::solver_traits_t>::value,
                 "solver_traits must not be passed for a distributed mesh: PETSc's options choose the solver.");
 
-  using Visitor = VMP::internal::Mutable_parameter<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, NamedParameters, VMP::Default_visitor>::reference>;
-  VMP::Default_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double maximum_running_time
-    = static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time), infinity));
+  VMP::internal::Limits<NamedParameters> limits(np);
 
   const VMP::internal::MPI_communicator_3 communicator(soup.communicator);
   const bool is_printing = communicator.rank() == 0 && choose_parameter(get_parameter(np, internal_np::verbose), false);
-  VMP::internal::Common_visitor<std::remove_reference_t<Visitor> > common_visitor
-    = { communicator, visitor, maximum_running_time };
+  VMP::internal::Common_visitor<std::remove_reference_t<decltype(limits.visitor())> > common_visitor
+    = { communicator, limits.visitor(), limits.seconds() };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   return communicator.together([&]() -> Result
   {
     VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");

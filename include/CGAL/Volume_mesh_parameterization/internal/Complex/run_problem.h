@@ -20,12 +20,12 @@
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mutable_parameter.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
@@ -74,24 +74,17 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   Default_solver default_solver;
   Solver solver = choose_parameter(get_parameter_reference(np, internal_np::solver_traits), default_solver);
 
-  using Visitor = Mutable_parameter<typename internal_np::Lookup_named_param_def<
-    internal_np::visitor_t, NamedParameters, Default_visitor>::reference>;
-  Default_visitor default_visitor;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, internal_np::visitor), default_visitor);
-
+  Limits<NamedParameters> limits(np);
   const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
   const auto after_step = [&](const Parameterization_step& step)
   {
     if(verbose)
       print(step);
-    return visitor.after_step(step);
+    return limits.visitor().after_step(step);
   };
   const auto number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000);
   require(static_cast<double>(number_of_iterations) >= 0, "A number of iterations is not negative.");
-  Progress_3 progress(
-    after_step, static_cast<std::size_t>(number_of_iterations),
-    static_cast<double>(choose_parameter(get_parameter(np, internal_np::maximum_running_time),
-                                         (std::numeric_limits<double>::infinity)())));
+  Progress_3 progress(after_step, static_cast<std::size_t>(number_of_iterations), limits.seconds());
 
   Map_options_3 options;
   options.mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), Boundary_mode::AUTO);

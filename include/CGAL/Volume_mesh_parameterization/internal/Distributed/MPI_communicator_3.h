@@ -12,7 +12,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/Communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
 #include <mpi.h>
 

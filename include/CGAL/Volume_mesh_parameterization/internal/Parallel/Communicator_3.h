@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_COMMUNICATOR_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_COMMUNICATOR_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_COMMUNICATOR_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_COMMUNICATOR_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -46,4 +46,4 @@ inline const Communicator_3& single_process()
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_COMMUNICATOR_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_COMMUNICATOR_3_H

@@ -7,14 +7,18 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_FOR_EACH_INDEX_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_FOR_EACH_INDEX_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_FOR_EACH_INDEX_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_FOR_EACH_INDEX_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <CGAL/tags.h>
+
+#if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE) && defined(CGAL_LINKED_WITH_TBB)
+#  include <tbb/parallel_for.h>
+#endif
 
 #include <cstddef>
 #include <type_traits>
@@ -60,10 +64,23 @@ void for_each_index(const bool is_parallel, const std::size_t first, const std::
   call_for_each_index(is_parallel, first, last, Index_function(f));
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
-
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-#  include <CGAL/Volume_mesh_parameterization/internal/Engine/call_for_each_index.h>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Index_function f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(is_parallel)
+  {
+    tbb::parallel_for(first, last, f);
+    return;
+  }
+#endif
+  static_cast<void>(is_parallel);
+  for(std::size_t i = first; i < last; ++i)
+    f(i);
+}
 #endif
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_FOR_EACH_INDEX_H
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_FOR_EACH_INDEX_H
