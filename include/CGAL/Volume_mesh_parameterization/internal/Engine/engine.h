@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
@@ -61,9 +62,10 @@ void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linea
 
 // Makes the corners of hexahedra, which are the cells, positive and as near to right angles as possible. Starts from
 // the targets of all vertices, which move in the directions of their projectors; `edge` is about the length of an edge.
+// What an exhausted budget leaves is valid or the start.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, double edge,
-                      Linear_solver_3& solver, bool is_parallel);
+                      Linear_solver_3& solver, bool is_parallel, const Budget& budget);
 
 // The result but for the counts of the complex.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

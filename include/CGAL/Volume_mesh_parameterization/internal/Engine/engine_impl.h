@@ -70,9 +70,9 @@ void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linea
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, const double edge,
-                      Linear_solver_3& solver, const bool is_parallel)
+                      Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
 {
-  return improve_corners_3(mesh, projectors, edge, solver, is_parallel);
+  return improve_corners_3(mesh, projectors, edge, solver, is_parallel, budget);
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -55,7 +55,7 @@ inline void improve_hexahedra_3(Hexahedron_soup_3& mesh, const std::vector<Eigen
   for(const std::size_t v : order)
     ordered.push_back(projectors[v]);
   const double mean_length = sum_of_lengths / (3. * static_cast<double>(corners.size()));
-  const Map_3 map = engine::improve_corners(numbered, ordered, mean_length, solver, is_parallel);
+  const Map_3 map = engine::improve_corners(numbered, ordered, mean_length, solver, is_parallel, Budget());
   for(std::size_t i = 0; i < order.size(); ++i)
     mesh.points[order[i]] = { map.positions(0, i), map.positions(1, i), map.positions(2, i) };
 }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
@@ -45,17 +46,19 @@ inline Scaled_cells_3 cube_corners_3(const Numbered_mesh_3& mesh, const double e
 
 // Makes the corners of hexahedra, which are the cells and overlap, positive and as near to right angles as possible:
 // untangles, from the targets of all vertices on, and minimizes an energy of angles, with corners of cubes of that edge
-// as reference. Each free vertex moves in the directions onto which its projector projects.
+// as reference. Each free vertex moves in the directions onto which its projector projects. An exhausted budget ends it
+// at the next step.
 inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
-                               const double edge, Linear_solver_3& solver, const bool is_parallel)
+                               const double edge, Linear_solver_3& solver, const bool is_parallel,
+                               const Budget& budget)
 {
   constexpr std::size_t maximal_number_of_steps = 100;
   constexpr double theta = 0.5; // how much volumes count while untangling
   Map_3 map = judged(mesh, mesh.target);
-  if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0)
+  if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0 || budget.is_exhausted())
     return map;
 
-  Progress_3 progress([](const Parameterization_step&) { return true; }, maximal_number_of_steps,
+  Progress_3 progress([&](const Parameterization_step&) { return !budget.is_exhausted(); }, maximal_number_of_steps,
                       (std::numeric_limits<double>::infinity)());
   Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
   Untangling_3 untangling(mesh, system, mesh.target, theta);
