@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -58,7 +59,7 @@ public:
   void run()
   {
     State state = evaluate(m_images, 1);
-    m_epsilon = std::sqrt(1e-12 + 0.04 * state.smallest_determinant * state.smallest_determinant);
+    m_epsilon = first_epsilon(state.smallest_determinant);
     for(int iteration = 0; iteration < 100; ++iteration)
     {
       state = evaluate(m_images, m_epsilon);
@@ -66,7 +67,7 @@ public:
       const double decrease = 1 - next.energy / state.energy;
       if(decrease == 0 || (next.smallest_determinant > 0 && decrease < 1e-3))
         break;
-      m_epsilon = next_epsilon(decrease, state.smallest_determinant, next.smallest_determinant);
+      m_epsilon = next_epsilon(m_epsilon, decrease, state.smallest_determinant, next.smallest_determinant);
     }
   }
 
@@ -105,13 +106,6 @@ private:
     return result;
   }
 
-  // without cancellation for D < 0
-  static double chi(const double D, const double epsilon)
-  {
-    const double larger = (std::sqrt(D * D + epsilon * epsilon) + std::abs(D)) / 2;
-    return (D < 0) ? epsilon * epsilon / (4 * larger) : larger;
-  }
-
   State evaluate(const Eigen::Matrix2Xd& u, const double epsilon) const
   {
     State state = { 0, (std::numeric_limits<double>::infinity)() };
@@ -119,18 +113,10 @@ private:
     {
       const Eigen::Matrix2d J = edges(t, u) * t.to_rest;
       const double D = J.determinant();
-      state.energy += t.area * (J.squaredNorm() + (D * D + 1) / 2) / chi(D, epsilon);
+      state.energy += t.area * (J.squaredNorm() + (D * D + 1) / 2) / regularized_determinant(D, epsilon);
       state.smallest_determinant = (std::min)(state.smallest_determinant, D);
     }
     return state;
-  }
-
-  // the rule of section 4 of Garanzha et al.
-  double next_epsilon(double decrease, const double before, const double after) const
-  {
-    decrease = (std::max)(decrease, 0.1);
-    const double mu = (1 - decrease) * chi(before, m_epsilon);
-    return (after < mu) ? 2 * std::sqrt(mu * (mu - after)) : 1e-10;
   }
 
   State newton_step(const State& before)
@@ -167,7 +153,7 @@ private:
     const Eigen::Matrix2d J = edges(t, m_images) * t.to_rest;
     const Eigen::Vector4d j(J(0, 0), J(1, 0), J(0, 1), J(1, 1)), cofactors(J(1, 1), -J(0, 1), -J(1, 0), J(0, 0));
     const double D = J.determinant(), root = std::sqrt(D * D + m_epsilon * m_epsilon);
-    const double inverse = 1 / chi(D, m_epsilon);
+    const double inverse = 1 / regularized_determinant(D, m_epsilon);
     const double slope = 1 / root;                                                              // chi' / chi
     const double curvature = m_epsilon * m_epsilon / (2 * root * root * root) * inverse;        // chi'' / chi
     const double value = (j.squaredNorm() + (D * D + 1) / 2) * inverse;

@@ -16,29 +16,41 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The regularized energy of Garanzha et al., Foldover-free Maps in 50 Lines of Code (TOG 2021),
-//   f = |J|^2 / chi^(2/3) + theta (D^2 + 1) / chi,   chi(D) = (D + sqrt(D^2 + eps^2)) / 2,   D = det J,
-// finite for inverted cells. Their theta is 1/2; a small one makes the energy nearly
+// Untangling after Garanzha et al., Foldover-free Maps in 50 Lines of Code (TOG 2021): in an energy that tends to infinity
+// when D = det J tends to 0, D is replaced by
+//   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2,
+// which is positive, also for inverted cells; epsilon tends to 0. Computed without cancellation for D < 0.
+template <typename T>
+T regularized_determinant(const T& D, const double epsilon)
+{
+  using std::abs;
+  using std::sqrt;
+  const T root = sqrt(D * D + T(epsilon * epsilon));
+  const T larger = T(0.5) * (root + abs(D));
+  return select(D < T(0), T(0.25 * epsilon * epsilon) / larger, larger);
+}
+
+// The rule of their section 4, with the smallest determinants of all cells. It makes the energy tend to infinity at
+// inverted cells; `decrease` is the part by which the last step, from `D_before` to `D_after`, lowered the energy.
+inline double first_epsilon(const double D) { return std::sqrt(1e-12 + 0.04 * D * D); }
+
+inline double next_epsilon(const double epsilon, const double decrease, const double D_before, const double D_after)
+{
+  const double mu = (1 - (std::max)(decrease, 0.1)) * regularized_determinant(D_before, epsilon);
+  return D_after < mu ? 2 * std::sqrt(mu * (mu - D_after)) : 1e-10;
+}
+
+// Their energy of a cell, f = |J|^2 / chi^(2/3) + theta (D^2 + 1) / chi. Their theta is 1/2; a small one makes it nearly
 // independent of scale, so that parts that must shrink a million times do not dominate it.
 class Untangling_energy_3
 {
 public:
   Untangling_energy_3(const double epsilon, const double theta) : m_epsilon(epsilon), m_theta(theta) {}
-
-  // chi is positive, and without cancellation for D < 0
-  template <typename T>
-  T chi(const T& D) const
-  {
-    using std::abs;
-    using std::sqrt;
-    const T root = sqrt(D * D + T(m_epsilon * m_epsilon));
-    const T larger = T(0.5) * (root + abs(D));
-    return select(D < T(0), T(0.25 * m_epsilon * m_epsilon) / larger, larger);
-  }
 
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
@@ -46,7 +58,7 @@ public:
     using std::exp;
     using std::log;
     const T D = s[0] * s[1] * s[2];
-    const T c = chi(D);
+    const T c = regularized_determinant(D, m_epsilon);
     return s.squaredNorm() * exp(T(-2. / 3.) * log(c)) + T(m_theta) * (D * D + T(1)) / c;
   }
 
@@ -90,7 +102,7 @@ private:
       const T D = s[0] * s[1] * s[2];
       const T epsilon_squared(energy.m_epsilon * energy.m_epsilon);
       const T root = sqrt(D * D + epsilon_squared);
-      const T inverse = T(1) / energy.chi(D);
+      const T inverse = T(1) / regularized_determinant(D, energy.m_epsilon);
 
       const T slope = T(1) / root;                                                 // chi' / chi
       const T curvature = T(0.5) * epsilon_squared / (root * root * root) * inverse; // chi'' / chi

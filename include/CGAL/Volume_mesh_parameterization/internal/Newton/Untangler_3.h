@@ -21,8 +21,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -37,7 +35,7 @@ public:
     : m_system(system), m_u(std::move(u)), m_theta(theta)
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
-    m_epsilon = std::sqrt(1e-12 + 0.04 * D * D);
+    m_epsilon = first_epsilon(D);
     m_evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
     m_best = m_u;
     m_fewest_inverted_cells = m_evaluation.number_of_inverted_cells;
@@ -72,7 +70,8 @@ public:
       return Step_status::DONE;
     }
 
-    m_epsilon = next_epsilon(f, step.evaluation);
+    m_epsilon = next_epsilon(m_epsilon, 1 - step.evaluation.energy / m_evaluation.energy,
+                             m_evaluation.smallest_determinant, step.evaluation.smallest_determinant);
     m_evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
     return is_progressing() ? Step_status::CONTINUE : Step_status::STUCK;
   }
@@ -81,15 +80,6 @@ private:
   Energy_evaluation evaluate(const Untangling_energy_3& f) const
   {
     return m_system.evaluate(Cell_energy_of<Untangling_energy_3>(f), m_u);
-  }
-
-  // the rule of their section 4, which makes the energy tend to infinity at inverted cells
-  double next_epsilon(const Untangling_energy_3& f, const Energy_evaluation& after) const
-  {
-    const double decrease = (std::max)(1 - after.energy / m_evaluation.energy, 0.1);
-    const double mu = (1 - decrease) * f.chi(m_evaluation.smallest_determinant);
-    const double D = after.smallest_determinant;
-    return D < mu ? 2 * std::sqrt(mu * (mu - D)) : 1e-10;
   }
 
   void keep_best(const Energy_evaluation& evaluation)
