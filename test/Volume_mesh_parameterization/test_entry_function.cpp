@@ -22,6 +22,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <string>
 #include <unordered_set>
@@ -743,6 +744,62 @@ TEST_CASE("A boundary that is no manifold is told with a vertex and a remedy")
   VMP::non_manifold_boundary_vertices(complex.c3t3, std::back_inserter(vertices));
   REQUIRE(vertices.size() == 1);
   CHECK(Point_3(1, 1, 1) == vertices[0]->point());
+}
+
+TEST_CASE("Messages do not depend on the global locale")
+{
+  struct Grouping_punctuation : std::numpunct<char>
+  {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const auto messages = []
+  {
+    const Numbered_mesh_3 mesh
+      = mapped_cube(4, 0, [](const Vector3d& p) { return 1234.5 * (p == Vector3d(2, 2, 4) ? Vector3d(2, 2, -1) : p); });
+    std::vector<std::string> result;
+
+    Complex missed(mesh);
+    result.push_back(parameterize(missed).message);
+    result.push_back(parameterize(missed, params::boundary_mode(VMP::Boundary_mode::FIXED)).message);
+    missed.target[missed.vertices.back()] = Point_3(1234.5, std::nan(""), 0);
+    missed.vertices.back()->set_point(Complex::Tr::Point(Point_3(1234.5, 4, 4)));
+    result.push_back(parameterize(missed).message);
+
+    Complex stretched(mapped_cube(3, 0, [](const Vector3d& p) { return Vector3d(12345 * p[0], p[1], p[2]); }));
+    result.push_back(parameterize(stretched, params::maximal_angle_distortion(2.5)).message);
+
+    Complex pinched(cube_mesh(2));
+    for(int cube = 1; cube < 7; ++cube)
+      for(int i = 0; i < 6; ++i)
+        pinched.c3t3.remove_from_complex(pinched.cells[6 * cube + i]);
+    pinched.vertices.front()->set_point(Complex::Tr::Point(Point_3(1234.5, 1, 1)));
+    result.push_back(CGAL::stretch_minimizing_volume_parameterization(pinched.c3t3, pinched.uvw_map()).message);
+
+    VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(1));
+    for(std::array<double, 3>& p : soup.points)
+      p[0] *= 12345;
+    std::swap(soup.cells[0][2], soup.cells[0][3]);
+    try
+    {
+      VMP::tetrahedron_soup_to_mesh_complex_3(soup, pinched.c3t3, pinched.vertices, pinched.cells);
+    }
+    catch(const VMP::Input_error& error)
+    {
+      result.push_back(error.what());
+    }
+    return result;
+  };
+  const std::vector<std::string> expected = messages();
+  const std::locale global = std::locale::global(std::locale(std::locale::classic(), new Grouping_punctuation));
+  const std::vector<std::string> found = messages();
+  std::locale::global(global);
+  REQUIRE(expected.size() == 6);
+  CHECK(found == expected);
+  CAPTURE(expected);
+  CHECK(expected[0].find("-1234.5") != std::string::npos);
+  CHECK(expected[2].find("(1234.5, ") != std::string::npos);
 }
 
 TEST_CASE("The vertices that need a target")

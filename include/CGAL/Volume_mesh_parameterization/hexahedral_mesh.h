@@ -26,7 +26,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pad_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>

@@ -14,9 +14,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,17 +27,13 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <typename C3t3>
 std::string place_of_boundary_error(const C3t3& c3t3, const Error_code status)
 {
-  std::ostringstream out;
-  if(status == ERROR_NON_MANIFOLD_BOUNDARY)
-  {
-    std::vector<typename C3t3::Vertex_handle> vertices;
-    non_manifold_boundary_vertices(c3t3, std::back_inserter(vertices));
-    const auto& tr = c3t3.triangulation();
-    const auto p = tr.geom_traits().construct_point_3_object()(tr.point(vertices.front()));
-    out << " It is none at " << vertices.size() << " vertices, among them the one at (" << p.x() << ", " << p.y()
-        << ", " << p.z() << ").";
-  }
-  return out.str();
+  if(status != ERROR_NON_MANIFOLD_BOUNDARY)
+    return "";
+  std::vector<typename C3t3::Vertex_handle> vertices;
+  non_manifold_boundary_vertices(c3t3, std::back_inserter(vertices));
+  const auto& tr = c3t3.triangulation();
+  const auto p = tr.geom_traits().construct_point_3_object()(tr.point(vertices.front()));
+  return sentence(" It is none at ", vertices.size(), " vertices, among them the one at ", describe(to_vector(p)), ".");
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -17,8 +17,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <array>
 #include <cstddef>

@@ -18,13 +18,13 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -48,18 +48,18 @@ inline Hexahedral_mesh_result judged(const Hexahedron_soup_3& mesh, const bool h
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
 
-  std::ostringstream place;
+  std::string place;
   for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
   {
     if(!is_positive_corner(mesh, corner) && result.number_of_inverted_corners++ == 0)
-      place << " The first one is at " << describe(to_vector(mesh.points[corner[0]]))
-            << (is_outer[corner[0]] ? ", on the boundary." : ", inside.");
+      place = " The first one is at " + describe(to_vector(mesh.points[corner[0]]))
+              + (is_outer[corner[0]] ? ", on the boundary." : ", inside.");
   });
   const std::vector<double> quality = scaled_jacobians(mesh);
   result.minimal_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
   result.status = result.number_of_inverted_corners == 0 ? OK : ERROR_INVERTED_HEXAHEDRON;
-  result.message = get_error_message(result.status) + place.str();
+  result.message = get_error_message(result.status) + place;
   return result;
 }
 

@@ -17,13 +17,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -51,18 +50,12 @@ inline std::set<int> blamed_vertices(const Infeasibility_proof_3& proof, const N
 inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_3>& proofs,
                                           const Numbered_mesh_3& mesh)
 {
-  std::ostringstream message;
-  message << "No map with this connectivity meets this boundary: some sets of cells cannot all be positive, "
-          << "wherever the free vertices are. Number of sets found: " << proofs.size()
-          << "; cells of the first one: " << proofs.front().cells.size() << ", around the source's vertices at ";
-  const char* separator = "";
+  std::string places;
   for(const int v : blamed_vertices(proofs.front(), mesh))
-  {
-    message << separator << describe(mesh.source.col(v));
-    separator = ", ";
-  }
-  message << ".";
-  return message.str();
+    places += (places.empty() ? "" : ", ") + describe(mesh.source.col(v));
+  return sentence("No map with this connectivity meets this boundary: some sets of cells cannot all be positive, "
+                  "wherever the free vertices are. Number of sets found: ", proofs.size(), "; cells of the first one: ",
+                  proofs.front().cells.size(), ", around the source's vertices at ", places, ".");
 }
 
 // A sentence with the cells, the first ones of many, if there is no proof.
@@ -70,14 +63,10 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
 {
   constexpr std::size_t maximal_number = 100;
   const std::size_t number = (std::min)(maximal_number, cells.size());
-  std::ostringstream message;
-  message << "With the boundary at its targets, these cells stay inverted: ";
+  std::string result = "With the boundary at its targets, these cells stay inverted: ";
   for(std::size_t i = 0; i < number; ++i)
-    message << (i == 0 ? "" : ", ") << mesh.user_number(cells[i]);
-  if(cells.size() > number)
-    message << ", and " << cells.size() - number << " others";
-  message << ".";
-  return message.str();
+    result += sentence(i == 0 ? "" : ", ", mesh.user_number(cells[i]));
+  return result + (cells.size() > number ? sentence(", and ", cells.size() - number, " others.") : ".");
 }
 
 // Two facets that the prescribed surface intersects itself in, with a space in front; empty if there are none.

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <string>
 
@@ -28,6 +29,12 @@ struct Input_check_3
   bool allows_fixed_boundary() const { return status == OK; }
   bool allows_soft_boundary() const { return status == OK || status == ERROR_PRESCRIBED_CELL_INVERTED; }
 };
+
+template <typename... Parts>
+Input_check_3 failed_check(const Error_code status, const Parts&... parts)
+{
+  return { status, sentence(parts...), true };
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -19,6 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <Eigen/Dense>
 
@@ -26,26 +27,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-template <typename... Parts>
-Input_check_3 failed_check(const Error_code status, const Parts&... parts)
-{
-  std::ostringstream message;
-  (message << ... << parts);
-  return { status, message.str(), true };
-}
-
-inline std::string describe(const Eigen::Vector3d& point)
-{
-  std::ostringstream out;
-  out << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";
-  return out.str();
-}
 
 inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 {

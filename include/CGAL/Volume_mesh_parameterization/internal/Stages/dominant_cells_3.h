@@ -14,8 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <Eigen/Core>
 
@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,13 +70,12 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
 // Why the minimization over all vertices was ended.
 inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mesh_3& mesh)
 {
-  std::ostringstream out;
-  out << dominant.cells.size() << " of " << mesh.cells.size() << " cells, which the prescribed vertices make flat, hold "
-      << std::floor(100 * dominant.part_of_energy) << " % of the energy, and further steps would hardly lower it, or "
-      << "for them alone; most of it holds the cell at " << describe(mesh.source.col(mesh.cells[dominant.cells.front()][0]))
-      << ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were then moved"
-      << " alone, to where they hardly improve either.";
-  return out.str();
+  return sentence(dominant.cells.size(), " of ", mesh.cells.size(), " cells, which the prescribed vertices make flat, hold ",
+                  std::floor(100 * dominant.part_of_energy), " % of the energy, and further steps would hardly lower it, or "
+                  "for them alone; most of it holds the cell at ",
+                  describe(mesh.source.col(mesh.cells[dominant.cells.front()][0])),
+                  ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were "
+                  "then moved alone, to where they hardly improve either.");
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -18,16 +18,15 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -63,12 +62,10 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const E
     if(distance_of(w) > distance_of(v))
       v = w;
   const double distance = distance_of(v);
-  std::ostringstream out;
-  out << " The largest distance to a target is " << distance << ", " << distance / target_diagonal(mesh)
-      << " times the diagonal of all targets: the source's vertex at " << describe(mesh.source.col(v)) << " is at "
-      << describe(positions.col(v)) << " instead of " << describe(mesh.target.col(v))
-      << ". Allow refinement (do_refine), or prescribe a boundary nearer to the source there.";
-  return out.str();
+  return sentence(" The largest distance to a target is ", distance, ", ", distance / target_diagonal(mesh),
+                  " times the diagonal of all targets: the source's vertex at ", describe(mesh.source.col(v)), " is at ",
+                  describe(positions.col(v)), " instead of ", describe(mesh.target.col(v)),
+                  ". Allow refinement (do_refine), or prescribe a boundary nearer to the source there.");
 }
 
 // The result of a search without its counts of the complex: the only place where it is written.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -21,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <sstream>
 #include <string>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -48,9 +48,7 @@ inline Orientation cell_orientation(const Tetrahedron_soup_3& soup, std::size_t 
 inline std::string cell_volume(const Tetrahedron_soup_3& soup, std::size_t c)
 {
   const std::array<Exact_point_3, 4> p = cell_points(soup, c);
-  std::ostringstream os;
-  os << CGAL::volume(p[0], p[1], p[2], p[3]);
-  return os.str();
+  return sentence(CGAL::volume(p[0], p[1], p[2], p[3]));
 }
 
 inline void check_points(const Tetrahedron_soup_3& soup)

@@ -20,20 +20,17 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/unavoidable_angle_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <limits>
-#include <sstream>
 #include <string>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 inline std::string describe_angle_distortion(const double reached, const double unavoidable)
 {
-  std::ostringstream message;
-  message << "The largest distortion of angles is " << reached << ".";
-  if(unavoidable > 2)
-    message << " The prescribed vertices alone force " << unavoidable << ".";
-  return message.str();
+  return sentence("The largest distortion of angles is ", reached, ".")
+         + (unavoidable > 2 ? sentence(" The prescribed vertices alone force ", unavoidable, ".") : "");
 }
 
 // Brings the distortion of angles of every cell below a bound, by a barrier. It is relaxed, less and less, until no

@@ -1,0 +1,40 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SENTENCE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SENTENCE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Core>
+
+#include <locale>
+#include <sstream>
+#include <string>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Words and numbers in a row. Digits are not grouped and the decimal sign is a point, whatever the global locale is.
+template <typename... Parts>
+std::string sentence(const Parts&... parts)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  (out << ... << parts);
+  return out.str();
+}
+
+inline std::string describe(const Eigen::Vector3d& point)
+{
+  return sentence("(", point[0], ", ", point[1], ", ", point[2], ")");
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SENTENCE_H
