@@ -756,11 +756,13 @@ TEST_CASE("Messages do not depend on the global locale")
   };
   const auto messages = []
   {
-    const Numbered_mesh_3 mesh
-      = mapped_cube(4, 0, [](const Vector3d& p) { return 1234.5 * (p == Vector3d(2, 2, 4) ? Vector3d(2, 2, -1) : p); });
+    const auto draw_through = [](const Vector3d& p) -> Vector3d
+    {
+      return 1234.5 * (p == Vector3d(2, 2, 4) ? Vector3d(2, 2, -1) : p); // the middle of the upper face, below the lower one
+    };
     std::vector<std::string> result;
 
-    Complex missed(mesh);
+    Complex missed(mapped_cube(4, 0, draw_through));
     result.push_back(parameterize(missed).message);
     result.push_back(parameterize(missed, params::boundary_mode(VMP::Boundary_mode::FIXED)).message);
     missed.target[missed.vertices.back()] = Point_3(1234.5, std::nan(""), 0);
