@@ -22,6 +22,8 @@
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
@@ -268,17 +270,20 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   static_assert(!(has_do_refine && std::is_const<C3t3>::value),
                 "do_refine must not be passed for a constant complex, which cannot be refined.");
 
+  VMP::internal::Limits<NamedParameters> limits(np);
+  const VMP::internal::Budget budget = limits.budget();
   if constexpr(!has_boundary_map)
   {
     VMP::Parameterization_result result;
-    result.status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, boundary_map);
+    result.status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, boundary_map, np);
     result.message
       = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(c3t3, result.status);
     if(result.status != VMP::OK)
       return result;
   }
 
-  return VMP::internal::run_problem<ConcurrencyTag, Vertex_handle>(np, boundary_map, [&](const auto& problem)
+  const auto remaining_np = np.maximum_running_time(limits.seconds() - budget.seconds());
+  return VMP::internal::run_problem<ConcurrencyTag, Vertex_handle>(remaining_np, boundary_map, [&](const auto& problem)
   {
     // what refines is compiled only where it can be asked for
     if constexpr(!std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map))

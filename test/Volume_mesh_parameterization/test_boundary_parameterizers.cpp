@@ -447,7 +447,7 @@ TEST_CASE("coarsening to a tetrahedron is undone exactly")
   REQUIRE(VMP::internal::build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const VMP::internal::Vertex_rings_3 original(mesh);
   VMP::internal::Vertex_rings_3 rings = original;
-  const auto levels = VMP::internal::coarsen_surface_3(rings, VMP::internal::unit_points(mesh));
+  const auto levels = VMP::internal::coarsen_surface_3(rings, VMP::internal::unit_points(mesh), VMP::internal::Budget());
 
   int remaining = 0;
   for(int v = 0; v < rings.number_of_vertices(); ++v)

@@ -34,10 +34,28 @@ model leaves this to the caller, as `CGAL::Volume_mesh_parameterization::Surface
 \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 
-\return `OK`, or what is wrong with the boundary; then nothing is written
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{a limit for the running time in seconds}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{may end the computation, by its optional function `goes_on()`}
+    \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
+    \cgalParamDefault{`CGAL::Volume_mesh_parameterization::Default_visitor`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `OK`; otherwise nothing is written, and the value tells what is wrong with the boundary, or is `ERROR_INTERRUPTED`
+        if the visitor or the limit of time ended the computation
 */
-template <typename C3t3, typename VertexPointMap>
-CGAL::Volume_mesh_parameterization::Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const;
+template <typename C3t3, typename VertexPointMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+CGAL::Volume_mesh_parameterization::Error_code
+parameterize(const C3t3& c3t3, VertexPointMap target,
+             const NamedParameters& np = CGAL::parameters::default_values()) const;
 
 /// @}
 };

@@ -13,13 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
-#include <Eigen/Core>
+#include <CGAL/Named_function_parameters.h>
 
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -46,6 +44,8 @@ public:
   ///
   /// \param c3t3 the complex
   /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -54,17 +54,17 @@ public:
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
   ///         `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding
-  ///         spoilt the map
+  ///         spoilt the map, or `ERROR_INTERRUPTED`
   ///
   /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
-  template <typename C3t3, typename VertexPointMap>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    using internal::Numbered_surface_3;
     return internal::parameterize_boundary_3(
-      c3t3, target, [](const auto&, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      c3t3, target, np, [](const auto&, const auto& surface, auto& images, const auto& budget)
       {
-        return internal::map_to_sphere_3(surface, images);
+        return internal::map_to_sphere_3(surface, images, budget);
       });
   }
 };

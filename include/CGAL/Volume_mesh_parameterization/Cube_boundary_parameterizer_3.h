@@ -13,10 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +25,6 @@
 #include <array>
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -73,6 +73,8 @@ public:
   ///
   /// \param c3t3 the complex
   /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -80,19 +82,19 @@ public:
   ///
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
-  ///         `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, or
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map
+  ///         `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found,
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_INTERRUPTED`
   ///
   /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus the
   /// solution of two sparse linear systems for each face of the box.
-  template <typename C3t3, typename VertexPointMap>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    using internal::Numbered_surface_3;
     return internal::parameterize_boundary_3(
-      c3t3, target, [this](const auto&, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      c3t3, target, np, [this](const auto&, const auto& surface, auto& images, const auto& budget)
       {
-        return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images);
+        return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images, budget);
       });
   }
 
@@ -102,17 +104,19 @@ public:
   /// \param corners the vertices for the corners of the box: bit 0 of the index is set if x is positive at the corner,
   ///        bit 1 if y is, and bit 2 if z is
   /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
   ///
   /// \return the same as without corners, `ERROR_INVALID_CORNERS` if the corners are not different vertices of the
   ///         boundary, or `ERROR_MIRRORED_CORNERS` if no disjoint paths between them were found, but between those of
   ///         the mirrored box
-  template <typename C3t3, typename VertexPointMap>
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
-                          VertexPointMap target) const
+                          VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    using internal::Numbered_surface_3;
     return internal::parameterize_boundary_3(
-      c3t3, target, [&](const auto& boundary, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      c3t3, target, np, [&](const auto& boundary, const auto& surface, auto& images, const auto& budget)
       {
         std::array<int, 8> indices;
         for(std::size_t k = 0; k < 8; ++k)
@@ -122,7 +126,7 @@ public:
             return ERROR_INVALID_CORNERS;
           indices[k] = static_cast<int>(found->second);
         }
-        return internal::map_to_box_3(surface, m_half_lengths, indices, images);
+        return internal::map_to_box_3(surface, m_half_lengths, indices, images, budget);
       });
   }
 

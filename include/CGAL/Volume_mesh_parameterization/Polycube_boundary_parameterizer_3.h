@@ -13,12 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
-#include <Eigen/Core>
+#include <CGAL/Named_function_parameters.h>
 
 #include <cmath>
 #include <cstddef>
@@ -78,6 +77,8 @@ public:
   ///
   /// \param c3t3 the complex
   /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -86,21 +87,21 @@ public:
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
   ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels,
   ///         `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat,
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_SPACING_TOO_COARSE` if there is a
-  ///         polycube, but not with multiples of the spacing
+  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, `ERROR_SPACING_TOO_COARSE` if there is a
+  ///         polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`
   ///
   /// The running time is in \f$ O(k\, n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, and
   /// \f$ k \f$ labels of charts that are tried: few for mechanical parts, up to thousands for bodies with many details.
   /// To this are added minimum cuts, at least one for each of the six labels and each of seven weights, and the
   /// solution of sparse linear systems for each chart of the polycubes found.
-  template <typename C3t3, typename VertexPointMap>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    using internal::Numbered_surface_3;
     return internal::parameterize_boundary_3(
-      c3t3, target, [this](const auto&, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      c3t3, target, np, [this](const auto&, const auto& surface, auto& images, const auto& budget)
       {
-        return internal::map_to_polycube_3(surface, {}, m_spacing, images);
+        return internal::map_to_polycube_3(surface, {}, m_spacing, images, budget);
       });
   }
 
@@ -111,18 +112,20 @@ public:
   ///        this cell: 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z. `boost::make_assoc_property_map()`
   ///        takes a facet that has been forgotten for one with the label 0.
   /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
   ///
   /// \tparam FacetLabelMap a model of `ReadablePropertyMap` with `C3t3::Facet` as key type and
   ///         `std::size_t` as value type
   ///
   /// \pre The labels are 0 to 5; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   /// \return the same as without labels
-  template <typename C3t3, typename FacetLabelMap, typename VertexPointMap>
-  Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target) const
+  template <typename C3t3, typename FacetLabelMap, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    using internal::Numbered_surface_3;
     return internal::parameterize_boundary_3(
-      c3t3, target, [&](const auto& boundary, const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      c3t3, target, np, [&](const auto& boundary, const auto& surface, auto& images, const auto& budget)
       {
         std::vector<std::size_t> label_of_facet;
         for(const auto& facet : boundary.facets_of_complex)
@@ -130,7 +133,7 @@ public:
           label_of_facet.push_back(get(labels, facet));
           internal::require(label_of_facet.back() < 6, "The labels of a polycube are 0 to 5.");
         }
-        return internal::map_to_polycube_3(surface, label_of_facet, m_spacing, images);
+        return internal::map_to_polycube_3(surface, label_of_facet, m_spacing, images, budget);
       });
   }
 

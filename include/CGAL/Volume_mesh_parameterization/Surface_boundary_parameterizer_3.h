@@ -15,8 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -62,25 +64,28 @@ public:
   ///
   /// \param c3t3 the complex
   /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
   ///
   /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
   ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
   ///
   /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, or `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a
-  ///         face of the surfaces
+  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a
+  ///         face of the surfaces, or `ERROR_INTERRUPTED`
   ///
   /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the surfaces.
-  template <typename C3t3, typename VertexPointMap>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target) const
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     return internal::parameterize_boundary_3(
-      c3t3, target, [this](const auto&, const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images)
+      c3t3, target, np, [this](const auto&, const auto& surface, auto& images, const auto& budget)
       {
         internal::Boundary_mesh_3 mesh;
         const Error_code status = internal::build_boundary_mesh_3(surface, mesh);
-        return status == OK ? find_images(surface, images) : status;
+        return status == OK ? find_images(surface, images, budget) : status;
       });
   }
 
@@ -88,10 +93,11 @@ private:
   using Coordinates = std::array<double, 3>;
   using Face = std::array<std::size_t, 3>; // with the smallest index first
 
-  Error_code find_images(const internal::Numbered_surface_3& boundary, std::vector<Eigen::Vector3d>& images) const
+  Error_code find_images(const internal::Numbered_surface_3& boundary, std::vector<Eigen::Vector3d>& images,
+                         const internal::Budget& budget) const
   {
-    const std::set<Face> surface = faces_of(m_boundary);
-    if(faces_of(m_target) != surface)
+    const std::set<Face> surface = faces_of(m_boundary, budget);
+    if(faces_of(m_target, budget) != surface)
       return ERROR_OTHER_CONNECTIVITY;
 
     std::map<Coordinates, std::size_t> index;
@@ -101,7 +107,7 @@ private:
     for(const Eigen::Vector3d& point : boundary.points)
     {
       const auto found = index.find({ point[0], point[1], point[2] });
-      if(found == index.end())
+      if(found == index.end() || budget.is_exhausted())
         return ERROR_OTHER_CONNECTIVITY;
       vertex_of_surface.push_back(found->second);
     }
@@ -123,7 +129,7 @@ private:
   }
 
   template <typename Mesh>
-  static std::set<Face> faces_of(const Mesh& mesh)
+  static std::set<Face> faces_of(const Mesh& mesh, const internal::Budget& budget)
   {
     std::map<typename boost::graph_traits<Mesh>::vertex_descriptor, std::size_t> index;
     for(const auto v : vertices(mesh))
@@ -131,6 +137,8 @@ private:
     std::set<Face> result;
     for(const auto f : faces(mesh))
     {
+      if(budget.is_exhausted())
+        break;
       const auto h = halfedge(f, mesh);
       result.insert(rotated({ index[source(h, mesh)], index[target(h, mesh)], index[target(next(h, mesh), mesh)] }));
     }

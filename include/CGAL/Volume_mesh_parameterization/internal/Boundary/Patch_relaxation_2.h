@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
 
 #include <Eigen/Dense>
@@ -36,8 +37,8 @@ class Patch_relaxation_2
 {
 public:
   // Images have positive orientation; the patch is scaled to the area of its image.
-  Patch_relaxation_2(const Boundary_mesh_3& patch, Eigen::Matrix2Xd& images)
-    : m_images(images), m_unknown(patch.number_of_vertices(), -1)
+  Patch_relaxation_2(const Boundary_mesh_3& patch, Eigen::Matrix2Xd& images, const Budget& budget)
+    : m_images(images), m_budget(budget), m_unknown(patch.number_of_vertices(), -1)
   {
     for(const auto v : patch.vertices())
       if(!patch.is_border(v))
@@ -60,7 +61,7 @@ public:
   {
     State state = evaluate(m_images, 1);
     m_epsilon = first_epsilon(state.smallest_determinant);
-    for(int iteration = 0; iteration < 100; ++iteration)
+    for(int iteration = 0; iteration < 100 && !m_budget.is_exhausted(); ++iteration)
     {
       state = evaluate(m_images, m_epsilon);
       const State next = newton_step(state);
@@ -192,6 +193,7 @@ private:
   }
 
   Eigen::Matrix2Xd& m_images;
+  const Budget& m_budget;
   std::vector<int> m_unknown; // the number of an inner vertex, or -1
   int m_number_of_unknowns = 0;
   std::vector<Triangle> m_triangles;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Dense>
 
@@ -46,10 +47,11 @@ inline Collapse best_collapse(const Vertex_rings_3& rings, const std::vector<Eig
 }
 
 inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& rings,
-                                                        const std::vector<Eigen::Vector3d>& points)
+                                                        const std::vector<Eigen::Vector3d>& points,
+                                                        const Budget& budget)
 {
   std::vector<Collapse> collapses;
-  for(int v = 0; v < rings.number_of_vertices(); ++v)
+  for(int v = 0; v < rings.number_of_vertices() && !budget.is_exhausted(); ++v)
     if(!rings[v].empty())
     {
       const Collapse collapse = best_collapse(rings, points, v);
@@ -66,15 +68,17 @@ inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& ri
 
 // The vertices removed from a triangulated sphere until a tetrahedron remains, level by level.
 // Collapses of one level do not touch each other. As long as there are more than four vertices one can be collapsed.
+// Ends early if the budget does.
 inline std::vector<std::vector<Removed_vertex> > coarsen_surface_3(Vertex_rings_3& rings,
-                                                                   const std::vector<Eigen::Vector3d>& points)
+                                                                   const std::vector<Eigen::Vector3d>& points,
+                                                                   const Budget& budget)
 {
   std::vector<std::vector<Removed_vertex> > levels;
-  for(int remaining = rings.number_of_vertices(); remaining > 4; )
+  for(int remaining = rings.number_of_vertices(); remaining > 4 && !budget.is_exhausted(); )
   {
     levels.emplace_back();
     std::vector<bool> is_touched(rings.number_of_vertices(), false);
-    for(const Collapse& collapse : cheapest_half_of_collapses(rings, points))
+    for(const Collapse& collapse : cheapest_half_of_collapses(rings, points, budget))
     {
       const std::vector<int>& ring = rings[collapse.from];
       if(is_touched[collapse.from]

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Dense>
 
@@ -28,7 +29,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end,
 // which is infinite for vertices that the path may not touch; that of the target does not matter.
 inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
-                                               const int source, const int target, const std::vector<double>& costs)
+                                               const int source, const int target, const std::vector<double>& costs,
+                                               const Budget& budget)
 {
   using Entry = std::pair<double, int>;
   std::vector<double> distance(points.size(), (std::numeric_limits<double>::infinity)());
@@ -36,7 +38,7 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
   distance[source] = 0;
   queue.emplace(0., source);
-  while(!queue.empty() && queue.top().second != target)
+  while(!queue.empty() && queue.top().second != target && !budget.is_exhausted())
   {
     const Entry nearest = queue.top();
     queue.pop();

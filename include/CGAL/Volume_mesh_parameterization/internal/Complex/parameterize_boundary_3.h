@@ -14,7 +14,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 
 #include <Eigen/Core>
@@ -36,16 +38,20 @@ Numbered_surface_3 numbered_surface_3(const C3t3& c3t3, const Boundary_facets<C3
   return surface;
 }
 
-// From a complex to the images of its boundary vertices, which `map(boundary, surface, images)` finds. Writes nothing
-// unless this succeeds.
-template <typename C3t3, typename VertexPointMap, typename Map>
-Error_code parameterize_boundary_3(const C3t3& c3t3, VertexPointMap target, const Map& map)
+// From a complex to the images of its boundary vertices, which `map(boundary, surface, images, budget)` finds. What that
+// returns does not matter once the budget is exhausted. Writes nothing unless this succeeds.
+template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename Map>
+Error_code parameterize_boundary_3(const C3t3& c3t3, VertexPointMap target, const NamedParameters& np, const Map& map)
 {
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
+  Limits<NamedParameters> limits(np);
+  const Budget budget = limits.budget();
   const Boundary_facets<C3t3> boundary(c3t3);
   std::vector<Eigen::Vector3d> images;
-  const Error_code status = map(boundary, numbered_surface_3(c3t3, boundary), images);
+  const Error_code status = map(boundary, numbered_surface_3(c3t3, boundary), images, budget);
+  if(budget.is_exhausted())
+    return ERROR_INTERRUPTED;
   if(status == OK)
     for(std::size_t v = 0; v < images.size(); ++v)
       put(target, boundary.vertices[v], Point_3(images[v][0], images[v][1], images[v][2]));

@@ -19,6 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/is_radially_bijective_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 
@@ -40,8 +41,8 @@ class Box_map_3
 {
 public:
   Box_map_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere_images,
-            const Eigen::Vector3d& half_lengths)
-    : m_mesh(mesh), m_rings(mesh), m_points(unit_points(mesh)), m_sphere(sphere_images),
+            const Eigen::Vector3d& half_lengths, const Budget& budget)
+    : m_budget(budget), m_mesh(mesh), m_rings(mesh), m_points(unit_points(mesh)), m_sphere(sphere_images),
       m_images(sphere_images.size(), Eigen::Vector3d::Zero()), m_domain(sphere_images.size(), half_lengths)
   {
     set_points(m_mesh, m_sphere);
@@ -49,10 +50,10 @@ public:
 
   Error_code run(const std::array<int, 8>& corners)
   {
-    Cube_edge_router_3 router(m_rings, m_sphere, corners);
+    Cube_edge_router_3 router(m_rings, m_sphere, corners, m_budget);
     if(!router.run())
-      return Cube_edge_router_3(m_rings, m_sphere, mirrored(corners)).run() ? ERROR_MIRRORED_CORNERS
-                                                                            : ERROR_BOUNDARY_TOO_COARSE;
+      return Cube_edge_router_3(m_rings, m_sphere, mirrored(corners), m_budget).run() ? ERROR_MIRRORED_CORNERS
+                                                                                      : ERROR_BOUNDARY_TOO_COARSE;
     place_corners(corners);
     for(std::size_t i = 0; i < 12; ++i)
       place_path(router.edge(i), router.path(i));
@@ -103,7 +104,7 @@ private:
     std::vector<std::size_t> patch_of_face(m_mesh.number_of_faces());
     const std::size_t number_of_patches = find_patches(router, patch_of_face);
     for(std::size_t patch = 0; patch < number_of_patches; ++patch)
-      if(!map_patch(extract_patch(m_mesh, patch_of_face, patch)))
+      if(m_budget.is_exhausted() || !map_patch(extract_patch(m_mesh, patch_of_face, patch)))
         return false;
     return true;
   }
@@ -155,13 +156,14 @@ private:
 
   void relax()
   {
-    Radial_map_3<Box_boundary_3> map(m_rings, m_points, m_images, m_domain);
+    Radial_map_3<Box_boundary_3> map(m_rings, m_points, m_images, m_domain, m_budget);
     map.fit_area_scale();
     for(int sweep = 0; sweep < 100; ++sweep)
       if(map.relax() < 1e-4)
         break;
   }
 
+  const Budget& m_budget;
   Boundary_mesh_3 m_mesh; // with the images on the sphere as points
   const Vertex_rings_3 m_rings;
   const std::vector<Eigen::Vector3d> m_points;

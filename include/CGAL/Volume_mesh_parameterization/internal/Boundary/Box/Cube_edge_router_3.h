@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/shortest_vertex_path_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 
 #include <CGAL/Random.h>
@@ -43,15 +44,15 @@ class Cube_edge_router_3
 {
 public:
   Cube_edge_router_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
-                     const std::array<int, 8>& corners)
-    : m_rings(rings), m_points(points), m_corners(corners), m_edges(cube_edges())
+                     const std::array<int, 8>& corners, const Budget& budget)
+    : m_rings(rings), m_points(points), m_corners(corners), m_budget(budget), m_edges(cube_edges())
   {}
 
   bool run()
   {
     sort_edges_by_distance();
     Random random(0);
-    for(int attempt = 0; attempt < 100; ++attempt)
+    for(int attempt = 0; attempt < 100 && !m_budget.is_exhausted(); ++attempt)
     {
       if(route_all())
         return true;
@@ -152,7 +153,7 @@ private:
     std::vector<double> costs = costs_of_vertices(source, target);
     forbid_other_neighbours(source, source_exits, costs);
     forbid_other_neighbours(target, target_exits, costs);
-    return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs));
+    return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs, m_budget));
   }
 
   // Makes it expensive to pass by other paths, and even more to pass by other corners, which need their neighbours.
@@ -204,6 +205,7 @@ private:
   const Vertex_rings_3& m_rings;
   const std::vector<Eigen::Vector3d>& m_points;
   const std::array<int, 8> m_corners;
+  const Budget& m_budget;
   std::array<Cube_edge_3, 12> m_edges;
   std::array<std::vector<int>, 12> m_paths;
   std::array<std::array<int, 3>, 8> m_exits; // the second vertex of the paths found, by corner and axis, or -1

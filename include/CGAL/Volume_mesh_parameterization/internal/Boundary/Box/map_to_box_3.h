@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <Eigen/Core>
@@ -27,7 +28,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Maps a topological sphere onto the boundary of a box around the origin. The corners are chosen if they are not given.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
-                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images);
+                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
+                        const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

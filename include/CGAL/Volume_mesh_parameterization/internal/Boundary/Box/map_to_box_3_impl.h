@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/cube_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Core>
 
@@ -29,7 +30,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
-                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images)
+                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
+                        const Budget& budget)
 {
   Boundary_mesh_3 mesh;
   Error_code status = build_boundary_mesh_3(surface, mesh);
@@ -38,11 +40,11 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d
   if(mesh.number_of_vertices() < 8)
     return ERROR_BOUNDARY_TOO_COARSE;
   std::vector<Eigen::Vector3d> sphere;
-  status = map_mesh_to_sphere_3(mesh, sphere);
+  status = map_mesh_to_sphere_3(mesh, sphere, budget);
   if(status != OK)
     return status;
 
-  Box_map_3 box(mesh, sphere, half_lengths);
+  Box_map_3 box(mesh, sphere, half_lengths, budget);
   status = box.run(corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths));
   if(status == OK)
     images = box.images();

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/axis_direction.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <CGAL/boost/graph/Dual.h>
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
@@ -42,8 +43,8 @@ public:
   using Labels = std::vector<std::size_t>;
 
   // The surface has diameter about 1, so that lengths and areas compare.
-  Normal_labels_3(const Boundary_mesh_3& mesh, const double smoothing)
-    : m_mesh(mesh), m_smoothing(smoothing), m_is_expensive(mesh.number_of_faces(), { false, false, false })
+  Normal_labels_3(const Boundary_mesh_3& mesh, const double smoothing, const Budget& budget)
+    : m_mesh(mesh), m_smoothing(smoothing), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
     for(const auto f : mesh.faces())
     {
@@ -57,7 +58,7 @@ public:
   Labels minimize()
   {
     Labels labels = cut();
-    while(has_opposite_neighbours(labels))
+    while(!m_budget.is_exhausted() && has_opposite_neighbours(labels))
       labels = cut();
     return labels;
   }
@@ -88,14 +89,24 @@ private:
       const std::vector<double> costs = costs_of_face(f);
       labels.push_back(std::min_element(costs.begin(), costs.end()) - costs.begin());
     }
+    struct Interruption {}; // the only way out of the expansion
+    const auto ask = [this]
+    {
+      if(m_budget.is_exhausted())
+        throw Interruption();
+    };
     const auto edge_costs = boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
-      [this](const Boundary_mesh_3::Edge_index e) { return cost(e); });
+      [&](const Boundary_mesh_3::Edge_index e) { ask(); return cost(e); });
     const auto label_costs = boost::make_function_property_map<Boundary_mesh_3::Face_index>(
-      [this](const Boundary_mesh_3::Face_index f) { return costs_of_face(f); });
+      [&](const Boundary_mesh_3::Face_index f) { ask(); return costs_of_face(f); });
     const auto index = get(boost::face_index, m_mesh);
-    alpha_expansion_graphcut(Dual<const Boundary_mesh_3>(m_mesh), edge_costs, label_costs,
-                             boost::make_iterator_property_map(labels.begin(), index),
-                             parameters::vertex_index_map(index));
+    try
+    {
+      alpha_expansion_graphcut(Dual<const Boundary_mesh_3>(m_mesh), edge_costs, label_costs,
+                               boost::make_iterator_property_map(labels.begin(), index),
+                               parameters::vertex_index_map(index));
+    }
+    catch(const Interruption&) {}
     return labels;
   }
 
@@ -128,6 +139,7 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const double m_smoothing;
+  const Budget& m_budget;
   std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
   std::vector<Eigen::Vector3d> m_area_vectors;      // normal times area
 };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 
 #include <CGAL/Exact_rational.h>
@@ -51,8 +52,9 @@ struct Grid_planes_3
 class Polycube_coordinates_3
 {
 public:
-  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes)
-    : m_mesh(mesh), m_charts(charts), m_planes(planes),
+  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes,
+                        const Budget& budget)
+    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_budget(budget),
       m_coordinate(charts.charts().size()), m_group(charts.charts().size())
   {}
 
@@ -67,7 +69,7 @@ public:
       m_orders.push_back({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
     do
       for(int axis = 0; axis < 3; ++axis)
-        if(!solve(axis))
+        if(m_budget.is_exhausted() || !solve(axis))
           return false;
     while(separate_intersecting_edges());
     return true;
@@ -254,6 +256,7 @@ private:
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
   const Grid_planes_3& m_planes;
+  const Budget& m_budget;
   std::vector<double> m_coordinate; // of groups, as the next ones
   std::vector<double> m_area, m_moment;
   std::vector<std::size_t> m_group;

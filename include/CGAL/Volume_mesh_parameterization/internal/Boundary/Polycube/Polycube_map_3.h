@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -42,8 +43,8 @@ public:
 
   // The faces get multiples of the spacing as coordinates, or any if it is 0.
   Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
-                 const double spacing)
-    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
+                 const double spacing, const Budget& budget)
+    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_budget(budget), m_charts(mesh, labels),
       m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
   {}
 
@@ -51,13 +52,13 @@ public:
   {
     const double size = m_box.sizes().maxCoeff();
     const Grid_planes_3 planes = { -m_box.center() / size, m_spacing / size };
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes);
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes, m_budget);
     if(!m_charts.are_valid() || !coordinates.run())
       return ERROR_NO_POLYCUBE;
     for(const Polycube_chain_3& chain : m_charts.chains())
       place_chain(chain, coordinates);
     find_flipped_faces(faces_between_edges());
-    for(std::size_t c = 0; c < m_charts.charts().size() && m_flipped_faces.empty(); ++c)
+    for(std::size_t c = 0; c < m_charts.charts().size() && m_flipped_faces.empty() && !m_budget.is_exhausted(); ++c)
       map_chart(c, coordinates[c]);
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
@@ -166,7 +167,7 @@ private:
     Eigen::Matrix2Xd images(2, patch.vertices.size());
     for(std::size_t i = 0; i < patch.vertices.size(); ++i)
       images.col(i) << m_images[patch.vertices[i]][u], m_images[patch.vertices[i]][v];
-    Patch_relaxation_2(patch.mesh, images).run();
+    Patch_relaxation_2(patch.mesh, images, m_budget).run();
     for(std::size_t i = 0; i < patch.vertices.size(); ++i)
     {
       m_images[patch.vertices[i]][u] = images(0, i);
@@ -201,6 +202,7 @@ private:
   const Boundary_mesh_3& m_mesh;
   const Eigen::AlignedBox3d m_box;
   const double m_spacing;
+  const Budget& m_budget;
   const Polycube_charts_3 m_charts;
   std::vector<Eigen::Vector3d> m_images;
   std::vector<Face> m_flipped_faces;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <Eigen/Core>
@@ -28,7 +29,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // spacing, or any if that is 0.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels, double spacing,
-                             std::vector<Eigen::Vector3d>& images);
+                             std::vector<Eigen::Vector3d>& images, const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

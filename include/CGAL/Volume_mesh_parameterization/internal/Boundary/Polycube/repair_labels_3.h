@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Normal_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/straighten_chains_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -66,13 +67,15 @@ inline std::vector<Chart_relabelling_3> relabellings_3(const Boundary_mesh_3& me
 // Gives charts other labels, each at most once and to the cheapest one with which there are fewer defects. If there is
 // none, a chart that is not valid is merged into a neighbour. Returns whether anything changed.
 inline bool relabel_charts(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
-                           std::vector<std::size_t>& labels)
+                           std::vector<std::size_t>& labels, const Budget& budget)
 {
   int defects = charts.number_of_defects();
   std::vector<bool> is_relabelled(charts.charts().size(), false);
   std::optional<std::vector<std::size_t> > merged;
   for(const Chart_relabelling_3& change : relabellings_3(mesh, charts, costs))
   {
+    if(budget.is_exhausted())
+      return false;
     if(is_relabelled[change.chart])
       continue;
     std::vector<std::size_t> candidate = labels;
@@ -96,11 +99,12 @@ inline bool relabel_charts(const Boundary_mesh_3& mesh, const Polycube_charts_3&
 
 // Makes all charts valid: straightens their borders, and relabels those that are not valid, or their neighbours.
 // Returns whether that was possible.
-inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, std::vector<std::size_t>& labels)
+inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, std::vector<std::size_t>& labels,
+                            const Budget& budget)
 {
   const Polycube_charts_3 start(mesh, labels);
   std::size_t steps = start.charts().size() + start.number_of_defects(); // each step takes one of them, or more
-  while(true)
+  while(!budget.is_exhausted())
   {
     const Polycube_charts_3 charts(mesh, labels);
     if(charts.charts().size() < 6)
@@ -109,9 +113,10 @@ inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& 
       continue;
     if(charts.are_valid())
       return true;
-    if(steps-- == 0 || !relabel_charts(mesh, charts, costs, labels))
+    if(steps-- == 0 || !relabel_charts(mesh, charts, costs, labels, budget))
       return false;
   }
+  return false;
 }
 
 // Gives each of the faces to the neighbouring chart that suits it best. Returns whether any of them has one.

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/is_radially_bijective_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Dense>
 
@@ -40,8 +41,9 @@ class Radial_map_3
 public:
   using Points = std::vector<Eigen::Vector3d>;
 
-  Radial_map_3(const Vertex_rings_3& rings, const Points& points, Points& images, const Domain& domain)
-    : m_rings(rings), m_points(points), m_images(images), m_domain(domain)
+  Radial_map_3(const Vertex_rings_3& rings, const Points& points, Points& images, const Domain& domain,
+               const Budget& budget)
+    : m_rings(rings), m_points(points), m_images(images), m_domain(domain), m_budget(budget)
   {}
 
   // Scales the surface, as coarse as it is, to the area of the domain.
@@ -91,7 +93,7 @@ public:
   double relax()
   {
     double decrease = 0;
-    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+    for(int v = 0; v < m_rings.number_of_vertices() && !m_budget.is_exhausted(); ++v)
       if(!m_rings[v].empty())
         decrease += relax(v);
     return decrease / m_domain.area();
@@ -154,6 +156,7 @@ private:
   const Points& m_points;
   Points& m_images;
   const Domain& m_domain;
+  const Budget& m_budget;
   double m_area_scale = 1;
   std::vector<Radial_distortion_3> m_triangles; // around the vertex in work
 };

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <CGAL/number_utils.h>
 
@@ -54,20 +55,22 @@ template <typename Domain = Unit_sphere_3> // compiled only where it is used
 class Spherical_map_3
 {
 public:
-  Spherical_map_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings)
-    : m_points(points), m_rings(rings), m_images(points.size(), Eigen::Vector3d::Zero()),
-      m_map(m_rings, m_points, m_images, m_domain)
+  Spherical_map_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings, const Budget& budget)
+    : m_points(points), m_rings(rings), m_budget(budget), m_images(points.size(), Eigen::Vector3d::Zero()),
+      m_map(m_rings, m_points, m_images, m_domain, budget)
   {}
 
-  // Returns whether each vertex found its place, which can fail only by the limits of floating-point numbers.
+  // Returns whether each vertex found its place, which can fail only by the limits of floating-point numbers or of time.
   bool run()
   {
-    const std::vector<std::vector<Removed_vertex> > levels = coarsen_surface_3(m_rings, m_points);
+    const std::vector<std::vector<Removed_vertex> > levels = coarsen_surface_3(m_rings, m_points, m_budget);
+    if(m_budget.is_exhausted())
+      return false;
     map_tetrahedron();
     for(auto level = levels.rbegin(); level != levels.rend(); ++level)
     {
       for(auto removed = level->rbegin(); removed != level->rend(); ++removed)
-        if(!insert(*removed))
+        if(m_budget.is_exhausted() || !insert(*removed))
           return false;
       relax(8, 1e-2);
     }
@@ -130,6 +133,7 @@ private:
 
   const std::vector<Eigen::Vector3d>& m_points;
   Vertex_rings_3 m_rings;
+  const Budget& m_budget;
   std::vector<Eigen::Vector3d> m_images;
   Unit_sphere_3 m_domain;
   Radial_map_3<Domain> m_map;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Core>
 
@@ -24,7 +25,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Maps a topological sphere onto the unit sphere. It is a template, of `Numbered_surface_3`, for the sake of those who
 // include the default boundary but call another one.
 template <typename Surface>
-Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images);
+Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

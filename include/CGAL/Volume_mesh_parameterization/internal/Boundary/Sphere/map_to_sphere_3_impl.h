@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/is_radially_bijective_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Dense>
 
@@ -26,14 +27,14 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 template <typename Mesh>
-Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images)
+Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   const Error_code status = check_sphere(mesh);
   if(status != OK)
     return status;
 
   const std::vector<Eigen::Vector3d> points = unit_points(mesh);
-  Spherical_map_3<> map(points, Vertex_rings_3(mesh));
+  Spherical_map_3<> map(points, Vertex_rings_3(mesh), budget);
   if(!map.run())
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
   images = map.images();
@@ -41,11 +42,11 @@ Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& 
 }
 
 template <typename Surface>
-Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images)
+Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   Boundary_mesh_3 mesh;
   const Error_code status = build_boundary_mesh_3(surface, mesh);
-  return status == OK ? map_mesh_to_sphere_3(mesh, images) : status;
+  return status == OK ? map_mesh_to_sphere_3(mesh, images, budget) : status;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
