@@ -4,20 +4,22 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
-#include <optional>
+#include <vector>
 
 namespace fixed_boundary {
 
@@ -30,12 +32,11 @@ struct Problem
 {
   internal::Cell_energy_of<Energy> energy;
   internal::Linear_solver_of<Solver> solver;
-  internal::Scaled_cells_3 scaled;
   internal::Newton_system_3 system;
 
   Problem(const internal::Numbered_mesh_3& mesh, const Energy& psi, Solver& traits, const bool is_parallel = false)
-    : energy(psi), solver(traits), scaled(cells_scaled_to_target(mesh)),
-      system(mesh, scaled, free_vertices(mesh), solver, is_parallel)
+    : energy(psi), solver(traits),
+      system(mesh, cells_scaled_to_target(mesh), free_vertices(mesh), solver, is_parallel)
   {}
 
   Problem(const Problem&) = delete; // the system refers to the other members
@@ -44,59 +45,40 @@ struct Problem
 // The images from which untangling starts.
 inline Eigen::Matrix3Xd harmonic_start(const internal::Numbered_mesh_3& mesh, internal::Newton_system_3& system)
 {
-  Eigen::Matrix3Xd u = system.unit() * mesh.target;
-  harmonic_map_3(system, u);
-  return snapped(mesh, u / system.unit());
+  Eigen::Matrix3Xd positions = mesh.target;
+  internal::Progress_3 progress(internal::Budget(), 1);
+  harmonic_map_3(system, positions, progress);
+  return snapped(mesh, positions);
 }
 
 constexpr double theta = 0.01;
 
-template <typename Energy, typename Solver>
-class Search
+struct Outcome
 {
-public:
-  Search(const internal::Numbered_mesh_3& mesh, const Energy& energy, Solver& solver, const bool is_parallel = false)
-    : m_problem(mesh, energy, solver, is_parallel),
-      m_untangling(mesh, m_problem.system, harmonic_start(mesh, m_problem.system), theta)
-  {
-    minimize_if_untangled();
-  }
-
-  void step()
-  {
-    internal::Stage_3& stage = m_minimization ? static_cast<internal::Stage_3&>(*m_minimization) : m_untangling;
-    stage.step();
-    ++m_number_of_steps;
-    m_last_step = stage.last_step();
-    if(!m_minimization)
-      minimize_if_untangled();
-  }
-
-  bool is_running() const { return stage().is_running(); }
-  VMP::Error_code status() const { return stage().status(); }
-  Eigen::Matrix3Xd positions() const { return stage().positions(); }
-  bool is_flip_free() const { return stage().is_flip_free(); }
-  const VMP::Parameterization_step& last_step() const { return m_last_step; }
-  std::size_t number_of_steps() const { return m_number_of_steps; } // of both stages
-
-private:
-  const internal::Stage_3& stage() const
-  {
-    return m_minimization ? static_cast<const internal::Stage_3&>(*m_minimization) : m_untangling;
-  }
-
-  void minimize_if_untangled()
-  {
-    if(!m_untangling.is_running() && m_untangling.status() == VMP::OK)
-      m_minimization.emplace(m_problem.system, m_problem.energy, m_untangling.positions());
-  }
-
-  Problem<Energy, Solver> m_problem;
-  internal::Untangling_3 m_untangling;
-  std::optional<internal::Minimization_3> m_minimization;
-  VMP::Parameterization_step m_last_step;
-  std::size_t m_number_of_steps = 0;
+  Eigen::Matrix3Xd positions;
+  VMP::Error_code status;
+  double energy;
+  std::vector<VMP::Parameterization_step> steps; // of both stages
 };
+
+// Ends after this number of steps.
+template <typename Energy, typename Solver>
+Outcome run(const internal::Numbered_mesh_3& mesh, const Energy& energy, Solver& solver, const bool is_parallel = false,
+            const std::size_t number_of_steps = 1000)
+{
+  Problem<Energy, Solver> problem(mesh, energy, solver, is_parallel);
+  std::vector<VMP::Parameterization_step> steps;
+  internal::Progress_3 progress(internal::Budget(), number_of_steps, [&](const VMP::Parameterization_step& step)
+  {
+    steps.push_back(step);
+    return true;
+  });
+  internal::Newton_result_3 result
+    = untangle_cells_3(problem.system, harmonic_start(mesh, problem.system), theta, progress);
+  if(result.status == VMP::OK)
+    result = minimize_energy_3(problem.system, problem.energy, result.positions, progress);
+  return { snapped(mesh, result.positions), result.status, result.energy, steps };
+}
 
 } // namespace fixed_boundary
 

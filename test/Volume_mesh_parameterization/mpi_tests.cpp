@@ -12,7 +12,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Neighborhood_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -264,8 +264,8 @@ TEST_CASE("what patches see of a mesh, and change, is the same with one process 
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> traits;
   internal::Linear_solver_of<decltype(traits)> solver(traits);
   const Eigen::Matrix3Xd before = serial;
-  internal::relax_flat_cells_3(mesh, solver, serial);
-  internal::relax_flat_cells_3(part, solver, image);
+  serial = internal::relaxed_flat_cells_3(mesh, solver, serial, internal::Budget());
+  image = internal::relaxed_flat_cells_3(part, solver, image, internal::Budget());
   CHECK((serial - before).norm() > 0.1);
   for(int v = 0; v < part.number_of_vertices(); ++v)
     CHECK((image.col(v) - serial.col(static_cast<Eigen::Index>(part.vertex_numbers[v]))).norm() < 1e-6);

@@ -14,8 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/unavoidable_angle_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Improvement/improve_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
 
@@ -57,7 +56,7 @@ Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_
   options.improve = VMP::internal::improve_map_3;
   options.maximal_angle_distortion = bound;
   options.minimize_maximal_angle_distortion = is_least;
-  VMP::internal::Progress_3 progress([](const VMP::Parameterization_step&) { return true; }, 1000, 1e10);
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   const VMP::internal::Input_check_3 check = check_input_3(mesh);
   const VMP::internal::Found_map_3 found = find_map_3(mesh, check, energy, solver, options, progress);
   return {make_result_3(mesh, check, found, energy, solver, progress), found.map.positions};
@@ -134,14 +133,16 @@ TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized
   using Energy = VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>;
   Solver solver;
   fixed_boundary::Problem<Energy, Solver> problem(mesh, Energy(bound, VMP::Stretch_energy_3(), 0), solver);
-  VMP::internal::Minimization_3 minimization(problem.system, problem.energy, stricter.positions);
-  while(minimization.is_running())
-  {
-    minimization.step();
-    CHECK(largest_angle_distortion(mesh, minimization.positions()) < bound);
-  }
-  CHECK(minimization.status() == VMP::OK);
-  const double energy_below = mean_energy(mesh, minimization.positions());
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
+  const VMP::internal::Newton_result_3 below = minimize_energy_3(
+    problem.system, problem.energy, stricter.positions, progress, VMP::internal::Negative_curvature(),
+    [&](const VMP::internal::Newton_iterate_3&, const Matrix3Xd& positions)
+    {
+      CHECK(largest_angle_distortion(mesh, positions) < bound);
+      return false;
+    });
+  CHECK(below.status == VMP::OK);
+  const double energy_below = mean_energy(mesh, below.positions);
   CHECK(energy_below < stricter.result.energy);
   CHECK(energy_below == Approx(from_outside.result.energy).epsilon(1e-6));
 }

@@ -11,16 +11,14 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Minimizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Stagnation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Crawl_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Minimal_subset.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Split_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Gain_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/split_patch_edges_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_map_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
@@ -97,20 +95,12 @@ bool has_target_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& u)
   return has_same_bits(u.rightCols(n), mesh.target.rightCols(n));
 }
 
-struct Outcome
-{
-  Matrix3Xd positions;
-  VMP::Error_code status;
-  double energy;
-};
+using fixed_boundary::Outcome;
 
 template <typename Energy, typename Solver>
 Outcome run(const Numbered_mesh_3& mesh, const Energy& energy, Solver solver, const bool is_parallel = false)
 {
-  fixed_boundary::Search<Energy, Solver> search(mesh, energy, solver, is_parallel);
-  while(search.is_running() && search.number_of_steps() < 1000)
-    search.step();
-  return {search.positions(), search.status(), search.last_step().energy};
+  return fixed_boundary::run(mesh, energy, solver, is_parallel);
 }
 
 template <typename Energy = VMP::Stretch_energy_3>
@@ -118,6 +108,9 @@ Outcome run(const Numbered_mesh_3& mesh, const Energy& energy = Energy())
 {
   return run(mesh, energy, Solver<>());
 }
+
+// Many steps, and no end.
+VMP::internal::Progress_3 patient_progress() { return VMP::internal::Progress_3(VMP::internal::Budget(), 1000); }
 
 std::vector<Matrix3d> inverse_sources(const Numbered_mesh_3& mesh)
 {
@@ -308,12 +301,10 @@ TEST_CASE("The minimizer returns to the identity from a perturbed start")
   u.leftCols(mesh.number_of_free_vertices) += noise(mesh.number_of_free_vertices, 0.2);
   REQUIRE(number_of_inverted_cells(mesh, u) == 0);
 
-  VMP::internal::Minimizer_3 minimizer(system, energy, u);
-  VMP::internal::Step_status status = VMP::internal::Step_status::CONTINUE;
-  for(int i = 0; i < 50 && status == VMP::internal::Step_status::CONTINUE; ++i)
-    status = minimizer.step();
-  CHECK(status == VMP::internal::Step_status::DONE);
-  CHECK((minimizer.positions() - mesh.source).cwiseAbs().maxCoeff() <= 1e-5);
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 50);
+  const VMP::internal::Newton_result_3 result = minimize_energy_3(system, energy, u, progress);
+  CHECK(result.status == VMP::OK);
+  CHECK((result.positions - mesh.source).cwiseAbs().maxCoeff() <= 1e-5);
 }
 
 TEMPLATE_TEST_CASE("The energy never rises, and no cell is ever inverted", "",
@@ -323,23 +314,25 @@ TEMPLATE_TEST_CASE("The energy never rises, and no cell is ever inverted", "",
   for(const Numbered_mesh_3& mesh : {twisted_cube(5, 0.15), ring(6)})
   {
     Solver<> solver;
-    fixed_boundary::Search<TestType, Solver<> > search(mesh, energy, solver);
+    const Outcome whole = fixed_boundary::run(mesh, energy, solver);
     double previous = std::numeric_limits<double>::infinity();
-    while(search.is_running())
+    for(std::size_t i = 0; i < whole.steps.size(); ++i)
     {
-      const bool was_flip_free = search.is_flip_free();
-      search.step();
-      if(!was_flip_free)
+      if(whole.steps[i].phase == VMP::Phase::UNTANGLING)
         continue;
-      CHECK(search.last_step().energy <= previous);
-      CHECK(search.last_step().number_of_inverted_cells == 0);
-      CHECK(number_of_inverted_cells(mesh, search.positions()) == 0);
-      previous = search.last_step().energy;
+      CHECK(whole.steps[i].energy <= previous);
+      CHECK(whole.steps[i].number_of_inverted_cells == 0);
+      previous = whole.steps[i].energy;
+      if(i % 4 != 0)
+        continue;
+      const Outcome part = fixed_boundary::run(mesh, energy, solver, false, i + 1); // ends after this step
+      CHECK(part.energy == whole.steps[i].energy);
+      CHECK(number_of_inverted_cells(mesh, part.positions) == 0);
     }
     if(energy.value(Vector3d(1, 1, 1e-9)) > 1e6) // a barrier against flat cells
-      CHECK(search.status() == VMP::OK);
-    CHECK(previous == Approx(mean_energy(energy, mesh, search.positions())).epsilon(1e-9));
-    CHECK(has_target_boundary(mesh, search.positions()));
+      CHECK(whole.status == VMP::OK);
+    CHECK(previous == Approx(mean_energy(energy, mesh, whole.positions)).epsilon(1e-9));
+    CHECK(has_target_boundary(mesh, whole.positions));
   }
 }
 
@@ -414,19 +407,27 @@ TEST_CASE("A map with inverted cells is untangled")
   fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
   const Matrix3Xd start = fixed_boundary::harmonic_start(mesh, problem.system);
   CHECK(number_of_inverted_cells(mesh, start) > 100);
-  VMP::internal::Untangling_3 untangling(mesh, problem.system, start, fixed_boundary::theta);
-  REQUIRE(!untangling.is_flip_free());
-  REQUIRE(untangling.is_running());
-  while(untangling.is_running())
+  for(const std::size_t limit : { 1, 1000 })
   {
-    CHECK(!untangling.is_flip_free());
-    untangling.step();
-    CHECK(untangling.last_step().phase == VMP::Phase::UNTANGLING);
-    CHECK(has_target_boundary(mesh, untangling.positions()));
+    std::size_t last_number = number_of_inverted_cells(mesh, start), number_of_steps = 0;
+    VMP::internal::Progress_3 progress(VMP::internal::Budget(), limit, [&](const VMP::Parameterization_step& step)
+    {
+      CHECK(last_number > 0);
+      CHECK(step.phase == VMP::Phase::UNTANGLING);
+      CHECK(step.kind == VMP::Step_kind::NEWTON);
+      CHECK(step.decrement > 0);
+      last_number = step.number_of_inverted_cells;
+      ++number_of_steps;
+      return true;
+    });
+    const VMP::internal::Newton_result_3 result
+      = untangle_cells_3(problem.system, start, fixed_boundary::theta, progress);
+    CHECK(has_target_boundary(mesh, result.positions));
+    CHECK(number_of_inverted_cells(mesh, result.positions) == result.number_of_inverted_cells);
+    CHECK(result.status == (limit == 1000 ? VMP::OK : VMP::ERROR_NOT_FLIP_FREE));
+    CHECK((result.number_of_inverted_cells == 0) == (limit == 1000));
+    CHECK((number_of_steps == limit) == (limit < 1000));
   }
-  CHECK(untangling.status() == VMP::OK);
-  CHECK(untangling.is_flip_free());
-  CHECK(number_of_inverted_cells(mesh, untangling.positions()) == 0);
 }
 
 namespace {
@@ -455,19 +456,20 @@ TEST_CASE("A patch puts back a vertex that was drawn out of its ring, and moves 
 
   Solver<> solver;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
-  VMP::internal::Patch_untangling_3 patches(mesh, linear_solver, start);
-  CHECK(!patches.is_flip_free());
-  while(patches.is_running())
+  std::size_t number_of_steps = 0;
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000, [&](const VMP::Parameterization_step& step)
   {
-    patches.step();
-    CHECK(patches.last_step().number_of_inverted_cells == number_of_inverted_cells(mesh, patches.positions()));
-    CHECK(number_of_inverted_cells(mesh, patches.positions()) <= inverted);
-  }
-  CHECK(patches.status() == VMP::OK);
-  CHECK(patches.is_flip_free());
-  CHECK(number_of_inverted_cells(mesh, patches.positions()) == 0);
-  CHECK(patches.positions().col(far) == start.col(far));
-  CHECK(has_target_boundary(mesh, patches.positions()));
+    CHECK(step.kind == VMP::Step_kind::PATCH);
+    CHECK(step.number_of_inverted_cells <= inverted);
+    ++number_of_steps;
+    return true;
+  });
+  const VMP::internal::Newton_result_3 result = untangle_patches_3(mesh, linear_solver, start, progress);
+  CHECK(number_of_steps > 0);
+  CHECK(result.status == VMP::OK);
+  CHECK(number_of_inverted_cells(mesh, result.positions) == 0);
+  CHECK(result.positions.col(far) == start.col(far));
+  CHECK(has_target_boundary(mesh, result.positions));
 }
 
 TEST_CASE("Patches leave a map without inverted cells as it is, and end where there is none")
@@ -475,10 +477,11 @@ TEST_CASE("Patches leave a map without inverted cells as it is, and end where th
   Solver<> solver;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   Numbered_mesh_3 mesh = cube_mesh(3);
-  const VMP::internal::Patch_untangling_3 done(mesh, linear_solver, mesh.source);
-  CHECK(done.status() == VMP::OK);
-  CHECK(!done.is_running());
-  CHECK(done.positions() == mesh.source);
+  VMP::internal::Progress_3 progress = patient_progress();
+  const VMP::internal::Newton_result_3 done = untangle_patches_3(mesh, linear_solver, mesh.source, progress);
+  CHECK(done.status == VMP::OK);
+  CHECK(progress.number_of_steps() == 0);
+  CHECK(done.positions == mesh.source);
 
   // two neighbors within a face of the boundary change their places
   const auto vertex_at = [&](const Vector3d& p)
@@ -489,12 +492,10 @@ TEST_CASE("Patches leave a map without inverted cells as it is, and end where th
   };
   mesh.target.col(vertex_at({ 1, 1, 0 })).swap(mesh.target.col(vertex_at({ 2, 1, 0 })));
   const Matrix3Xd start = snapped(mesh, mesh.source);
-  VMP::internal::Patch_untangling_3 stuck(mesh, linear_solver, start);
-  while(stuck.is_running())
-    stuck.step();
-  CHECK(stuck.status() == VMP::ERROR_NOT_FLIP_FREE);
-  CHECK(number_of_inverted_cells(mesh, stuck.positions()) > 0);
-  CHECK(number_of_inverted_cells(mesh, stuck.positions()) <= number_of_inverted_cells(mesh, start));
+  const VMP::internal::Newton_result_3 stuck = untangle_patches_3(mesh, linear_solver, start, progress);
+  CHECK(stuck.status == VMP::ERROR_NOT_FLIP_FREE);
+  CHECK(number_of_inverted_cells(mesh, stuck.positions) > 0);
+  CHECK(number_of_inverted_cells(mesh, stuck.positions) <= number_of_inverted_cells(mesh, start));
 }
 
 namespace {
@@ -542,23 +543,19 @@ TEST_CASE("Of many items only those are kept that are needed, with few questions
   {
     std::vector<int> items(100);
     std::iota(items.begin(), items.end(), 0);
-    VMP::internal::Minimal_subset<int> subset(items);
     int number_of_questions = 0;
-    for(; subset.is_running(); ++number_of_questions)
+    const std::vector<int> found = VMP::internal::minimal_subset(items, [&](const std::vector<int>& some)
     {
-      const std::vector<int> question = subset.question();
-      REQUIRE(!question.empty());
-      REQUIRE(question.size() < subset.items().size());
-      subset.answer(std::includes(question.begin(), question.end(), needed.begin(), needed.end()));
-    }
-    CHECK(subset.items() == needed);
+      REQUIRE(!some.empty());
+      ++number_of_questions;
+      return std::includes(some.begin(), some.end(), needed.begin(), needed.end());
+    });
+    CHECK(found == needed);
     CHECK(number_of_questions < 60);
   }
-  CHECK(!VMP::internal::Minimal_subset<int>({ 5 }).is_running());
-  VMP::internal::Minimal_subset<int> all({ 1, 2, 3 });
-  while(all.is_running())
-    all.answer(false);
-  CHECK(all.items().size() == 3);
+  const auto never = [](const std::vector<int>&) { return false; };
+  CHECK(VMP::internal::minimal_subset(std::vector<int>{ 5 }, never).size() == 1);
+  CHECK(VMP::internal::minimal_subset(std::vector<int>{ 1, 2, 3 }, never).size() == 3);
 }
 
 TEST_CASE("Cells around split edges are halved")
@@ -589,16 +586,15 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   Matrix3Xd image = mesh.target;
   image.col(0) = Vector3d(1.5, 0.5, 0.5);
-  REQUIRE(VMP::internal::untangle_patch_3(mesh, linear_solver, image) > 0);
+  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
+  REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
-  VMP::internal::Split_search_3 search(mesh, linear_solver, image);
-  while(search.is_running())
-    search.step();
-  CHECK(search.edges().size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
-  CHECK(search.edges().size() <= 8); // of 16
-  CHECK(search.positions() == image);
-  split_patch_edges_3(mesh, image, search.edges());
-  CHECK(VMP::internal::untangle_patch_3(mesh, linear_solver, image) == 0);
+  VMP::internal::Progress_3 progress = patient_progress();
+  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, image, progress);
+  CHECK(edges.size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
+  CHECK(edges.size() <= 8); // of 16
+  split_patch_edges_3(mesh, image, edges);
+  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
   CHECK(number_of_inverted_cells(mesh, image) == 0);
   CHECK(has_target_boundary(mesh, image));
 }
@@ -623,16 +619,15 @@ TEST_CASE("An edge between prescribed vertices is split where it leaves the targ
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   Matrix3Xd image = mesh.target;
   image(2, 0) = 0.6;
-  REQUIRE(VMP::internal::untangle_patch_3(mesh, linear_solver, image) > 0);
+  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
+  REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
-  VMP::internal::Split_search_3 search(mesh, linear_solver, image);
-  while(search.is_running())
-    search.step();
-  const std::vector<std::array<int, 2> > edges = search.edges();
+  VMP::internal::Progress_3 progress = patient_progress();
+  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, image, progress);
   CHECK(std::count(edges.begin(), edges.end(), std::array<int, 2>{ 1, 2 }) == 1);
   CHECK(edges.size() <= 3);
   split_patch_edges_3(mesh, image, edges);
-  CHECK(VMP::internal::untangle_patch_3(mesh, linear_solver, image) == 0);
+  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
   CHECK(number_of_inverted_cells(mesh, image) == 0);
   CHECK(has_target_boundary(mesh, image));
 }
@@ -666,17 +661,15 @@ TEST_CASE("Flat cells become thicker, and only the vertices of flat cells move")
 
   Solver<> solver;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
-  Matrix3Xd relaxed = start;
-  relax_flat_cells_3(mesh, linear_solver, relaxed);
+  const Matrix3Xd relaxed = relaxed_flat_cells_3(mesh, linear_solver, start, VMP::internal::Budget());
   CHECK(linear_solver.number_of_iterations() > 0);
   CHECK(number_of_inverted_cells(mesh, relaxed) == 0);
   CHECK(smallest_volume(relaxed) > 10 * smallest_volume(start));
   CHECK(relaxed.col(far) == start.col(far));
   CHECK(has_target_boundary(mesh, relaxed));
 
-  Matrix3Xd same = mesh.source; // without flat cells
-  relax_flat_cells_3(mesh, linear_solver, same);
-  CHECK(same == mesh.source);
+  // without flat cells
+  CHECK(relaxed_flat_cells_3(mesh, linear_solver, mesh.source, VMP::internal::Budget()) == mesh.source);
 }
 
 TEST_CASE("Untangling with regular cells does not depend on slivers of the source")
@@ -688,11 +681,10 @@ TEST_CASE("Untangling with regular cells does not depend on slivers of the sourc
     Solver<> solver;
     fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
     problem.system.set_references(mesh, regular_cells_scaled_to_target(mesh));
-    VMP::internal::Untangling_3 untangling(mesh, problem.system, mesh.target, 0.5);
-    while(untangling.is_running())
-      untangling.step();
-    CHECK(untangling.status() == VMP::OK);
-    return Matrix3Xd(untangling.positions());
+    VMP::internal::Progress_3 progress = patient_progress();
+    const VMP::internal::Newton_result_3 result = untangle_cells_3(problem.system, mesh.target, 0.5, progress);
+    CHECK(result.status == VMP::OK);
+    return result.positions;
   };
   const Matrix3Xd positions = untangled();
   mesh.source.row(2) *= 0.01;
@@ -828,17 +820,29 @@ TEST_CASE("Vertices that are prescribed keep their place among each other")
   CHECK(std::vector<std::size_t>(order.end() - prescribed.size(), order.end()) == prescribed);
 }
 
+namespace {
+
+// A step that has led to this energy, where the squared decrement was that.
+VMP::internal::Newton_iterate_3 iterate_of(const double energy, const double squared_decrement)
+{
+  VMP::internal::Newton_iterate_3 result;
+  result.evaluation.energy = energy;
+  result.direction.slope = -squared_decrement;
+  return result;
+}
+
+} // namespace
+
 TEST_CASE("A minimization stagnates where neither the energy nor the decrement falls")
 {
-  const auto is_noticed = [](const double energy_rate, const double decrement_rate)
+  const Numbered_mesh_3 mesh = cube_mesh(2);
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy{VMP::Stretch_energy_3()};
+  const auto is_noticed = [&](const double energy_rate, const double decrement_rate)
   {
-    VMP::internal::Stagnation stagnation;
+    VMP::internal::Gain_3 gain(mesh, energy);
     bool result = false;
     for(int i = 0; i < 100; ++i)
-    {
-      stagnation.add(1000 * std::pow(energy_rate, i), std::pow(decrement_rate, i));
-      result = result || stagnation.is_noticed();
-    }
+      result = gain.is_stagnating(iterate_of(1000 * std::pow(energy_rate, i), std::pow(decrement_rate, i))) || result;
     return result;
   };
   CHECK(is_noticed(0.99995, 1));
@@ -851,12 +855,11 @@ TEST_CASE("A search crawls where a few cells hold most of the energy, and it fal
 {
   // Every ten steps, the first cell becomes higher by a tenth, and all of the mesh by the rate.
   const Numbered_mesh_3 mesh = cube_mesh(6);
-  const VMP::Stretch_energy_3 stretch;
-  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy{VMP::Stretch_energy_3()};
   const auto first_notice = [&](const double first_height, const double rate, const bool is_stagnating)
   {
-    VMP::internal::Crawl_3 crawl(mesh, energy);
-    for(std::size_t step = 10; step <= 300; step += 10)
+    VMP::internal::Gain_3 gain(mesh, energy);
+    for(int step = 1; step <= 300; ++step)
     {
       const double rounds = static_cast<double>(step) / 10;
       Matrix3Xd image = mesh.source;
@@ -864,18 +867,17 @@ TEST_CASE("A search crawls where a few cells hold most of the energy, and it fal
       const Vector3d normal = (image.col(mesh.cells[0][2]) - b).cross(image.col(mesh.cells[0][3]) - b).normalized();
       image.col(mesh.cells[0][0]) -= (1 - first_height * std::pow(1.1, rounds)) * normal.dot(a - b) * normal;
       image.row(2) *= 0.1 * std::pow(rate, rounds);
-      VMP::Parameterization_step s;
-      s.iteration = step;
-      s.energy = VMP::internal::Crawl_3::large_energy + 1;
-      if(crawl.notice(s, is_stagnating, image))
+      const double falling = is_stagnating ? 1 : std::pow(0.999, step);
+      const VMP::internal::Newton_iterate_3 iterate = iterate_of(2 * VMP::internal::Gain_3::large_energy * falling, 1);
+      if(gain.is_for_dominant_cells_alone(iterate, 0, image))
         return step;
     }
-    return std::size_t(0);
+    return 0;
   };
   CHECK(first_notice(1e-5, 1, false) == 110);
   CHECK(first_notice(1e-5, 0.99, false) == 110); // the others become worse
   CHECK(first_notice(1e-5, 1.01, false) == 0);   // or better
-  CHECK(first_notice(1e-5, 1.01, true) == 10);
+  CHECK(first_notice(1e-5, 1.01, true) == 20);   // the first ten steps have nothing to be compared with
   CHECK(first_notice(0.05, 1, true) == 0);       // no cell holds most of the energy
 }
 
@@ -920,16 +922,15 @@ TEST_CASE("A cell that the boundary makes flat does not keep the other vertices 
   VMP::internal::Found_map_3 found;
   found.map = judged(mesh, start);
   found.status = VMP::OK;
-  VMP::internal::Progress_3 progress([](const VMP::Parameterization_step&) { return true; }, 1000, 1000);
-  minimize_3(mesh, problem.energy, problem.system, problem.solver, false, 0, progress, found);
+  VMP::internal::Progress_3 progress = patient_progress();
+  minimize_map_3(mesh, problem.energy, problem.system, problem.solver, false, progress, found);
   CHECK(found.map.is_solution());
   CHECK(far_from_minimum(found.map.positions, far) < 0.05);
   CHECK(far_from_minimum(found.map.positions, center) < 0.05);
 
-  VMP::internal::Minimization_3 whole(problem.system, problem.energy, start);
-  while(whole.is_running())
-    whole.step();
-  CHECK(far_from_minimum(whole.positions(), far) > 0.05);
+  progress.begin_stage();
+  const Matrix3Xd whole = minimize_energy_3(problem.system, problem.energy, start, progress).positions;
+  CHECK(far_from_minimum(whole, far) > 0.05);
 
   const VMP::internal::Dominant_cells_3 dominant = dominant_cells_3(mesh, problem.energy, found.map.positions);
   CHECK(dominant.part_of_energy > 0.99);

@@ -10,7 +10,7 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_direction_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
 
 #include <Eigen/Dense>
@@ -168,7 +168,7 @@ TEST_CASE("A start that inverts no cell does not hide that the solver has failed
   const Numbered_mesh_3 mesh = centered_cube();
   Failing_solver solver(Linear_solver_status::FAILED, does_factorize);
   fixed_boundary::Problem<VMP::Stretch_energy_3, Failing_solver> problem(mesh, VMP::Stretch_energy_3(), solver);
-  VMP::internal::Progress_3 progress([](const VMP::Parameterization_step&) { return true; }, 1000, 1000);
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   VMP::internal::Found_map_3 found;
   find_map_with_fixed_boundary_3(mesh, problem.energy, problem.solver, {}, Eigen::Matrix3Xd(), progress, found);
   CHECK(found.map.is_solution());

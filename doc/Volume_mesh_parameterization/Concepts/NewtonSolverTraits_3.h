@@ -7,7 +7,8 @@ method, whose unknowns are the coordinates of the free vertices. All systems of 
 parameterization (fixed boundary, soft boundary, boundary vertices that slide, bound of angles, each again after a
 refinement) have the same pattern. So the work that depends on the pattern only is done once: `analyze_pattern()` is
 called at the beginning of a stage, then `factorize()` and `solve()` for each system. This distinguishes the concept
-from `SparseLinearAlgebraWithFactorTraits_d`, as do the matrix of 3x3 blocks and the tolerance.
+from `SparseLinearAlgebraWithFactorTraits_d`, as do the matrix of 3x3 blocks and the tolerance. Small systems, of patches
+of the mesh, may come in between; then the pattern of the stage is analyzed again.
 
 The matrix passed to `factorize()` keeps its place and its values until `solve()` has returned. It may have the size
 0. All calls are made by the thread that called the parameterization.
@@ -52,9 +53,10 @@ public:
   /// entries a row of blocks, and `x`, whose size on entry is arbitrary, receives as many. An iterative solver may stop
   /// as soon as the residual, in a norm of its choice, has fallen to `tolerance` times its value for \f$x = 0\f$.
   ///
-  /// \return `SUCCESS`; or `TRUNCATED` if the matrix is not positive definite, but `x` with
+  /// \return `SUCCESS`; or `ITERATION_LIMIT` if the solver gave up before, with an `x` with \f$b^T x > 0\f$, by which
+  ///         convergence is not judged; or `TRUNCATED` if the matrix is not positive definite, but `x` with
   ///         \f$b^T x > 0\f$ is the best one before this was noticed; or `NOT_POSITIVE_DEFINITE` if there
-  ///         is none; or `OUT_OF_MEMORY` or `FAILED`. Only after the first two `x` is used.
+  ///         is none; or `OUT_OF_MEMORY` or `FAILED`. Only after the first three `x` is used.
   CGAL::Volume_mesh_parameterization::Linear_solver_status
   solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance);
 

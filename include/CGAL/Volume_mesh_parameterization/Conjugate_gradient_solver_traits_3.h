@@ -63,7 +63,7 @@ public:
   /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
   /// preconditioner \f$M\f$, has fallen by the factor `tolerance`.
   ///
-  /// \return `SUCCESS`, also where the limit of iterations was reached; `TRUNCATED` or `NOT_POSITIVE_DEFINITE` where
+  /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or `NOT_POSITIVE_DEFINITE` where
   ///         a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once; `FAILED` if a number is not finite
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
   {

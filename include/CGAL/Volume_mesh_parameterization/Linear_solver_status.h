@@ -22,6 +22,7 @@ What a model of `NewtonSolverTraits_3` answers.
 enum class Linear_solver_status
 {
   SUCCESS,               ///< the system is solved to the tolerance asked for
+  ITERATION_LIMIT,       ///< the result is a descent direction, but not as exact as asked for
   TRUNCATED,             ///< the matrix is not positive definite, but the result is a descent direction
   NOT_POSITIVE_DEFINITE, ///< the matrix is not positive definite; there is no result
   OUT_OF_MEMORY,         ///< the factorization needs more memory than there is

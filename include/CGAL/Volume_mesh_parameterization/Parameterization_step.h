@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <cstddef>
+#include <string>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -25,20 +26,33 @@ enum class Phase
   MINIMIZATION ///< no cell is inverted, and the energy is minimized
 };
 
+/// \ingroup PkgVolumeMeshParameterizationRef
+/// What a step is.
+enum class Step_kind
+{
+  NEWTON, ///< a Newton step over all vertices that move
+  PATCH,  ///< some inverted cells with those around them are untangled, as a problem of their own
+  SPLIT   ///< an attempt to untangle a patch with some of its edges split, to find out which ones need be
+};
+
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-What a visitor is told after each Newton step: see the named parameter `visitor` of
+What a visitor is told after each step: see the named parameter `visitor` of
 `CGAL::stretch_minimizing_volume_parameterization()`.
 */
 struct Parameterization_step
 {
-  std::size_t iteration = 0;                ///< number of Newton steps so far, in all stages
+  std::size_t iteration = 0;                ///< number of steps so far, in all stages
   Phase phase = Phase::START;               ///< what the step was for
+  Step_kind kind = Step_kind::NEWTON;       ///< what it was; energy, gradient, decrement and length are of Newton steps only
+  std::string attempt;                      ///< the name of the stage or of the attempt to untangle, for a progress bar
   /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; while cells are
   /// untangled, over those with a free vertex only. Values of different phases and stages are not comparable
   double energy = 0;
   std::size_t number_of_inverted_cells = 0; ///< or flat, after the step, by floating-point determinants
+  /// the Newton decrement at the beginning of the step: half of its square is about what there is to gain
+  double decrement = 0;
   double gradient_norm = 0;                 ///< Euclidean norm of the gradient at the beginning of the step
   double step_length = 0;                   ///< 1 is a full Newton step, 0 means that no step was acceptable
   double seconds = 0;                       ///< wall-clock time since the beginning

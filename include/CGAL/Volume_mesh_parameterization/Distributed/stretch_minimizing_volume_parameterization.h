@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
@@ -36,20 +35,6 @@ namespace CGAL {
 
 namespace Volume_mesh_parameterization::internal {
 
-// Goes on as long as the visitors and the clocks of all processes agree to.
-template <typename Visitor>
-struct Common_visitor
-{
-  bool after_step(const Parameterization_step& step)
-  {
-    return communicator.all(visitor.after_step(step) && step.seconds <= maximum_running_time);
-  }
-
-  const MPI_communicator_3& communicator;
-  Visitor& visitor;
-  double maximum_running_time;
-};
-
 // From the slices of a mesh to the images of their points.
 template <typename Problem>
 Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3& communicator,
@@ -62,7 +47,7 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
   const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights);
   const Numbered_mesh_3& mesh = distributed.mesh();
   const Input_check_3 check = engine::check_input(mesh);
-  problem.progress.add_numbering(0);
+  problem.progress.end_numbering();
   Parameterization_result result;
   if(check.allows_fixed_boundary())
   {
@@ -154,21 +139,16 @@ stretch_minimizing_volume_parameterization(
   static_assert(is_default_parameter<NamedParameters, internal_np::solver_traits_t>::value,
                 "solver_traits must not be passed for a distributed mesh: PETSc's options choose the solver.");
 
-  VMP::internal::Limits<NamedParameters> limits(np);
-
   const VMP::internal::MPI_communicator_3 communicator(soup.communicator);
   const bool is_printing = communicator.rank() == 0 && choose_parameter(get_parameter(np, internal_np::verbose), false);
-  VMP::internal::Common_visitor<std::remove_reference_t<decltype(limits.visitor())> > common_visitor
-    = { communicator, limits.visitor(), limits.seconds() };
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   return communicator.together([&]() -> Result
   {
     VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");
     return VMP::internal::run_problem<Sequential_tag, std::size_t>(
-      np.visitor(common_visitor).maximum_running_time(infinity).verbose(is_printing), nullptr, [&](const auto& problem)
+      np.verbose(is_printing), nullptr, [&](const auto& problem)
     {
       return VMP::internal::parameterize_distributed_mesh_3(communicator, soup, targets, problem, images);
-    });
+    }, communicator);
   });
 }
 

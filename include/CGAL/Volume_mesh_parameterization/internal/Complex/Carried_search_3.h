@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 

@@ -19,8 +19,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 
 #include <Eigen/Core>
 
@@ -54,23 +54,17 @@ struct Checked_complex_3
 
   template <typename Mesh, typename Problem>
   Checked_complex_3(const Mesh& mesh, const Problem& problem)
-    : Checked_complex_3(mesh, problem, problem.progress.seconds())
-  {}
-
-  bool allows(const Boundary_mode mode) const
-  {
-    return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED);
-  }
-
-private:
-  template <typename Mesh, typename Problem>
-  Checked_complex_3(const Mesh& mesh, const Problem& problem, const double begin)
     : numbered(mesh, problem.is_constrained, problem.target, problem.use_volume_weights)
   {
     if(problem.initial)
       numbered.set_initial(problem.initial);
     check = engine::check_input(numbered.mesh());
-    problem.progress.add_numbering(begin);
+    problem.progress.end_numbering();
+  }
+
+  bool allows(const Boundary_mode mode) const
+  {
+    return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED);
   }
 };
 

@@ -25,10 +25,11 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -46,7 +47,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Reads the named parameters that do not depend on where the cells come from, and returns `run(problem)`.
 template <typename ConcurrencyTag, typename Vertex, typename NamedParameters, typename BoundaryMap, typename Run>
-Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap& boundary_map, const Run& run)
+Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap& boundary_map, const Run& run,
+                                    const Communicator_3& communicator = single_process())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -84,7 +86,7 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   };
   const auto number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000);
   require(static_cast<double>(number_of_iterations) >= 0, "A number of iterations is not negative.");
-  Progress_3 progress(after_step, static_cast<std::size_t>(number_of_iterations), limits.seconds());
+  Progress_3 progress(limits.budget(), static_cast<std::size_t>(number_of_iterations), after_step, communicator);
 
   Map_options_3 options;
   options.mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), Boundary_mode::AUTO);

@@ -35,8 +35,9 @@ inline void print(const Parameterization_step& step)
             << "  energy " << std::setw(12) << step.energy
             << "  inverted " << std::setw(6) << step.number_of_inverted_cells
             << "  gradient " << std::setw(11) << step.gradient_norm
+            << "  decrement " << std::setw(11) << step.decrement
             << "  step " << std::setw(9) << step.step_length
-            << "  seconds " << step.seconds << std::endl;
+            << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -27,7 +27,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -91,12 +93,57 @@ public:
     return std::string("PETSc, -ksp_type ") + solver + " -pc_type " + type;
   }
 
-  Newton_matrix_3 make_matrix() const override { return Matrix(); }
-  Linear_solver_3& for_patches() override { return m_solver_for_patches; }
-
-  void analyze_pattern(const Newton_matrix_3& A) override
+  // Patches of the mesh are systems of one process.
+  std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) override
   {
-    const Matrix& matrix = std::get<Matrix>(A);
+    if(&communicator != &m_communicator)
+      return m_solver_for_patches.make_system(std::move(pattern), communicator);
+    return std::make_unique<System>(*this, std::move(pattern));
+  }
+
+  // With those for patches, on whichever process.
+  std::size_t number_of_iterations() const override
+  {
+    PetscInt result;
+    check(KSPGetTotalIterations(m_ksp, &result));
+    return static_cast<std::size_t>(result + m_communicator.sum(m_solver_for_patches.number_of_iterations()));
+  }
+
+  std::size_t number_of_cut_solutions() const override
+  {
+    return m_number_of_cut_solutions
+         + static_cast<std::size_t>(m_communicator.sum(m_solver_for_patches.number_of_cut_solutions()));
+  }
+
+private:
+  using Matrix = Block_sparse_matrix_3<float>;
+  using Default_solver = Conjugate_gradient_solver_traits_3<Sequential_tag>; // of one process
+
+  class System final : public Linear_system_3
+  {
+  public:
+    System(PETSc_solver_3& solver, Sparsity_pattern_3 pattern) : m_solver(solver), m_matrix(Matrix())
+    {
+      Matrix& matrix = std::get<Matrix>(m_matrix);
+      matrix.set_pattern(std::move(pattern.row_begin), std::move(pattern.columns));
+      solver.analyze_pattern(matrix);
+    }
+
+    Newton_matrix_3& matrix() override { return m_matrix; }
+    Linear_solver_status factorize() override { return m_solver.factorize(std::get<Matrix>(m_matrix)); }
+
+    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
+    {
+      return m_solver.solve(b, x, tolerance);
+    }
+
+  private:
+    PETSc_solver_3& m_solver;
+    Newton_matrix_3 m_matrix;
+  };
+
+  void analyze_pattern(const Matrix& matrix)
+  {
     const PetscInt n = number_of_own_rows();
     std::vector<PetscInt> own(n), others(n);
     int longest = 0;
@@ -114,9 +161,8 @@ public:
     check(MatSetOption(m_matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE)); // each process has all cells around its vertices
   }
 
-  Linear_solver_status factorize(const Newton_matrix_3& A) override
+  Linear_solver_status factorize(const Matrix& matrix)
   {
-    const Matrix& matrix = std::get<Matrix>(A);
     m_communicator.synchronize();
     for(PetscInt row = 0; row < number_of_own_rows(); ++row)
     {
@@ -131,7 +177,7 @@ public:
     return Linear_solver_status::SUCCESS;
   }
 
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
   {
     x.setZero(b.size());
     if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // for which KSPSTCG finds no direction
@@ -144,20 +190,10 @@ public:
     check(VecGhostUpdateEnd(m_x, INSERT_VALUES, SCATTER_FORWARD));
     check(VecResetArray(m_b));
     check(VecResetArray(m_x));
-    return status();
+    const Linear_solver_status result = status();
+    m_number_of_cut_solutions += result == Linear_solver_status::ITERATION_LIMIT;
+    return result;
   }
-
-  // With those for patches, on whichever process.
-  std::size_t number_of_iterations() const override
-  {
-    PetscInt result;
-    check(KSPGetTotalIterations(m_ksp, &result));
-    return static_cast<std::size_t>(result + m_communicator.sum(m_solver_for_patches.number_of_iterations()));
-  }
-
-private:
-  using Matrix = Block_sparse_matrix_3<float>;
-  using Default_solver = Conjugate_gradient_solver_traits_3<Sequential_tag>; // of one process
 
   PetscInt number_of_own_rows() const { return m_mesh.number_of_own_rows(); }
 
@@ -174,7 +210,7 @@ private:
       case KSP_DIVERGED_INDEFINITE_PC:
         return number_of_iterations <= 1 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::TRUNCATED;
       case KSP_DIVERGED_ITS:
-        return Linear_solver_status::SUCCESS;
+        return Linear_solver_status::ITERATION_LIMIT;
       default:
         return reason > 0 ? Linear_solver_status::SUCCESS : Linear_solver_status::FAILED;
     }
@@ -190,6 +226,7 @@ private:
   KSP m_ksp;
   std::vector<PetscInt> m_columns;   // of one row
   std::vector<PetscScalar> m_values; // of one row
+  std::size_t m_number_of_cut_solutions = 0;
   Default_solver m_default_solver;
   Linear_solver_of<Default_solver> m_solver_for_patches{ m_default_solver };
 };

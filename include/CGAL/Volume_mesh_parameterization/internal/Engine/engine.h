@@ -22,14 +22,25 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Conjugate_gradient_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_corners_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
+#endif
 
 #include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -96,8 +107,67 @@ extern template class internal::Linear_solver_of<Conjugate_gradient_solver_trait
 }
 #endif
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-#  include <CGAL/Volume_mesh_parameterization/internal/Engine/engine_impl.h>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+namespace CGAL::Volume_mesh_parameterization::internal::engine {
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
+                                           const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh)
+{
+  const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed);
+  mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
+  mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers);
+  mesh.source.resize(3, points.cols());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    mesh.source.col(i) = points.col(order[i]);
+  return order;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input(const Numbered_mesh_3& mesh) { return check_input_3(mesh); }
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
+                     Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
+{
+  return find_map_3(mesh, check, energy, solver, options, progress);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                 const Map_options_3& options, Progress_3& progress, Found_map_3& found)
+{
+  improve_map_3(mesh, energy, solver, options, progress, found);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, const double edge,
+                      Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
+{
+  return improve_corners_3(mesh, projectors, edge, solver, is_parallel, budget);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
+                                    const Cell_energy_3& energy, const Linear_solver_3& solver,
+                                    const Progress_3& progress)
+{
+  return make_result_3(mesh, check, found, energy, solver, progress);
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+bool is_valid(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return inverted_cells(mesh, positions).number == 0;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+{
+  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image));
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal::engine
 #endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_H

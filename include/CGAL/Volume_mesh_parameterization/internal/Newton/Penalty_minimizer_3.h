@@ -12,114 +12,131 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Step_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/line_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy plus the penalty of the constraints, for one weight, by Newton steps that never invert a cell. Ends
 // by the three criteria of Jin et al., section 4.2: energy, positions or gradient have become stationary.
+//
+// With their relaxation, a step must decrease the energy and the norm of its gradient. Where none does, the vertices are
+// relaxed: for some steps, the current positions take the place of the target. If it fails again after that, a decrease of
+// the energy suffices.
 class Penalty_minimizer_3
 {
 public:
+  enum class Status { CONTINUES, CONVERGED, STUCK, SOLVER_FAILED };
+
   // `diameter` is the unit of the tolerances for energy and step.
   Penalty_minimizer_3(Newton_system_3& system, Quadratic_penalty_3& penalty, const Cell_energy_3& energy,
-                      Eigen::Matrix3Xd u, const Soft_boundary_parameters& parameters, const double diameter)
+                      const Eigen::Matrix3Xd& u, const Soft_boundary_parameters& parameters, const double diameter)
     : m_system(system), m_penalty(penalty), m_energy(energy), m_parameters(parameters), m_diameter(diameter),
-      m_u(std::move(u)), m_evaluation(system.evaluate(energy, m_u)), m_last_energy(m_evaluation.energy)
+      m_iterate{ u, system.evaluate(energy, u) }, m_last_energy(m_iterate.evaluation.energy),
+      m_can_relax(parameters.maximal_number_of_relaxations > 0)
   {}
 
-  virtual ~Penalty_minimizer_3() = default;
+  const Newton_iterate_3& iterate() const { return m_iterate; }
+  bool is_relaxing() const { return m_relaxations_left > 0; } // then the evaluation is for the temporary target
 
-  const Eigen::Matrix3Xd& positions() const { return m_u; }
-  const Energy_evaluation& evaluation() const { return m_evaluation; }
-  const Newton_direction_3& direction() const { return m_direction; } // of the last step
-  double step_length() const { return m_step_length; }
-  virtual bool is_relaxing() const { return false; }
-
-  virtual Step_status step()
+  Status step()
   {
-    return conclude(m_parameters.use_full_hessian ? move(1, false) || move(0, false) : move_with_some_curvature(false));
+    if(is_relaxing())
+      return relax();
+    const bool relaxes = m_parameters.maximal_number_of_relaxations > 0;
+    bool has_moved = move_with_hessian(relaxes);
+    if(relaxes && !has_moved && m_can_relax && !m_iterate.direction.has_solver_failed())
+    {
+      begin_relaxation();
+      return relax();
+    }
+    if(!has_moved && (relaxes || m_parameters.use_full_hessian))
+      has_moved = move(0, false);
+    if(relaxes) // a relaxation has to pay off before there is another one
+    {
+      m_can_relax = m_iterate.evaluation.energy < m_lowest_energy;
+      m_lowest_energy = (std::min)(m_lowest_energy, m_iterate.evaluation.energy);
+    }
+    return conclude(has_moved);
   }
 
-protected:
-  // A Newton step with as much negative curvature of the Hessian as serves.
-  bool move_with_some_curvature(const bool must_decrease_gradient)
+private:
+  // A Newton step with the full Hessian, or with as much of its negative curvature as serves.
+  bool move_with_hessian(const bool must_decrease_gradient)
   {
-    while(!move(m_negative_curvature.part(), must_decrease_gradient))
-    {
-      if(m_negative_curvature.part() == 0 || m_direction.status == Linear_solver_status::OUT_OF_MEMORY)
-        return false;
-      m_negative_curvature.lower();
-    }
-    return true;
+    if(m_parameters.use_full_hessian)
+      return move(1, must_decrease_gradient);
+    return step_with_some_curvature(m_negative_curvature, m_iterate,
+                                    [&](const double part) { return move(part, must_decrease_gradient); });
   }
 
   // One Newton step. Returns whether there was an acceptable one.
   bool move(const double negative_curvature, const bool must_decrease_gradient)
   {
-    m_step_length = 0;
-    m_direction = m_system.direction(m_energy, m_u, negative_curvature, solver_tolerance());
-    if(!m_direction.is_usable())
+    auto& [u, evaluation, direction, length] = m_iterate;
+    length = 0;
+    direction = m_system.direction(m_energy, u, negative_curvature, solver_tolerance());
+    if(!direction.is_usable())
       return false;
-    Line_search_step_3 step
-      = safe_line_search_3(m_system, m_energy, m_u, m_evaluation.energy, m_direction,
-                           must_decrease_gradient ? m_direction.gradient_norm : std::numeric_limits<double>::infinity());
-    m_step_length = step.length;
-    if(step.length == 0)
-      return false;
-    m_u = std::move(step.positions);
-    m_evaluation = step.evaluation;
-    return true;
+    m_iterate.take(safe_line_search_3(
+      m_system, m_energy, u, evaluation.energy, direction,
+      must_decrease_gradient ? direction.gradient_norm : std::numeric_limits<double>::infinity()));
+    return length > 0;
   }
 
-  Step_status conclude(const bool has_moved)
+  void begin_relaxation()
   {
-    if(m_direction.has_solver_failed())
-      return Step_status::SOLVER_FAILED;
-    if(m_step_length >= 1)
+    m_can_relax = false;
+    m_relaxations_left = m_parameters.maximal_number_of_relaxations;
+    m_penalty.hold(m_iterate.u);
+    m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
+  }
+
+  Status relax()
+  {
+    --m_relaxations_left;
+    if(!move(0, false))
+      m_relaxations_left = 0;
+    if(!is_relaxing())
+    {
+      m_penalty.release();
+      m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
+    }
+    return m_iterate.direction.has_solver_failed() ? Status::SOLVER_FAILED : Status::CONTINUES;
+  }
+
+  Status conclude(const bool has_moved)
+  {
+    if(m_iterate.direction.has_solver_failed())
+      return Status::SOLVER_FAILED;
+    if(m_iterate.step_length >= 1)
       m_negative_curvature.raise();
     if(!has_moved)
-      return is_gradient_small() ? Step_status::DONE : Step_status::STUCK;
-    return is_converged() ? Step_status::DONE : Step_status::CONTINUE;
+      return is_gradient_small() ? Status::CONVERGED : Status::STUCK;
+    return is_converged() ? Status::CONVERGED : Status::CONTINUES;
   }
 
-  Newton_system_3& m_system;
-  Quadratic_penalty_3& m_penalty;
-  const Cell_energy_3& m_energy;
-  const Soft_boundary_parameters& m_parameters;
-  double m_diameter;
-  Eigen::Matrix3Xd m_u;
-  Energy_evaluation m_evaluation;
-  Newton_direction_3 m_direction;
-  double m_step_length = 0;
-  Negative_curvature m_negative_curvature;
-
-private:
   // the energy without the penalty
-  double distortion() const { return m_evaluation.energy - m_penalty.value(m_u); }
+  double distortion() const { return m_iterate.evaluation.energy - m_penalty.value(m_iterate.u); }
 
   // What remains of the residual is small against the distortion, even where the penalty is much larger.
-  double solver_tolerance() const { return 1e-2 * std::sqrt(distortion() / m_evaluation.energy); }
+  double solver_tolerance() const { return 1e-2 * std::sqrt(distortion() / m_iterate.evaluation.energy); }
 
   bool is_converged()
   {
-    const double change = std::abs(m_evaluation.energy - m_last_energy);
-    m_last_energy = m_evaluation.energy;
-    const double largest_move = m_step_length * m_direction.vectors.colwise().norm().maxCoeff();
+    const double change = std::abs(m_iterate.evaluation.energy - m_last_energy);
+    m_last_energy = m_iterate.evaluation.energy;
+    const double largest_move = m_iterate.step_length * m_iterate.direction.vectors.colwise().norm().maxCoeff();
     return change < m_parameters.energy_tolerance * m_diameter
         || change < m_parameters.relative_energy_tolerance * distortion()
         || largest_move < m_parameters.step_tolerance * m_diameter
@@ -128,10 +145,20 @@ private:
 
   bool is_gradient_small() const
   {
-    return m_direction.gradient_norm < m_parameters.gradient_tolerance * m_evaluation.energy;
+    return m_iterate.direction.gradient_norm < m_parameters.gradient_tolerance * m_iterate.evaluation.energy;
   }
 
+  Newton_system_3& m_system;
+  Quadratic_penalty_3& m_penalty;
+  const Cell_energy_3& m_energy;
+  const Soft_boundary_parameters& m_parameters;
+  double m_diameter;
+  Newton_iterate_3 m_iterate;
+  Negative_curvature m_negative_curvature;
   double m_last_energy; // after the last step that has been concluded
+  double m_lowest_energy = std::numeric_limits<double>::infinity();
+  bool m_can_relax;
+  std::size_t m_relaxations_left = 0;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -13,7 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
@@ -22,18 +24,18 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/similarity_alignment_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Penalty_minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Relaxing_minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <cstddef>
-#include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -41,7 +43,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The map with soft boundary (Jin et al., section 4): starts from the source aligned to the target,
 // and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
 // inverted at any time; the targets may be missed. Further constraints may be given, on any vertices.
-class Boundary_approach_3 : public Stage_3
+class Boundary_approach_3
 {
 public:
   using Constraints = std::vector<Linear_constraint_3<int> >;
@@ -64,22 +66,26 @@ public:
       m_system(mesh, m_scaled, all_vertices(mesh), solver, is_parallel, &m_penalty)
   {
     minimize(m_scaled.unit * (start.positions.cols() == 0 ? m_aligned_source : start.positions));
-    if(!m_minimizer->evaluation().is_flip_free())
+    if(!m_minimizer->iterate().evaluation.is_flip_free())
       end(ERROR_INVERTED_SOURCE_CELL);
   }
 
-  void step() override
+  // To be called while it is running.
+  void step()
   {
-    const Step_status status = m_minimizer->step();
-    report(Phase::MINIMIZATION, *m_minimizer);
-    if(status == Step_status::SOLVER_FAILED)
-      end(ERROR_LINEAR_SOLVER_FAILED, describe_failure(m_minimizer->direction()));
+    using Status = Penalty_minimizer_3::Status;
+    const Status status = m_minimizer->step();
+    const std::size_t number_of_steps = m_last_step.iteration + 1;
+    m_last_step = step_of(m_minimizer->iterate(), Phase::MINIMIZATION);
+    m_last_step.iteration = number_of_steps;
+    if(status == Status::SOLVER_FAILED)
+      end(ERROR_LINEAR_SOLVER_FAILED, describe_failure(m_minimizer->iterate().direction));
     else if(can_snap())
       end(OK);
-    else if(status != Step_status::CONTINUE)
+    else if(status != Status::CONTINUES)
     {
       if(residual() <= m_parameters.residual_tolerance)
-        end(status == Step_status::DONE ? OK : ERROR_NOT_CONVERGED);
+        end(status == Status::CONVERGED ? OK : ERROR_NOT_CONVERGED);
       else if(is_blocked() || m_number_of_raises >= m_parameters.maximal_number_of_raises)
         end(ERROR_BOUNDARY_NOT_REACHED);
       else
@@ -87,10 +93,13 @@ public:
     }
   }
 
-  bool is_flip_free() const override { return true; }
+  bool is_running() const { return m_is_running; }
+  Error_code status() const { return m_status; }
+  const std::string& reason() const { return m_reason; } // for the status; empty if there is nothing to add
+  const Parameterization_step& last_step() const { return m_last_step; }
 
   // The images of all vertices; those of the prescribed ones are near their targets.
-  Eigen::Matrix3Xd positions() const override { return m_minimizer->positions() / m_scaled.unit; }
+  Eigen::Matrix3Xd positions() const { return m_minimizer->iterate().u / m_scaled.unit; }
 
   // The same with the prescribed vertices on their targets.
   Eigen::Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
@@ -102,10 +111,10 @@ public:
   }
 
   // of the energy with the penalty
-  double energy() const { return m_minimizer->evaluation().energy; }
+  double energy() const { return m_minimizer->iterate().evaluation.energy; }
 
   // |P(u)|_2, where the target has volume 1
-  double residual() const { return m_penalty.residual(m_minimizer->positions()) / (m_scaled.unit * m_length); }
+  double residual() const { return m_penalty.residual(m_minimizer->iterate().u) / (m_scaled.unit * m_length); }
   double weight() const
   {
     return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises));
@@ -114,6 +123,13 @@ public:
   bool is_relaxing() const { return m_minimizer->is_relaxing(); }
 
 private:
+  void end(const Error_code status, const std::string& reason = std::string())
+  {
+    m_status = status;
+    m_reason = reason;
+    m_is_running = false;
+  }
+
   // The constraints, with three more for each prescribed vertex, for the scaled positions.
   Constraints all_constraints(Constraints constraints) const
   {
@@ -138,16 +154,13 @@ private:
   void minimize(const Eigen::Matrix3Xd& u)
   {
     m_penalty.set_weight(penalty_factor(weight()));
-    if(m_parameters.maximal_number_of_relaxations > 0)
-      m_minimizer = std::make_unique<Relaxing_minimizer_3>(m_system, m_penalty, m_energy, u, m_parameters, diameter());
-    else
-      m_minimizer = std::make_unique<Penalty_minimizer_3>(m_system, m_penalty, m_energy, u, m_parameters, diameter());
+    m_minimizer.emplace(m_system, m_penalty, m_energy, u, m_parameters, diameter());
   }
 
   void raise_weight()
   {
     ++m_number_of_raises;
-    minimize(Eigen::Matrix3Xd(m_minimizer->positions()));
+    minimize(Eigen::Matrix3Xd(m_minimizer->iterate().u));
   }
 
   // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
@@ -178,10 +191,14 @@ private:
   Scaled_cells_3 m_scaled;
   Quadratic_penalty_3 m_penalty;
   Newton_system_3 m_system;
-  std::unique_ptr<Penalty_minimizer_3> m_minimizer;
+  std::optional<Penalty_minimizer_3> m_minimizer;
   std::size_t m_number_of_useless_raises = 0;
   std::vector<double> m_distances;                      // the largest one, for each weight
   std::vector<std::size_t> m_numbers_of_blocking_cells; // for each weight
+  Parameterization_step m_last_step;
+  Error_code m_status = ERROR_NOT_CONVERGED;
+  std::string m_reason;
+  bool m_is_running = true;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

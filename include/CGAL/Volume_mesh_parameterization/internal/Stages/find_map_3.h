@@ -20,49 +20,70 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Negative_curvature.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/harmonic_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Stage_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Split_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/relax_flat_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/completed_initial_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_map_3.h>
 
+#include <Eigen/Core>
+
+#include <cstddef>
 #include <optional>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Puts the prescribed vertices of an initial map on their targets, moves the others by the harmonic extension of these
+// The initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
+// without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. No images at all if
+// none are given.
+inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
+                                                const bool is_parallel, Progress_3& progress)
+{
+  Eigen::Matrix3Xd result = mesh.initial;
+  const auto is_missing = [&](const int v) { return mesh.initial.col(v).array().isNaN().any(); };
+  for(int v = 0; v < result.cols(); ++v)
+    if(is_missing(v))
+      result.col(v) = mesh.target.col(v);
+  const Unknowns_3 unknowns(static_cast<int>(result.cols()),
+                            [&](const int v) { return mesh.is_free(v) && is_missing(v); });
+  if(unknowns.size() == 0)
+    return result;
+  Newton_system_3 system(mesh, cells_scaled_to_target(mesh), unknowns, solver, is_parallel);
+  harmonic_map_3(system, result, progress);
+  return result;
+}
+
+// Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
 // displacements, and untangles. Zeros become the harmonic map, which recovers affine maps. If it inverts cells, so may that
 // with respect to regular cells, but mostly fewer, so that patches suffice.
 inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                                   const Eigen::Matrix3Xd& initial, const double begin, Progress_3& progress,
-                                   Found_map_3& found)
+                                   const Eigen::Matrix3Xd& initial, Progress_3& progress, Found_map_3& found)
 {
   constexpr double energy_tolerance = 1e-6; // of what is a start only
-  Eigen::Matrix3Xd u = system.unit() * (snapped(mesh, initial) - initial);
-  const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + u / system.unit()); };
-  Newton_direction_3 direction = harmonic_map_3(system, u, energy_tolerance);
+  progress.begin_stage();
+  Eigen::Matrix3Xd displacements = snapped(mesh, initial) - initial;
+  const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + displacements); };
+  Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   const Eigen::Matrix3Xd start = image();
   found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
-  if(direction.is_usable() && found.number_of_inverted_cells_at_start > 0)
+  if(direction.is_usable() && found.number_of_inverted_cells_at_start > 0 && !progress.is_interrupted())
   {
     system.set_references(mesh, regular_cells_scaled_to_target(mesh));
-    direction = harmonic_map_3(system, u, energy_tolerance);
+    direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   }
   progress.reach_flip_free();
   if(!direction.is_usable())
     return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
-  return untangle_3(mesh, system, solver, start, image(), begin, progress);
+  return untangle_3(mesh, system, solver, start, image(), progress);
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
@@ -72,33 +93,26 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
                                            Linear_solver_3& solver, const Map_options_3& options,
                                            const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
-  const double begin = progress.seconds();
+  progress.begin_stage();
   const bool goes_on = start.cols() > 0;
-  const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, options.is_parallel);
+  const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, options.is_parallel, progress);
   Newton_system_3 system(mesh, cells_scaled_to_target(mesh), free_vertices(mesh), solver, options.is_parallel);
   Untangled_3 untangled;
   if(goes_on)
-    untangled = untangle_on_3(mesh, system, solver, start, begin, progress);
+    untangled = untangle_on_3(mesh, system, solver, start, progress);
   else if(initial.cols() > 0)
-    untangled = untangle_from_3(mesh, system, solver, initial, begin, progress, found);
+    untangled = untangle_from_3(mesh, system, solver, initial, progress, found);
   // then the full Hessian is tried first
-  const bool may_be_near_minimum = !goes_on && untangled.status == OK && untangled.number_of_steps == 0;
+  const bool may_be_near_minimum = !goes_on && untangled.status == OK && progress.number_of_steps() == 0;
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
-    untangled = untangle_from_3(mesh, system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()),
-                                initial.cols() > 0 ? progress.seconds() : begin, progress, found);
-  if(untangled.status == OK && untangled.number_of_steps > 0)
-  {
-    relax_flat_cells_3(mesh, solver.for_patches(), untangled.positions);
-    system.claim_solver();
-  }
-  found.map = judged(mesh, untangled.positions);
-  found.status = untangled.status;
-  found.reason = untangled.reason;
+    untangled = untangle_from_3(mesh, system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()), progress, found);
+  if(untangled.status == OK && progress.number_of_steps() > 0)
+    untangled.positions = relaxed_flat_cells_3(mesh, solver, untangled.positions, progress.budget());
+  found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));
   found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
-  if(found.status != OK || options.do_slide)
-    return;
-  minimize_3(mesh, energy, system, solver, options.is_parallel, untangled.number_of_steps, progress, found,
-             Negative_curvature(may_be_near_minimum ? 1 : 0));
+  if(found.status == OK && !options.do_slide)
+    minimize_map_3(mesh, energy, system, solver, options.is_parallel, progress, found,
+                   Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 
 // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put
@@ -109,12 +123,19 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
 {
   std::optional<Eigen::Matrix3Xd> snapped_positions;
   {
-    const double begin = progress.seconds();
     Boundary_approach_3 approach(mesh, energy, solver, options.is_parallel, options.soft, options.constraints,
                                  options.approach);
+    progress.begin_stage();
+    progress.begin_attempt("soft boundary");
     progress.reach_flip_free();
-    const Error_code status = progress.run(approach, begin);
-    take_over(approach, status, judged(mesh, approach.positions()), found);
+    progress.end_start();
+    while(approach.is_running() && progress.goes_on())
+    {
+      approach.step();
+      progress.after_step(approach.last_step());
+    }
+    const Error_code status = approach.is_running() ? progress.status_of_end(true) : approach.status();
+    found.take(status, approach.reason(), judged(mesh, approach.positions()));
     found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();
     if(approach.can_snap() && !progress.is_interrupted())
@@ -122,21 +143,6 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
   }
   if(snapped_positions)
     find_map_with_fixed_boundary_3(mesh, energy, solver, options, *snapped_positions, progress, found);
-}
-
-// What to split where untangling is stuck.
-inline Found_map_3 with_splits(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress,
-                               Found_map_3 found)
-{
-  Split_search_3 search(mesh, solver, found.map.positions);
-  progress.run(search, progress.seconds());
-  found.splits = search.edges();
-  if(progress.is_interrupted())
-  {
-    found.status = ERROR_INTERRUPTED;
-    found.is_stuck = false;
-  }
-  return found;
 }
 
 // From numbered arrays to the images of their vertices, by the stages that are allowed, one after the other.
@@ -153,9 +159,20 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
     found.is_stuck = found.status == ERROR_NOT_FLIP_FREE
       && found.map.number_of_inverted_cells <= options.untangling.most_inverted_cells_to_split;
     if(found.is_stuck)
-      return with_splits(mesh, solver, progress, std::move(found));
-    if(found.status == ERROR_NOT_FLIP_FREE && mesh.communicator->is_alone())
+    {
+      progress.begin_stage();
+      progress.begin_attempt("splits");
+      found.splits = find_splits_3(mesh, solver, found.map.positions, progress);
+    }
+    else if(found.status == ERROR_NOT_FLIP_FREE && mesh.communicator->is_alone())
       found.diagnosis = diagnose_3(mesh, found.map.positions);
+    if(found.status == ERROR_NOT_FLIP_FREE && progress.is_interrupted())
+    {
+      found.status = ERROR_INTERRUPTED;
+      found.is_stuck = false;
+    }
+    if(found.is_stuck)
+      return found;
   }
   if(check.allows_soft_boundary() && options.mode != Boundary_mode::FIXED && !found.map.is_valid()
      && !progress.is_interrupted())

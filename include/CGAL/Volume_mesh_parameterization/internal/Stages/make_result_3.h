@@ -19,9 +19,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <Eigen/Core>
@@ -77,6 +77,9 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   Parameterization_result result;
   result.status = final_status(found);
   result.message = get_error_message(result.status) + reason_of(result.status, found, check);
+  if(solver.number_of_cut_solutions() > 0)
+    result.message += sentence(" The linear solver has reached its limit of iterations ", solver.number_of_cut_solutions(),
+                               " times, and steps were the shorter for it; CHOLMOD_solver_traits_3 has no limit.");
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
     result.message += describe_missed_boundary(mesh, found.map.positions);
   if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)

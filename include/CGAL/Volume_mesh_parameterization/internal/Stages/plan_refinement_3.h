@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 
 #include <Eigen/Core>
 

@@ -87,7 +87,9 @@ public:
       turn(static_cast<NT>(rz / previous));
     }
     x = m_solution.template cast<double>();
-    return std::isfinite(rz) ? status : Linear_solver_status::FAILED;
+    if(!std::isfinite(rz))
+      return Linear_solver_status::FAILED;
+    return status == Linear_solver_status::SUCCESS && rz > target ? Linear_solver_status::ITERATION_LIMIT : status;
   }
 
   int number_of_iterations() const { return m_number_of_iterations; }

@@ -14,12 +14,15 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
 #include <Eigen/Core>
 
 #include <boost/type_index.hpp>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -30,18 +33,26 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The matrix of a Newton system, with the numbers that the solver wants.
 using Newton_matrix_3 = std::variant<Block_sparse_matrix_3<float>, Block_sparse_matrix_3<double> >;
 
+// The linear systems of one pattern: owns the matrix, and what its solver has made of the pattern.
+class Linear_system_3
+{
+public:
+  virtual ~Linear_system_3() = default;
+  virtual Newton_matrix_3& matrix() = 0;
+  virtual Linear_solver_status factorize() = 0; // the matrix as it is now
+  virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) = 0;
+};
+
 // A linear solver as the engine knows it: the seam between solvers of any type and an engine that is compiled once.
 class Linear_solver_3
 {
 public:
   virtual ~Linear_solver_3() = default;
   virtual std::string name() const = 0;
-  virtual Newton_matrix_3 make_matrix() const = 0;
-  virtual void analyze_pattern(const Newton_matrix_3& A) = 0;
-  virtual Linear_solver_status factorize(const Newton_matrix_3& A) = 0;
-  virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) = 0;
-  virtual Linear_solver_3& for_patches() { return *this; } // for systems of a single process
-  virtual std::size_t number_of_iterations() const { return 0; } // in all calls of `solve()`; 0 if it does not iterate
+  // The pattern is that of the rows of this process, if it is not alone.
+  virtual std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) = 0;
+  virtual std::size_t number_of_iterations() const { return 0; }      // in all systems; 0 if it does not iterate
+  virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
 };
 
 template <typename Solver, typename = void>
@@ -51,7 +62,8 @@ template <typename Solver>
 struct Counts_iterations<Solver, std::void_t<decltype(std::declval<const Solver&>().number_of_iterations())> >
   : std::true_type {};
 
-// A model of `NewtonSolverTraits_3`, as such a solver.
+// A model of `NewtonSolverTraits_3`, as such a solver. It knows one pattern at a time: a system analyzes its own when
+// another one has been at work in between.
 template <typename Solver>
 class Linear_solver_of final : public Linear_solver_3
 {
@@ -59,25 +71,60 @@ public:
   explicit Linear_solver_of(Solver& solver) : m_solver(solver) {}
 
   std::string name() const override { return boost::typeindex::type_id<Solver>().pretty_name(); }
-  Newton_matrix_3 make_matrix() const override { return Matrix(); }
-  void analyze_pattern(const Newton_matrix_3& A) override { m_solver.analyze_pattern(std::get<Matrix>(A)); }
-  Linear_solver_status factorize(const Newton_matrix_3& A) override { return m_solver.factorize(std::get<Matrix>(A)); }
-
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
-  {
-    const Linear_solver_status status = m_solver.solve(b, x, tolerance);
-    if constexpr(Counts_iterations<Solver>::value)
-      m_number_of_iterations += m_solver.number_of_iterations();
-    return status;
-  }
-
   std::size_t number_of_iterations() const override { return m_number_of_iterations; }
+  std::size_t number_of_cut_solutions() const override { return m_number_of_cut_solutions; }
+
+  std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3&) override
+  {
+    return std::make_unique<System>(*this, std::move(pattern));
+  }
 
 private:
   using Matrix = Block_sparse_matrix_3<typename Solver::NT>;
 
+  class System final : public Linear_system_3
+  {
+  public:
+    System(Linear_solver_of& owner, Sparsity_pattern_3 pattern)
+      : m_owner(owner), m_number(++owner.m_number_of_systems), m_matrix(Matrix())
+    {
+      std::get<Matrix>(m_matrix).set_pattern(std::move(pattern.row_begin), std::move(pattern.columns));
+    }
+
+    Newton_matrix_3& matrix() override { return m_matrix; }
+
+    Linear_solver_status factorize() override
+    {
+      const Matrix& A = std::get<Matrix>(m_matrix);
+      if(m_owner.m_analyzed_system != m_number)
+        m_owner.m_solver.analyze_pattern(A);
+      m_owner.m_analyzed_system = m_number;
+      return m_owner.m_solver.factorize(A);
+    }
+
+    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
+    {
+      return m_owner.solve(b, x, tolerance);
+    }
+
+  private:
+    Linear_solver_of& m_owner;
+    std::size_t m_number;
+    Newton_matrix_3 m_matrix;
+  };
+
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
+  {
+    const Linear_solver_status status = m_solver.solve(b, x, tolerance);
+    if constexpr(Counts_iterations<Solver>::value)
+      m_number_of_iterations += m_solver.number_of_iterations();
+    m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT;
+    return status;
+  }
+
   Solver& m_solver;
-  std::size_t m_number_of_iterations = 0;
+  std::size_t m_number_of_iterations = 0, m_number_of_cut_solutions = 0;
+  std::size_t m_number_of_systems = 0, m_analyzed_system = 0; // systems count from 1
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,21 +12,25 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Energy_evaluation.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
 #include <Eigen/Core>
 
 #include <cmath>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -34,9 +38,50 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// The solution of a Newton system, and what it is good for.
+struct Newton_direction_3
+{
+  Linear_solver_status status = Linear_solver_status::FAILED;
+  bool is_of_semidefinite_matrix = false;
+  Eigen::Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
+  double gradient_norm = 0;
+  double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
+
+  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
+  bool is_usable() const
+  {
+    return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::ITERATION_LIMIT
+        || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
+  }
+
+  // Only then the slope tells what is left to gain.
+  bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
+
+  // Has the solver failed for another reason than an indefinite matrix?
+  bool has_solver_failed() const
+  {
+    return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED;
+  }
+};
+
+// A sentence for the user about a direction that ended a computation.
+inline const char* describe_failure(const Newton_direction_3& direction)
+{
+  switch(direction.status)
+  {
+    case Linear_solver_status::OUT_OF_MEMORY:
+      return "There is not enough memory for the factorization; Conjugate_gradient_solver_traits_3 needs far less.";
+    case Linear_solver_status::NOT_POSITIVE_DEFINITE:
+      return "The matrix is not positive definite, although it should be up to rounding: cells are too flat for the "
+             "precision of the solver.";
+    default:
+      return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
+  }
+}
+
 // An energy of the cells, plus perhaps a penalty, as a function of the unknown vertices: its value and gradient, and the
-// Newton direction, for any energy. The pattern of the Hessian is set and analyzed once; the linear solver belongs
-// to the system that was made last.
+// Newton direction, for any energy. Its positions `u` are images multiplied by a unit that gives cells a volume near 1;
+// only what is below Newton/ knows them.
 class Newton_system_3
 {
 public:
@@ -49,18 +94,14 @@ public:
       m_unknowns(std::move(unknowns)),
       m_penalty(penalty),
       m_unit(scaled.unit),
-      m_hessian(solver.make_matrix()),
-      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? std::vector<std::vector<int> >()
-                                                                        : penalty->groups())),
+      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Incidences_of_rows_3::Groups()
+                                                                        : penalty->groups(), is_parallel)),
       m_packs(mesh, scaled, m_unknowns, m_pattern),
-      m_solver(solver),
+      m_system(solver.make_system(std::move(m_pattern), m_communicator)),
       m_is_parallel(is_parallel)
-  {
-    std::visit([&](auto& hessian) { hessian.set_pattern(std::move(m_pattern.row_begin), std::move(m_pattern.columns)); },
-               m_hessian);
-    claim_solver();
-  }
+  {}
 
+  const Communicator_3& communicator() const { return m_communicator; }
   const Unknowns_3& unknowns() const { return m_unknowns; }
   double unit() const { return m_unit; } // by which positions are multiplied
 
@@ -69,9 +110,6 @@ public:
   {
     m_packs.set_references(mesh, scaled, m_unknowns);
   }
-
-  // Takes the linear solver back, after another system has used it.
-  void claim_solver() { m_solver.analyze_pattern(m_hessian); }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
@@ -118,7 +156,7 @@ public:
       }
       direction.is_of_semidefinite_matrix = negative_curvature == 0;
       return direction;
-    }, m_hessian);
+    }, m_system->matrix());
   }
 
   // The same with the matrix of the last direction, which a convex quadratic energy has everywhere.
@@ -155,12 +193,12 @@ private:
     const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
     Newton_direction_3 result;
     result.gradient_norm = std::sqrt(dot(gradient, gradient));
-    result.status = is_factorized ? Linear_solver_status::SUCCESS : m_solver.factorize(m_hessian);
+    result.status = is_factorized ? Linear_solver_status::SUCCESS : m_system->factorize();
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
     Eigen::VectorXd solution;
-    result.status = m_solver.solve(-gradient, solution, tolerance);
-    if(result.status == Linear_solver_status::SUCCESS || result.status == Linear_solver_status::TRUNCATED)
+    result.status = m_system->solve(-gradient, solution, tolerance);
+    if(result.is_exact() || result.status == Linear_solver_status::ITERATION_LIMIT)
     {
       result.slope = dot(gradient, solution);
       if(!(result.slope < 0) && result.gradient_norm > 0) // otherwise it would pass for a minimum
@@ -185,10 +223,9 @@ private:
   Unknowns_3 m_unknowns;
   const Quadratic_penalty_3* m_penalty;
   double m_unit;
-  Newton_matrix_3 m_hessian;
-  Sparsity_pattern_3 m_pattern; // of the matrix, which takes it over
+  Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;
-  Linear_solver_3& m_solver;
+  std::unique_ptr<Linear_system_3> m_system;
   bool m_is_parallel;
 };
 

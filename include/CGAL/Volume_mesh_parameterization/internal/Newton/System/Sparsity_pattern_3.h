@@ -14,9 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -34,48 +36,95 @@ struct Sparsity_pattern_3
   }
 };
 
+// Which cells and groups are at each unknown vertex, in compressed rows; groups are numbered behind the cells.
+class Incidences_of_rows_3
+{
+public:
+  using Groups = std::vector<std::vector<int> >; // of vertices
+
+  Incidences_of_rows_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns, const Groups& groups)
+    : m_mesh(mesh), m_unknowns(unknowns), m_groups(groups), m_begin(unknowns.size() + 1, 0)
+  {
+    for_each_incidence([&](const int row, int) { ++m_begin[row + 1]; });
+    for(int row = 0; row < unknowns.size(); ++row)
+      m_begin[row + 1] += m_begin[row];
+    m_items.resize(m_begin.back());
+    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
+    for_each_incidence([&](const int row, const int item) { m_items[next[row]++] = item; });
+  }
+
+  // Appends the rows that share a cell or a group with this one, itself included, in ascending order.
+  void append_neighbors(const int row, std::vector<int>& columns) const
+  {
+    const std::size_t first = columns.size();
+    for(std::size_t i = m_begin[row]; i < m_begin[row + 1]; ++i)
+      for_each_row_of(m_items[i], [&](const int neighbor) { columns.push_back(neighbor); });
+    std::sort(columns.begin() + first, columns.end());
+    columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
+  }
+
+private:
+  template <typename Function>
+  void for_each_row_of(const int item, const Function& f) const
+  {
+    const int number_of_cells = static_cast<int>(m_mesh.cells.size());
+    const auto for_each = [&](const auto& vertices)
+    {
+      for(const int v : vertices)
+        if(m_unknowns.contains(v))
+          f(m_unknowns.row(v));
+    };
+    if(item < number_of_cells)
+      for_each(m_mesh.cells[item]);
+    else
+      for_each(m_groups[item - number_of_cells]);
+  }
+
+  template <typename Function>
+  void for_each_incidence(const Function& f) const
+  {
+    const int number_of_items = static_cast<int>(m_mesh.cells.size() + m_groups.size());
+    for(int item = 0; item < number_of_items; ++item)
+      for_each_row_of(item, [&](const int row) { f(row, item); });
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  const Unknowns_3& m_unknowns;
+  const Groups& m_groups;
+  std::vector<std::size_t> m_begin;
+  std::vector<int> m_items;
+};
+
 // The pattern of the Hessian: the pairs of unknown vertices that share a cell, or one of the groups.
 inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
-                                             const std::vector<std::vector<int> >& groups = {})
+                                             const Incidences_of_rows_3::Groups& groups = {},
+                                             const bool is_parallel = false)
 {
+  constexpr int rows_per_part = 4096;
   const int n = unknowns.size();
-  std::vector<int> row_begin(n + 1, 0);
-  const auto for_each_pair_of = [&](const auto& vertices, const auto& f)
+  const Incidences_of_rows_3 incidences(mesh, unknowns, groups);
+  Sparsity_pattern_3 result;
+  result.row_begin.assign(n + 1, 0);
+  std::vector<std::vector<int> > parts((n + rows_per_part - 1) / rows_per_part);
+  for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t part)
   {
-    for(const int v : vertices)
-      for(const int w : vertices)
-        if(unknowns.contains(v) && unknowns.contains(w))
-          f(unknowns.row(v), unknowns.row(w));
-  };
-  const auto for_each_pair = [&](const auto& f)
+    const int first = static_cast<int>(part) * rows_per_part;
+    for(int row = first; row < (std::min)(n, first + rows_per_part); ++row)
+    {
+      const std::size_t size = parts[part].size();
+      incidences.append_neighbors(row, parts[part]);
+      result.row_begin[row + 1] = static_cast<int>(parts[part].size() - size);
+    }
+  });
+  for(int row = 0; row < n; ++row)
+    result.row_begin[row + 1] += result.row_begin[row];
+  result.columns.reserve(result.row_begin[n]);
+  for(std::vector<int>& part : parts)
   {
-    for(const std::array<int, 4>& cell : mesh.cells)
-      for_each_pair_of(cell, f);
-    for(const std::vector<int>& group : groups)
-      for_each_pair_of(group, f);
-  };
-
-  for_each_pair([&](const int v, int) { ++row_begin[v + 1]; });
-  for(int v = 0; v < n; ++v)
-    row_begin[v + 1] += row_begin[v];
-  std::vector<int> columns(row_begin[n]);
-  std::vector<int> next(row_begin.begin(), row_begin.end() - 1);
-  for_each_pair([&](const int v, const int w) { columns[next[v]++] = w; });
-
-  // sort each row and remove what occurs more than once
-  auto end = columns.begin();
-  for(int v = 0; v < n; ++v)
-  {
-    const auto first = columns.begin() + row_begin[v];
-    const auto last = columns.begin() + row_begin[v + 1];
-    std::sort(first, last);
-    row_begin[v] = static_cast<int>(end - columns.begin());
-    end = std::move(first, std::unique(first, last), end);
+    result.columns.insert(result.columns.end(), part.begin(), part.end());
+    part = std::vector<int>();
   }
-  row_begin[n] = static_cast<int>(end - columns.begin());
-  columns.erase(end, columns.end());
-  columns.shrink_to_fit();
-  return { std::move(row_begin), std::move(columns) };
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -16,13 +16,15 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Patch_untangling_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_setting.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/attempts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 
 #include <Eigen/Core>
 
@@ -40,23 +42,22 @@ struct Untangled_3
   Error_code status = ERROR_NOT_FLIP_FREE;
   std::string reason = {};
   std::string method = {}; // that has found the images; empty if they are those of the start
-  std::size_t number_of_steps = 0;
 };
 
-// Untangles by one search after the other, and keeps the best result.
+// Makes one attempt after the other, and keeps the best images of all.
 class Untangling_search_3
 {
 public:
-  // The set-up of the system began at that time.
   Untangling_search_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                      const Eigen::Matrix3Xd& start, const double begin, Progress_3& progress)
-    : m_mesh(mesh), m_system(system), m_solver(solver), m_progress(progress), m_begin(begin),
+                      const Eigen::Matrix3Xd& start, Progress_3& progress)
+    : m_mesh(mesh), m_system(system), m_solver(solver), m_progress(progress),
       m_best{ start, inverted_cells(mesh, start).number }
   {}
 
   const Untangled_3& best() const { return m_best; }
+  bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
-  // The best result, with the cells of the source again.
+  // The best images, with the cells of the source again.
   Untangled_3 finish()
   {
     if(goes_on() && m_best.number_of_inverted_cells == 0)
@@ -65,16 +66,15 @@ public:
     return std::move(m_best);
   }
 
-  bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
-
   // The whole mesh, and then patches of it.
-  void untangle(const Untangling_setting& setting, const Eigen::Matrix3Xd& start)
+  void untangle(const Untangling_attempt_3& attempt, const Eigen::Matrix3Xd& start)
   {
-    m_system.set_references(m_mesh, reference_cells(m_mesh, setting));
-    Untangling_3 untangling(m_mesh, m_system, start, setting.theta);
-    const Eigen::Matrix3Xd positions = run(untangling, setting.name);
+    m_progress.begin_attempt(attempt.name);
+    const std::size_t steps_before = m_progress.number_of_steps();
+    const Newton_result_3 result = untangle_by_3(attempt, m_mesh, m_system, start, m_progress);
+    keep(result, m_progress.number_of_steps() > steps_before, attempt.name);
     if(goes_on())
-      untangle_patches(positions, std::string(setting.name) + ", patches");
+      untangle_patches(result.positions, std::string(attempt.name) + ", patches");
   }
 
   // Unless so many cells are inverted that they are no exceptions.
@@ -82,9 +82,10 @@ public:
   {
     if(inverted_cells(m_mesh, start).number > most_exceptions(m_mesh.number_of_all_cells()))
       return;
-    Patch_untangling_3 patches(m_mesh, m_solver.for_patches(), start);
-    run(patches, method);
-    m_system.claim_solver();
+    m_progress.begin_attempt(method);
+    const std::size_t steps_before = m_progress.number_of_steps();
+    const Newton_result_3 result = untangle_patches_3(m_mesh, m_solver, start, m_progress);
+    keep(result, m_progress.number_of_steps() > steps_before, method);
   }
 
   // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from.
@@ -92,10 +93,8 @@ public:
   {
     const Untangled_3 start = m_best;
     untangle_patches(map, "patches");
-    const std::size_t number_of_steps = m_best.number_of_steps;
     if(goes_on())
       m_best = start;
-    m_best.number_of_steps = number_of_steps;
     go_on_if_flat();
   }
 
@@ -111,53 +110,49 @@ private:
       m_best.status = ERROR_NOT_FLIP_FREE;
   }
 
-  Eigen::Matrix3Xd run(Stage_3& stage, const std::string& method)
+  // Images without inverted cells replace others of that kind if there were steps, as those were flat.
+  void keep(const Newton_result_3& result, const bool has_moved, const std::string& method)
   {
-    m_best.status = m_progress.run(stage, m_begin, m_best.number_of_steps);
-    m_best.reason = m_best.status == stage.status() ? stage.reason() : std::string();
-    m_best.number_of_steps += stage.last_step().iteration;
-    const Eigen::Matrix3Xd positions = stage.positions();
-    const std::size_t number = inverted_cells(m_mesh, positions).number;
-    if(stage.last_step().iteration > 0 && (number < m_best.number_of_inverted_cells || number == 0))
+    const std::size_t number = inverted_cells(m_mesh, result.positions).number;
+    m_best.status = result.status == OK && number > 0 ? ERROR_NOT_FLIP_FREE : result.status;
+    m_best.reason = result.reason;
+    if(number < m_best.number_of_inverted_cells || (number == 0 && has_moved))
     {
       m_best.number_of_inverted_cells = number;
-      m_best.positions = positions;
-      m_best.method = method;
+      m_best.positions = result.positions;
+      m_best.method = has_moved ? method : "";
     }
-    m_begin = m_progress.seconds();
-    return positions;
+    m_progress.end_check();
   }
 
   const Numbered_mesh_3& m_mesh;
   Newton_system_3& m_system;
   Linear_solver_3& m_solver;
   Progress_3& m_progress;
-  double m_begin;
   Untangled_3 m_best;
 };
 
-// Few inverted cells of a map with respect to regular cells are patched. Otherwise tries one setting after the other, each
+// Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
 // from the same start, until no cell is inverted.
 inline Untangled_3 untangle_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                              const Eigen::Matrix3Xd& start, const Eigen::Matrix3Xd& regular_start, const double begin,
-                              Progress_3& progress)
+                              const Eigen::Matrix3Xd& start, const Eigen::Matrix3Xd& regular_start, Progress_3& progress)
 {
-  Untangling_search_3 search(mesh, system, solver, start, begin, progress);
+  Untangling_search_3 search(mesh, system, solver, start, progress);
   search.begin_with_patches(regular_start);
-  for(const Untangling_setting& setting : untangling_settings)
+  for(const Untangling_attempt_3& attempt : untangling_attempts)
     if(search.goes_on())
-      search.untangle(setting, start);
+      search.untangle(attempt, start);
   return search.finish();
 }
 
 // Goes on from images that an earlier search has left with few inverted cells, or none.
 inline Untangled_3 untangle_on_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                                 const Eigen::Matrix3Xd& start, const double begin, Progress_3& progress)
+                                 const Eigen::Matrix3Xd& start, Progress_3& progress)
 {
-  Untangling_search_3 search(mesh, system, solver, start, begin, progress);
+  Untangling_search_3 search(mesh, system, solver, start, progress);
   search.untangle_patches(start, "patches");
   if(search.goes_on())
-    search.untangle(setting_to_go_on, search.best().positions);
+    search.untangle(untangling_attempts[0], search.best().positions);
   return search.finish();
 }
 

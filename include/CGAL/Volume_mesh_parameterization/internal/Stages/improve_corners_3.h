@@ -7,31 +7,29 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_IMPROVE_CORNERS_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_IMPROVE_CORNERS_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_CORNERS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_CORNERS_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Minimization_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Untangling_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
 
 #include <Eigen/Dense>
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -58,21 +56,17 @@ inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Ei
   if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0 || budget.is_exhausted())
     return map;
 
-  Progress_3 progress([&](const Parameterization_step&) { return !budget.is_exhausted(); }, maximal_number_of_steps,
-                      (std::numeric_limits<double>::infinity)());
+  Progress_3 progress(budget, maximal_number_of_steps);
   Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
-  Untangling_3 untangling(mesh, system, mesh.target, theta);
-  progress.run(untangling, progress.seconds());
-  map = judged(mesh, untangling.positions());
+  map = judged(mesh, snapped(mesh, untangle_cells_3(system, mesh.target, theta, progress).positions));
   if(!map.is_valid())
     return map;
   const Cell_energy_of<MIPS_energy_3> energy{MIPS_energy_3()};
-  Minimization_3 minimization(system, energy, map.positions);
-  progress.run(minimization, progress.seconds());
-  Map_3 improved = judged(mesh, snapped(mesh, minimization.positions()));
+  progress.begin_stage();
+  Map_3 improved = judged(mesh, snapped(mesh, minimize_energy_3(system, energy, map.positions, progress).positions));
   return improved.is_valid() ? improved : map;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVEMENT_IMPROVE_CORNERS_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_IMPROVE_CORNERS_3_H

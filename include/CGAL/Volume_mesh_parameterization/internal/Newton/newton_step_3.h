@@ -7,17 +7,20 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_STEP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_STEP_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Energy_evaluation.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -84,6 +87,79 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
   }
 }
 
+// The part of the negative curvature that a Hessian keeps: between 0, which makes it positive
+// semi-definite and serves far from the optimum, and 1, which makes it the full one and converges
+// quadratically near it. Raised after a full step; lowered where the Hessian proves indefinite.
+class Negative_curvature
+{
+public:
+  explicit Negative_curvature(const double part = 0) : m_part(part) {}
+
+  double part() const { return m_part; }
+
+  // A failure also slows down the next rises.
+  void lower()
+  {
+    m_part = m_part > 0.01 ? m_part / 4 : 0;
+    m_growth = 1.5;
+  }
+
+  void raise()
+  {
+    m_part = (std::min)(1., (std::max)(0.1, m_growth * m_part));
+    m_growth = (std::min)(4., 1.2 * m_growth);
+  }
+
+private:
+  double m_part;
+  double m_growth = 4;
+};
+
+// Where Newton's method stands, and the step that has led there.
+struct Newton_iterate_3
+{
+  Eigen::Matrix3Xd u;
+  Energy_evaluation evaluation;  // of the energy that is minimized
+  Newton_direction_3 direction = {};
+  double step_length = 0;
+
+  void take(Line_search_step_3 step)
+  {
+    step_length = step.length;
+    if(step.length == 0)
+      return;
+    u = std::move(step.positions);
+    evaluation = step.evaluation;
+  }
+};
+
+// Asks `step(part)` for a step with as much negative curvature of the Hessian as serves, less of it where that fails.
+template <typename Step>
+bool step_with_some_curvature(Negative_curvature& negative_curvature, const Newton_iterate_3& iterate, const Step& step)
+{
+  while(!step(negative_curvature.part()))
+  {
+    if(negative_curvature.part() == 0 || iterate.direction.status == Linear_solver_status::OUT_OF_MEMORY)
+      return false;
+    negative_curvature.lower();
+  }
+  return true;
+}
+
+// What a visitor is told of it.
+inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phase phase,
+                                     const double energy_of_other_cells = 0)
+{
+  Parameterization_step step;
+  step.phase = phase;
+  step.energy = iterate.evaluation.energy + energy_of_other_cells;
+  step.number_of_inverted_cells = iterate.evaluation.number_of_inverted_cells;
+  step.gradient_norm = iterate.direction.gradient_norm;
+  step.decrement = std::sqrt((std::max)(0., -iterate.direction.slope));
+  step.step_length = iterate.step_length;
+  return step;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_LINE_SEARCH_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_NEWTON_STEP_3_H

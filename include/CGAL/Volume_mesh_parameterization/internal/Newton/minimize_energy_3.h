@@ -1,0 +1,158 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MINIMIZE_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MINIMIZE_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <string>
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Where a Newton iteration has ended, and why.
+struct Newton_result_3
+{
+  Eigen::Matrix3Xd positions;     // the images of all vertices, in the units of the user
+  std::size_t number_of_inverted_cells = 0; // by floating-point determinants
+  double energy = 0;              // of all cells
+  Error_code status = ERROR_NOT_CONVERGED;
+  std::string reason = {};        // for the status; empty if there is nothing to add
+};
+
+// Below this energy, what is left to gain counts as it is, and not relative to the energy, which may have the minimum 0:
+// an eighteenth of the trace of the Hessian at the identity, 1 for the stretch. So factors of psi do not matter.
+inline double scale_of(const Cell_energy_3& energy)
+{
+  Packed_vector_3 s, g;
+  Packed_matrix_3 H;
+  for(Packed_number& x : s)
+    std::fill(std::begin(x), std::end(x), 1.);
+  energy.derivatives(s, g, H);
+  const double scale = (H[0][0] + H[4][0] + H[8][0]) / 18;
+  return std::isfinite(scale) && scale > 0 ? scale : 0;
+}
+
+// Minimizes an energy by Newton steps that never invert a cell.
+class Minimizer_3
+{
+public:
+  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
+              const Negative_curvature& negative_curvature)
+    : m_system(system), m_energy(energy), m_scale(scale_of(energy)),
+      m_iterate{ system.unit() * positions, system.evaluate(energy, system.unit() * positions) },
+      m_negative_curvature(negative_curvature)
+  {}
+
+  const Newton_iterate_3& iterate() const { return m_iterate; }
+
+  // The full Hessian is tried, or a part of its negative curvature; less of it where that fails.
+  void step()
+  {
+    step_with_some_curvature(m_negative_curvature, m_iterate, [this](const double part) { return move(part); });
+    // far from the minimum, the semi-definite Hessian does as well, and the full one mostly proves indefinite
+    if(m_iterate.step_length >= 1 && -m_iterate.direction.slope < 0.1 * m_iterate.evaluation.energy)
+      m_negative_curvature.raise();
+  }
+
+  bool is_converged() const { return m_iterate.direction.is_exact() && relative_gain() <= 1e-8; }
+
+private:
+  bool move(const double negative_curvature)
+  {
+    m_iterate.step_length = 0;
+    m_iterate.direction = m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance());
+    if(!m_iterate.direction.is_usable())
+      return false;
+    m_iterate.take(search());
+    return m_iterate.step_length > 0;
+  }
+
+  Line_search_step_3 search() const
+  {
+    const auto& [u, evaluation, direction, length] = m_iterate;
+    Line_search_step_3 step = safe_line_search_3(m_system, m_energy, u, evaluation.energy, direction);
+    // A gain above half of the slope shows less curvature than the Hessian had.
+    if(step.length == 1 && step.evaluation.energy < evaluation.energy + 0.6 * direction.slope)
+      return extrapolated(m_system, m_energy, u, direction, std::move(step));
+    return step;
+  }
+
+  // The squared Newton decrement, which bounds what a step can gain, relative to the energy.
+  double relative_gain() const
+  {
+    return -m_iterate.direction.slope / (std::max)(m_scale, m_iterate.evaluation.energy);
+  }
+
+  // Tighter as the minimum is near, so that the last step meets it (Eisenstat and Walker, Choosing the forcing terms in an
+  // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
+  double solver_tolerance() const
+  {
+    constexpr double smallest = 1e-4, largest = 1e-2;
+    return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
+  }
+
+  Newton_system_3& m_system;
+  const Cell_energy_3& m_energy;
+  double m_scale;
+  Newton_iterate_3 m_iterate;
+  Negative_curvature m_negative_curvature;
+};
+
+// Is it to end after this step, with these images of the vertices, although it is no minimum?
+using Ends_here = std::function<bool(const Newton_iterate_3&, const Eigen::Matrix3Xd& positions)>;
+
+// Minimizes from images on that invert no cell; vertices that are not unknown stay where they are.
+inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
+                                         const Eigen::Matrix3Xd& positions, Progress_3& progress,
+                                         const Negative_curvature& negative_curvature = Negative_curvature(),
+                                         const Ends_here& ends_here = nullptr)
+{
+  Minimizer_3 minimizer(system, energy, positions, negative_curvature);
+  const Newton_iterate_3& iterate = minimizer.iterate();
+  const double energy_of_other_cells = system.energy_of_other_cells(energy, iterate.u);
+  const auto current_positions = [&]() -> Eigen::Matrix3Xd { return iterate.u / system.unit(); };
+  const auto result = [&](const Error_code status, const char* const reason = "")
+  {
+    const Energy_evaluation& e = iterate.evaluation;
+    return Newton_result_3{ current_positions(), e.number_of_inverted_cells, e.energy + energy_of_other_cells, status, reason };
+  };
+  progress.end_start();
+  while(progress.goes_on())
+  {
+    minimizer.step();
+    progress.after_step(step_of(iterate, Phase::MINIMIZATION, energy_of_other_cells));
+    if(!iterate.direction.is_usable())
+      return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
+    if(minimizer.is_converged())
+      return result(OK);
+    if(iterate.step_length == 0 || (ends_here && ends_here(iterate, current_positions())))
+      return result(ERROR_NOT_CONVERGED);
+  }
+  return result(progress.status_of_end(true));
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_MINIMIZE_ENERGY_3_H

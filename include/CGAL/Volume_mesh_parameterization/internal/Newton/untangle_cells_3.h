@@ -1,0 +1,128 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLE_CELLS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLE_CELLS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Lowers the untangling energy while its epsilon tends to zero (Garanzha et al. 2021, section 4).
+class Untangler_3
+{
+public:
+  Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta)
+    : m_system(system), m_theta(theta), m_iterate{ u, {} }, m_best(u)
+  {
+    const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
+    m_epsilon = first_epsilon(D);
+    m_iterate.evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
+    m_fewest_inverted_cells = m_iterate.evaluation.number_of_inverted_cells;
+  }
+
+  const Newton_iterate_3& iterate() const { return m_iterate; }
+  const Eigen::Matrix3Xd& best() const { return m_best; } // with the fewest inverted cells so far
+  std::size_t fewest_inverted_cells() const { return m_fewest_inverted_cells; }
+
+  void step()
+  {
+    constexpr double solver_tolerance = 1e-2;
+    const Cell_energy_of<Untangling_energy_3> energy{Untangling_energy_3(m_epsilon, m_theta)};
+    auto& [u, evaluation, direction, length] = m_iterate;
+    length = 0;
+    direction = m_system.direction(energy, u, 0., solver_tolerance);
+    if(!direction.is_usable())
+      return;
+    const Energy_evaluation before = evaluation;
+    m_iterate.take(line_search_3(m_system, energy, u, before.energy, direction, 1., false));
+    if(length == 0)
+      return;
+    keep_best();
+    if(evaluation.is_flip_free())
+      return;
+    m_epsilon = next_epsilon(m_epsilon, 1 - evaluation.energy / before.energy, before.smallest_determinant,
+                             evaluation.smallest_determinant);
+    evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
+  }
+
+  // A small epsilon no longer changes what the energy is.
+  bool is_stuck() const
+  {
+    constexpr std::size_t patience = 15;
+    constexpr double small_epsilon = 1e-6;
+    return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience);
+  }
+
+private:
+  Energy_evaluation evaluate(const Untangling_energy_3& f) const
+  {
+    return m_system.evaluate(Cell_energy_of<Untangling_energy_3>(f), m_iterate.u);
+  }
+
+  void keep_best()
+  {
+    ++m_steps_without_progress;
+    if(m_iterate.evaluation.number_of_inverted_cells >= m_fewest_inverted_cells)
+      return;
+    m_fewest_inverted_cells = m_iterate.evaluation.number_of_inverted_cells;
+    m_best = m_iterate.u;
+    m_steps_without_progress = 0;
+  }
+
+  Newton_system_3& m_system;
+  double m_theta, m_epsilon;
+  Newton_iterate_3 m_iterate;
+  Eigen::Matrix3Xd m_best;
+  std::size_t m_fewest_inverted_cells;
+  std::size_t m_steps_without_progress = 0;
+};
+
+// Untangles until no cell is inverted. The result has the fewest inverted cells of all steps.
+inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Matrix3Xd& positions, const double theta,
+                                        Progress_3& progress)
+{
+  Untangler_3 untangler(system, system.unit() * positions, theta);
+  const Newton_iterate_3& iterate = untangler.iterate();
+  const auto result = [&](const Error_code status, const char* const reason = "")
+  {
+    return Newton_result_3{ untangler.best() / system.unit(), untangler.fewest_inverted_cells(), iterate.evaluation.energy,
+                            status, reason };
+  };
+  progress.end_start();
+  while(!iterate.evaluation.is_flip_free())
+  {
+    if(!progress.goes_on())
+      return result(progress.status_of_end(false));
+    untangler.step();
+    progress.after_step(step_of(iterate, Phase::UNTANGLING));
+    if(!iterate.direction.is_usable())
+      return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
+    if(!iterate.evaluation.is_flip_free() && untangler.is_stuck())
+      return result(ERROR_NOT_FLIP_FREE);
+  }
+  return result(OK);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_UNTANGLE_CELLS_3_H

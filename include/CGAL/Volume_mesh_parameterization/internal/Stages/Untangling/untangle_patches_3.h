@@ -1,0 +1,165 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_UNTANGLE_PATCHES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_UNTANGLE_PATCHES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Neighborhood_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/attempts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A few steps from images that invert no cell towards the cells of the source.
+inline Eigen::Matrix3Xd relaxed_3(const Numbered_mesh_3& patch, Newton_system_3& system, const Eigen::Matrix3Xd& positions,
+                                  const Budget& budget)
+{
+  constexpr std::size_t number_of_steps = 10;
+  const Untangling_energy_3 barrier(0, 0.01);
+  Progress_3 steps(budget, number_of_steps);
+  system.set_references(patch, cells_scaled_to_target(patch));
+  return minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(barrier), positions, steps).positions;
+}
+
+// What an attempt makes of the images of a patch. Cells that have just become positive are flat, and are relaxed.
+inline Eigen::Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt, const Numbered_mesh_3& patch,
+                                            Newton_system_3& system, const Eigen::Matrix3Xd& positions,
+                                            const Budget& budget)
+{
+  constexpr std::size_t maximal_number_of_steps = 250;
+  Progress_3 steps(budget, maximal_number_of_steps);
+  const Newton_result_3 result = untangle_by_3(attempt, patch, system, positions, steps);
+  return result.status == OK ? snapped(patch, relaxed_3(patch, system, result.positions, budget)) : result.positions;
+}
+
+inline Newton_system_3 system_of_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver)
+{
+  return Newton_system_3(patch, cells_scaled_to_target(patch), free_vertices(patch), solver, false);
+}
+
+// One attempt after the other, until no cell is inverted. Returns the images with the fewest inverted cells.
+inline Eigen::Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver,
+                                          const Eigen::Matrix3Xd& start, const Budget& budget)
+{
+  Newton_system_3 system = system_of_patch_3(patch, solver);
+  Eigen::Matrix3Xd best = start;
+  std::size_t fewest = inverted_cells(patch, start).number;
+  for(const Untangling_attempt_3& attempt : patch_attempts())
+  {
+    if(fewest == 0 || budget.is_exhausted())
+      break;
+    const Eigen::Matrix3Xd found = untangle_patch_by_3(attempt, patch, system, start, budget);
+    const std::size_t number = inverted_cells(patch, found).number;
+    if(number < fewest)
+    {
+      fewest = number;
+      best = found;
+    }
+  }
+  return best;
+}
+
+// Untangles where cells are inverted: these with a ring of neighbors, then with two, each connected part as a problem of
+// its own in which all other vertices are prescribed where they are. Small problems get past what stops the whole, in
+// thousandths of a second. A step is a patch.
+inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
+                                          const Eigen::Matrix3Xd& start, Progress_3& progress)
+{
+  constexpr int maximal_number_of_rings = 2;
+  const auto is_inverted = [](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+  { return !is_positive(positions, cell); };
+  // of what becomes inverted, too
+  const Neighborhood_3 neighborhood(mesh, start, is_inverted, maximal_number_of_rings + 1);
+  Eigen::Matrix3Xd positions = neighborhood.positions();
+  std::size_t number = inverted_cells(mesh, start).number;
+  const auto untangle = [&](const Patch_3& patch)
+  {
+    Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
+    if(!(volume(p.mesh, p.mesh.target) > 0)) // which does not depend on the free vertices
+      return;
+    const std::size_t before = inverted_cells(p.mesh, p.positions).number;
+    p.positions = neighborhood.found_by_first([&]
+    { return untangled_patch_3(p.mesh, solver, p.positions, progress.budget()); });
+    const std::size_t after = inverted_cells(p.mesh, p.positions).number;
+    number -= before - after;
+    if(after < before)
+      p.write(positions);
+  };
+  progress.end_start();
+  for(int rings = 1; rings <= maximal_number_of_rings && number > 0; ++rings)
+  {
+    const std::vector<Patch_3> patches = patches_3(neighborhood.mesh(), positions, is_inverted, rings);
+    for(auto patch = patches.rbegin(); patch != patches.rend() && progress.goes_on(); ++patch)
+    {
+      untangle(*patch);
+      Parameterization_step step;
+      step.phase = Phase::UNTANGLING;
+      step.kind = Step_kind::PATCH;
+      step.number_of_inverted_cells = number;
+      progress.after_step(step);
+    }
+  }
+  Newton_result_3 result;
+  result.positions = neighborhood.in_whole(positions);
+  result.number_of_inverted_cells = number;
+  result.status = number == 0 ? OK : progress.status_of_end(false);
+  return result;
+}
+
+// Relaxes patches of those cells that are flat, from a map on that inverts none. They hold most of an energy, and a
+// minimization over the whole mesh would deal with them in its first ten steps, which take far longer.
+inline Eigen::Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linear_solver_3& solver,
+                                             const Eigen::Matrix3Xd& image, const Budget& budget)
+{
+  constexpr double flat_part = 0.01; // of the mean volume
+  const double flat = flat_part * 6 * volume(whole, image) / whole.number_of_all_cells();
+  const auto is_flat = [&](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+  { return edge_matrix(positions, cell).determinant() < flat; };
+  const Neighborhood_3 neighborhood(whole, image, is_flat, 1);
+  Eigen::Matrix3Xd positions = neighborhood.positions();
+  for(const Patch_3& patch : patches_3(neighborhood.mesh(), positions, is_flat, 1))
+  {
+    Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
+    p.positions = neighborhood.found_by_first([&]() -> Eigen::Matrix3Xd
+    {
+      if(budget.is_exhausted())
+        return p.positions;
+      Newton_system_3 system = system_of_patch_3(p.mesh, solver);
+      return snapped(p.mesh, relaxed_3(p.mesh, system, p.positions, budget));
+    });
+    if(inverted_cells(p.mesh, p.positions).number == 0)
+      p.write(positions);
+  }
+  return neighborhood.in_whole(positions);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_STAGES_UNTANGLING_UNTANGLE_PATCHES_3_H
