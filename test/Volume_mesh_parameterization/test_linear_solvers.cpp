@@ -292,19 +292,20 @@ TEST_CASE("Conjugate gradients stop early for a large tolerance, and at the limi
   auto A = pattern<double>(cube_mesh(5));
   fill(A, 9);
   const VectorXd b = random_vector(3 * A.size());
-  const auto iterations = [&](const int limit, const double tolerance)
+  const auto iterations = [&](const int limit, const double tolerance, const Linear_solver_status expected)
   {
     VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> solver(limit);
     solver.analyze_pattern(A);
     solver.factorize(A);
     VectorXd x;
-    solver.solve(b, x, tolerance);
+    CHECK(solver.solve(b, x, tolerance) == expected);
+    CHECK(b.dot(x) > 0);
     return solver.number_of_iterations();
   };
-  const int precise = iterations(2000, 1e-10);
-  CHECK(iterations(2000, 1e-2) < precise);
+  const int precise = iterations(2000, 1e-10, Linear_solver_status::SUCCESS);
+  CHECK(iterations(2000, 1e-2, Linear_solver_status::SUCCESS) < precise);
   CHECK(precise < 100);
-  CHECK(iterations(3, 1e-10) == 3);
+  CHECK(iterations(3, 1e-10, Linear_solver_status::ITERATION_LIMIT) == 3);
 }
 
 TEMPLATE_LIST_TEST_CASE("The solution for zero is zero", "", Solvers)
