@@ -36,7 +36,7 @@ struct Problem
 
   Problem(const internal::Numbered_mesh_3& mesh, const Energy& psi, Solver& traits, const bool is_parallel = false)
     : energy(psi), solver(traits),
-      system(mesh, cells_scaled_to_target(mesh), free_vertices(mesh), solver, is_parallel)
+      system(mesh, free_vertices(mesh), solver, is_parallel)
   {}
 
   Problem(const Problem&) = delete; // the system refers to the other members

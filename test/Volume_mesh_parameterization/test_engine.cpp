@@ -15,7 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Gain_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/split_patch_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_map_3.h>
@@ -680,7 +679,7 @@ TEST_CASE("Untangling with regular cells does not depend on slivers of the sourc
   {
     Solver<> solver;
     fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
-    problem.system.set_references(mesh, regular_cells_scaled_to_target(mesh));
+    problem.system.set_references(regular_cells_scaled_to_target(mesh));
     VMP::internal::Progress_3 progress = patient_progress();
     const VMP::internal::Newton_result_3 result = untangle_cells_3(problem.system, mesh.target, 0.5, progress);
     CHECK(result.status == VMP::OK);
@@ -701,11 +700,11 @@ TEST_CASE("The reference cells of a system can be exchanged")
   const VMP::internal::Scaled_cells_3 source = cells_scaled_to_target(mesh), regular = regular_cells_scaled_to_target(mesh);
   CHECK(source.unit == regular.unit);
   VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver, false);
-  exchanged.set_references(mesh, regular);
+  exchanged.set_references(regular);
   const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver, false);
   const Matrix3Xd u = source.unit * mesh.source;
   CHECK(exchanged.evaluate(energy, u).energy == system.evaluate(energy, u).energy);
-  exchanged.set_references(mesh, source);
+  exchanged.set_references(source);
   CHECK(exchanged.evaluate(energy, u).energy != system.evaluate(energy, u).energy);
   // all edges of a regular cell are equally long, and all cells together fill the target
   const Eigen::Matrix3d edges = regular.inverse_sources[0].inverse();
@@ -923,7 +922,7 @@ TEST_CASE("A cell that the boundary makes flat does not keep the other vertices 
   found.map = judged(mesh, start);
   found.status = VMP::OK;
   VMP::internal::Progress_3 progress = patient_progress();
-  minimize_map_3(mesh, problem.energy, problem.system, problem.solver, false, progress, found);
+  minimize_map_3(problem.system, problem.energy, problem.solver, false, progress, found);
   CHECK(found.map.is_solution());
   CHECK(far_from_minimum(found.map.positions, far) < 0.05);
   CHECK(far_from_minimum(found.map.positions, center) < 0.05);

@@ -67,17 +67,6 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
   return result;
 }
 
-// Why the minimization over all vertices was ended.
-inline std::string describe(const Dominant_cells_3& dominant, const Numbered_mesh_3& mesh)
-{
-  return sentence(dominant.cells.size(), " of ", mesh.cells.size(), " cells, which the prescribed vertices make flat, hold ",
-                  std::floor(100 * dominant.part_of_energy), " % of the energy, and further steps would hardly lower it, or "
-                  "for them alone; most of it holds the cell at ",
-                  describe(mesh.source.col(mesh.cells[dominant.cells.front()][0])),
-                  ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were "
-                  "then moved alone, to where they hardly improve either.");
-}
-
 // Judges, every ten steps, whether a minimization still gains. The energy stagnates if it has fallen by less than 0.1 %,
 // and the squared Newton decrement, which falls fast near a minimum, hardly at all. Where a few cells hold most of the
 // energy, it may also fall for these cells alone: then the mean of the logarithms, in which these cells count as little as
@@ -89,7 +78,18 @@ public:
 
   Gain_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy) : m_mesh(mesh), m_energy(energy) {}
 
-  const Dominant_cells_3& dominant() const { return m_dominant; } // of the last image looked at
+  const std::vector<std::size_t>& dominant_cells() const { return m_dominant.cells; } // of the last image looked at
+
+  // Why the minimization over all vertices was ended.
+  std::string describe_dominant_cells() const
+  {
+    return sentence(m_dominant.cells.size(), " of ", m_mesh.cells.size(), " cells, which the prescribed vertices make flat, "
+                    "hold ", std::floor(100 * m_dominant.part_of_energy), " % of the energy, and further steps would hardly "
+                    "lower it, or for them alone; most of it holds the cell at ",
+                    describe(m_mesh.source.col(m_mesh.cells[m_dominant.cells.front()][0])),
+                    ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were "
+                    "then moved alone, to where they hardly improve either.");
+  }
 
   // The energies are of the vertices that move, and of all cells.
   bool is_stagnating(const Newton_iterate_3& iterate)

@@ -57,7 +57,7 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
                             [&](const int v) { return mesh.is_free(v) && is_missing(v); });
   if(unknowns.size() == 0)
     return result;
-  Newton_system_3 system(mesh, cells_scaled_to_target(mesh), unknowns, solver, is_parallel);
+  Newton_system_3 system(mesh, unknowns, solver, is_parallel);
   harmonic_map_3(system, result, progress);
   return result;
 }
@@ -65,9 +65,10 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
 // Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
 // displacements, and untangles. Zeros become the harmonic map, which recovers affine maps. If it inverts cells, so may that
 // with respect to regular cells, but mostly fewer, so that patches suffice.
-inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                                   const Eigen::Matrix3Xd& initial, Progress_3& progress, Found_map_3& found)
+inline Untangled_3 untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& initial,
+                                   Progress_3& progress, Found_map_3& found)
 {
+  const Numbered_mesh_3& mesh = system.mesh();
   constexpr double energy_tolerance = 1e-6; // of what is a start only
   progress.begin_stage();
   Eigen::Matrix3Xd displacements = snapped(mesh, initial) - initial;
@@ -77,13 +78,13 @@ inline Untangled_3 untangle_from_3(const Numbered_mesh_3& mesh, Newton_system_3&
   found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
   if(direction.is_usable() && found.number_of_inverted_cells_at_start > 0 && !progress.is_interrupted())
   {
-    system.set_references(mesh, regular_cells_scaled_to_target(mesh));
+    system.set_references(regular_cells_scaled_to_target(mesh));
     direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   }
   progress.reach_flip_free();
   if(!direction.is_usable())
     return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
-  return untangle_3(mesh, system, solver, start, image(), progress);
+  return untangle_3(system, solver, start, image(), progress);
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
@@ -96,22 +97,22 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   progress.begin_stage();
   const bool goes_on = start.cols() > 0;
   const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, options.is_parallel, progress);
-  Newton_system_3 system(mesh, cells_scaled_to_target(mesh), free_vertices(mesh), solver, options.is_parallel);
+  Newton_system_3 system(mesh, free_vertices(mesh), solver, options.is_parallel);
   Untangled_3 untangled;
   if(goes_on)
-    untangled = untangle_on_3(mesh, system, solver, start, progress);
+    untangled = untangle_on_3(system, solver, start, progress);
   else if(initial.cols() > 0)
-    untangled = untangle_from_3(mesh, system, solver, initial, progress, found);
+    untangled = untangle_from_3(system, solver, initial, progress, found);
   // then the full Hessian is tried first
   const bool may_be_near_minimum = !goes_on && untangled.status == OK && progress.number_of_steps() == 0;
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
-    untangled = untangle_from_3(mesh, system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()), progress, found);
+    untangled = untangle_from_3(system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()), progress, found);
   if(untangled.status == OK && progress.number_of_steps() > 0)
     untangled.positions = relaxed_flat_cells_3(mesh, solver, untangled.positions, progress.budget());
   found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));
   found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
   if(found.status == OK && !options.do_slide)
-    minimize_map_3(mesh, energy, system, solver, options.is_parallel, progress, found,
+    minimize_map_3(system, energy, solver, options.is_parallel, progress, found,
                    Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 

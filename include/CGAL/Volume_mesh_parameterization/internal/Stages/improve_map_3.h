@@ -123,8 +123,7 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
     sliding.emplace(mesh, [&](const int v) { return !options.is_held.empty() && options.is_held[v]; });
     found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
   }
-  const Scaled_cells_3 scaled = cells_scaled_to_target(mesh);
-  Newton_system_3 system(mesh, scaled, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver,
+  Newton_system_3 system(mesh, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver,
                          options.is_parallel);
   const auto minimize = [&](const Cell_energy_3& psi)
   {

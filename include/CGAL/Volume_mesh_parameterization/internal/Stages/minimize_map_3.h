@@ -48,10 +48,11 @@ inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unkn
 // so flat that they hold most of the energy, these crawl along curved valleys for thousands of steps, their stiffness
 // keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
 // is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
-inline void minimize_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Newton_system_3& system,
-                           Linear_solver_3& solver, const bool is_parallel, Progress_3& progress, Found_map_3& found,
+inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy, Linear_solver_3& solver,
+                           const bool is_parallel, Progress_3& progress, Found_map_3& found,
                            const Negative_curvature& negative_curvature = Negative_curvature())
 {
+  const Numbered_mesh_3& mesh = system.mesh();
   const auto take = [&](const Newton_result_3& result)
   {
     found.take(result.status, result.reason, judged(mesh, snapped(mesh, result.positions)));
@@ -71,10 +72,10 @@ inline void minimize_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ene
   if(!is_minimum && !has_crawled)
     return;
 
-  const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant().cells);
+  const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
   if(others.size() == 0)
     return;
-  Newton_system_3 rest(mesh, cells_scaled_to_target(mesh), others, solver, is_parallel);
+  Newton_system_3 rest(mesh, others, solver, is_parallel);
   Gain_3 gain_of_rest(mesh, energy);
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
@@ -85,7 +86,7 @@ inline void minimize_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ene
   if(has_crawled && found.status == OK)
     found.status = ERROR_NOT_CONVERGED;
   if(found.status == ERROR_NOT_CONVERGED)
-    found.reason = describe(gain.dominant(), mesh);
+    found.reason = gain.describe_dominant_cells();
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -87,9 +87,15 @@ class Newton_system_3
 public:
   using Positions = Eigen::Matrix3Xd;
 
+  // With the cells of the source as reference.
+  Newton_system_3(const Numbered_mesh_3& mesh, Unknowns_3 unknowns, Linear_solver_3& solver, const bool is_parallel)
+    : Newton_system_3(mesh, cells_scaled_to_target(mesh), std::move(unknowns), solver, is_parallel)
+  {}
+
   Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
                   Linear_solver_3& solver, const bool is_parallel, const Quadratic_penalty_3* const penalty = nullptr)
-    : m_communicator(*mesh.communicator),
+    : m_mesh(mesh),
+      m_communicator(*mesh.communicator),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices),
       m_unknowns(std::move(unknowns)),
       m_penalty(penalty),
@@ -101,15 +107,12 @@ public:
       m_is_parallel(is_parallel)
   {}
 
-  const Communicator_3& communicator() const { return m_communicator; }
+  const Numbered_mesh_3& mesh() const { return m_mesh; }
   const Unknowns_3& unknowns() const { return m_unknowns; }
   double unit() const { return m_unit; } // by which positions are multiplied
 
-  // Takes these reference cells, of the same mesh and with the same unit, from now on.
-  void set_references(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled)
-  {
-    m_packs.set_references(mesh, scaled, m_unknowns);
-  }
+  // Takes these reference cells, with the same unit, from now on.
+  void set_references(const Scaled_cells_3& scaled) { m_packs.set_references(m_mesh, scaled, m_unknowns); }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
@@ -218,6 +221,7 @@ private:
     return m_communicator.sum(a.head(n).dot(b.head(n)));
   }
 
+  const Numbered_mesh_3& m_mesh;
   const Communicator_3& m_communicator;
   int m_number_of_own_rows; // they come first; the others are copies
   Unknowns_3 m_unknowns;

@@ -60,15 +60,15 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
 }
 
 // What an attempt makes of these images of all vertices; the system keeps its reference cells.
-inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, const Numbered_mesh_3& mesh,
-                                     Newton_system_3& system, Eigen::Matrix3Xd positions, Progress_3& progress)
+inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
+                                     Eigen::Matrix3Xd positions, Progress_3& progress)
 {
-  system.set_references(mesh, attempt.has_regular_cells ? regular_cells_scaled_to_target(mesh)
-                                                        : cells_scaled_to_target(mesh));
+  system.set_references(attempt.has_regular_cells ? regular_cells_scaled_to_target(system.mesh())
+                                                  : cells_scaled_to_target(system.mesh()));
   if(attempt.is_harmonic)
     harmonic_map_3(system, positions, progress);
   Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress);
-  result.positions = snapped(mesh, result.positions);
+  result.positions = snapped(system.mesh(), result.positions);
   return result;
 }
 

@@ -48,10 +48,9 @@ struct Untangled_3
 class Untangling_search_3
 {
 public:
-  Untangling_search_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                      const Eigen::Matrix3Xd& start, Progress_3& progress)
-    : m_mesh(mesh), m_system(system), m_solver(solver), m_progress(progress),
-      m_best{ start, inverted_cells(mesh, start).number }
+  Untangling_search_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start, Progress_3& progress)
+    : m_mesh(system.mesh()), m_system(system), m_solver(solver), m_progress(progress),
+      m_best{ start, inverted_cells(m_mesh, start).number }
   {}
 
   const Untangled_3& best() const { return m_best; }
@@ -62,7 +61,7 @@ public:
   {
     if(goes_on() && m_best.number_of_inverted_cells == 0)
       m_best.status = OK;
-    m_system.set_references(m_mesh, cells_scaled_to_target(m_mesh));
+    m_system.set_references(cells_scaled_to_target(m_mesh));
     return std::move(m_best);
   }
 
@@ -71,7 +70,7 @@ public:
   {
     m_progress.begin_attempt(attempt.name);
     const std::size_t steps_before = m_progress.number_of_steps();
-    const Newton_result_3 result = untangle_by_3(attempt, m_mesh, m_system, start, m_progress);
+    const Newton_result_3 result = untangle_by_3(attempt, m_system, start, m_progress);
     keep(result, m_progress.number_of_steps() > steps_before, attempt.name);
     if(goes_on())
       untangle_patches(result.positions, std::string(attempt.name) + ", patches");
@@ -134,10 +133,10 @@ private:
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
 // from the same start, until no cell is inverted.
-inline Untangled_3 untangle_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                              const Eigen::Matrix3Xd& start, const Eigen::Matrix3Xd& regular_start, Progress_3& progress)
+inline Untangled_3 untangle_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
+                              const Eigen::Matrix3Xd& regular_start, Progress_3& progress)
 {
-  Untangling_search_3 search(mesh, system, solver, start, progress);
+  Untangling_search_3 search(system, solver, start, progress);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
     if(search.goes_on())
@@ -146,10 +145,10 @@ inline Untangled_3 untangle_3(const Numbered_mesh_3& mesh, Newton_system_3& syst
 }
 
 // Goes on from images that an earlier search has left with few inverted cells, or none.
-inline Untangled_3 untangle_on_3(const Numbered_mesh_3& mesh, Newton_system_3& system, Linear_solver_3& solver,
-                                 const Eigen::Matrix3Xd& start, Progress_3& progress)
+inline Untangled_3 untangle_on_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
+                                 Progress_3& progress)
 {
-  Untangling_search_3 search(mesh, system, solver, start, progress);
+  Untangling_search_3 search(system, solver, start, progress);
   search.untangle_patches(start, "patches");
   if(search.goes_on())
     search.untangle(untangling_attempts[0], search.best().positions);

@@ -38,44 +38,38 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A few steps from images that invert no cell towards the cells of the source.
-inline Eigen::Matrix3Xd relaxed_3(const Numbered_mesh_3& patch, Newton_system_3& system, const Eigen::Matrix3Xd& positions,
-                                  const Budget& budget)
+inline Eigen::Matrix3Xd relaxed_3(Newton_system_3& system, const Eigen::Matrix3Xd& positions, const Budget& budget)
 {
   constexpr std::size_t number_of_steps = 10;
   const Untangling_energy_3 barrier(0, 0.01);
   Progress_3 steps(budget, number_of_steps);
-  system.set_references(patch, cells_scaled_to_target(patch));
-  return minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(barrier), positions, steps).positions;
+  system.set_references(cells_scaled_to_target(system.mesh()));
+  return snapped(system.mesh(),
+                 minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(barrier), positions, steps).positions);
 }
 
 // What an attempt makes of the images of a patch. Cells that have just become positive are flat, and are relaxed.
-inline Eigen::Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt, const Numbered_mesh_3& patch,
-                                            Newton_system_3& system, const Eigen::Matrix3Xd& positions,
-                                            const Budget& budget)
+inline Eigen::Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
+                                            const Eigen::Matrix3Xd& positions, const Budget& budget)
 {
   constexpr std::size_t maximal_number_of_steps = 250;
   Progress_3 steps(budget, maximal_number_of_steps);
-  const Newton_result_3 result = untangle_by_3(attempt, patch, system, positions, steps);
-  return result.status == OK ? snapped(patch, relaxed_3(patch, system, result.positions, budget)) : result.positions;
-}
-
-inline Newton_system_3 system_of_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver)
-{
-  return Newton_system_3(patch, cells_scaled_to_target(patch), free_vertices(patch), solver, false);
+  const Newton_result_3 result = untangle_by_3(attempt, system, positions, steps);
+  return result.status == OK ? relaxed_3(system, result.positions, budget) : result.positions;
 }
 
 // One attempt after the other, until no cell is inverted. Returns the images with the fewest inverted cells.
 inline Eigen::Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver,
                                           const Eigen::Matrix3Xd& start, const Budget& budget)
 {
-  Newton_system_3 system = system_of_patch_3(patch, solver);
+  Newton_system_3 system(patch, free_vertices(patch), solver, false);
   Eigen::Matrix3Xd best = start;
   std::size_t fewest = inverted_cells(patch, start).number;
   for(const Untangling_attempt_3& attempt : patch_attempts())
   {
     if(fewest == 0 || budget.is_exhausted())
       break;
-    const Eigen::Matrix3Xd found = untangle_patch_by_3(attempt, patch, system, start, budget);
+    const Eigen::Matrix3Xd found = untangle_patch_by_3(attempt, system, start, budget);
     const std::size_t number = inverted_cells(patch, found).number;
     if(number < fewest)
     {
@@ -151,8 +145,8 @@ inline Eigen::Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linea
     {
       if(budget.is_exhausted())
         return p.positions;
-      Newton_system_3 system = system_of_patch_3(p.mesh, solver);
-      return snapped(p.mesh, relaxed_3(p.mesh, system, p.positions, budget));
+      Newton_system_3 system(p.mesh, free_vertices(p.mesh), solver, false);
+      return relaxed_3(system, p.positions, budget);
     });
     if(inverted_cells(p.mesh, p.positions).number == 0)
       p.write(positions);
