@@ -9,6 +9,7 @@
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Input_error.h>
 
 #include <petscsys.h>
 
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -30,12 +32,20 @@ namespace fs = std::filesystem;
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
+using Points = std::vector<std::array<double, 3> >;
 using Result = VMP::Parameterization_result;
 
 int rank()
 {
   int result;
   MPI_Comm_rank(MPI_COMM_WORLD, &result);
+  return result;
+}
+
+int number_of_processes()
+{
+  int result;
+  MPI_Comm_size(MPI_COMM_WORLD, &result);
   return result;
 }
 
@@ -52,37 +62,63 @@ void check_names(const int argc, char* argv[])
   }
 }
 
-// Finds faults in the options before anything expensive is done.
+Result parameterize(const Options& options, const VMP::Distributed_tetrahedron_soup_3& source, const Points& targets,
+                    Points& uvw, Progress_line& progress)
+{
+  try
+  {
+    return CGAL::stretch_minimizing_volume_parameterization(source, targets, uvw,
+      params::energy(Named_energy_3(options.energy))
+        .use_volume_weights(options.use_volume_weights)
+        .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
+        .visitor(std::ref(progress)));
+  }
+  catch(const VMP::Input_error& error)
+  {
+    throw VMP::Input_error(options.source + ": " + error.what());
+  }
+}
+
+// Finds faults in the options before anything expensive is done; where files are concerned, on rank 0.
 void check(const Options& options)
 {
   Named_energy_3{options.energy};
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
+  if(!(options.time_limit >= 0))
+    throw std::runtime_error("the time limit is negative");
   if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu")
     throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
-  for(const std::string& name : { options.output, options.report })
+  std::vector<std::string> outputs = { options.report, options.output };
+  for(int i = 0; i < number_of_processes() && !options.output.empty(); ++i)
+    outputs.push_back(VMP::IO::name_of_piece(options.output, i));
+  std::vector<fs::path> others = { fs::weakly_canonical(options.source), fs::weakly_canonical(options.target) };
+  for(const std::string& name : outputs)
   {
     if(name.empty() || rank() != 0)
       continue;
-    for(const std::string& input : { options.source, options.target })
-      if(fs::weakly_canonical(name) == fs::weakly_canonical(input))
-        throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+    const fs::path path = fs::weakly_canonical(name);
+    if(std::find(others.begin(), others.end(), path) != others.end())
+      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+    others.push_back(path);
     Output_file can_be_written(name);
   }
 }
 
+// The map, if the reading has come to its end.
 Exit_code run(const Options& options, Result& result)
 {
   VMP::Distributed_tetrahedron_soup_3 source;
-  std::vector<std::array<double, 3> > targets, uvw;
+  Points targets, uvw;
   Progress_line progress(!options.is_quiet && rank() == 0, options.time_limit);
-  VMP::IO::read_MEDIT(options.source, source);
-  VMP::IO::read_boundary_targets(options.target, source, targets);
-  result = CGAL::stretch_minimizing_volume_parameterization(source, targets, uvw,
-    params::energy(Named_energy_3(options.energy))
-      .use_volume_weights(options.use_volume_weights)
-      .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-      .visitor(std::ref(progress)));
+  const auto limits = params::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
+  result.status = VMP::IO::read_MEDIT(options.source, source, limits);
+  if(result.status == VMP::OK)
+    result.status = VMP::IO::read_boundary_targets(options.target, source, targets, limits);
+  if(result.status == VMP::OK)
+    result = parameterize(options, source, targets, uvw, progress);
+  else
+    result.message = std::string(progress.reason()) + " There is no map yet.";
   progress.finish();
   const Exit_code code = exit_code(result);
   if(code == SUCCESS && !options.output.empty())
@@ -114,9 +150,7 @@ Exit_code run_and_catch(const Options& options, Result& result)
 // A number of each process; rank 0 gets those of all.
 std::vector<double> of_processes(const double x)
 {
-  int size;
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  std::vector<double> all(size);
+  std::vector<double> all(number_of_processes());
   MPI_Gather(&x, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
   return all;
 }
@@ -195,6 +229,7 @@ int main(int argc, char* argv[])
   int number = static_cast<int>(of_petsc.size());
   of_petsc.push_back(nullptr);
   char** begin = of_petsc.data();
+  setenv("SCOTCH_PTHREAD_NUMBER", "1", 0); // with threads, PT-Scotch finds another partition in each run
   if(PetscInitialize(&number, &begin, nullptr, nullptr) != 0)
     return BAD_INPUT;
   if(rank() != 0)

@@ -25,6 +25,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -384,37 +386,135 @@ TEST_CASE("each process reads a part of the files")
   CHECK(text_of(name + "_0.vtu.tmp").empty());
 }
 
-TEST_CASE("a bad line is named in all processes")
+TEST_CASE("what can be read does not depend on where a file is cut")
+{
+  const std::string mesh = "MeshVersionFormatted\n2\n\nDimension # three\n3\nVertices\n# none\n\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                           "0 0 1 0\nTriangles\n0 Tetrahedra\n1\n1 2 3 4 7\nCorners\n1\n2\nEnd";
+  std::istringstream is(mesh);
+  Soup expected;
+  VMP::IO::read_MEDIT(is, expected);
+  for(const std::string& line : { std::string("#"), std::string("\n") })
+    for(const int before : { 0, 1, 2, 5, 12, 40, 90 })
+      for(const int behind : { 0, 1, 3, 20, 100, 180 })
+      {
+        const auto lines = [&](const int n) { return line + std::string(n, line[0]) + "\n"; };
+        const std::string path = file("cut.mesh", lines(before) + mesh + "\n" + lines(behind));
+        Distributed_soup soup;
+        CHECK(error_of([&] { VMP::IO::read_MEDIT(path, soup); }) == "");
+        CHECK(whole(soup.points) == expected.points);
+        CHECK(whole(soup.cells) == expected.cells);
+        CHECK(whole(soup.cell_references) == expected.cell_references);
+      }
+}
+
+TEST_CASE("one process and several refuse the same files, with the same sentence")
 {
   const std::string mesh = text_of(DATA "/cube.mesh"), targets = text_of(DATA "/cube_to_ball.txt");
+  const std::string mark = "\xEF\xBB\xBF";
   const auto changed = [](std::string text, const std::string& from, const std::string& to)
   {
     return text.replace(text.rfind(from), from.size(), to);
   };
   const std::string harmless = changed(mesh, "\n", "\nx\n"); // an unknown keyword at the end is skipped
-  for(const std::string& bad : { harmless, changed(mesh, " 1\n", " 1 1\n"), changed(mesh, " 1\n", " 1.5\n"),
-                                 changed(mesh, "Tetrahedra", "Hexahedra"), changed(mesh, "MeshV", "M"), std::string("x") })
+  for(const std::string& text : { harmless, mark + mesh, changed(mesh, "Formatted 2", "Formatted 4"),
+        changed(mesh, "Formatted 2", "Formatted 5"), changed(mesh, "Dimension 3", "Dimension 2"),
+        changed(mesh, "Tetrahedra", "Hexahedra"), changed(mesh, "MeshV", "M"), changed(mesh, " 1\n", " 1.5\n"),
+        changed(mesh, "Vertices\n", "Vertices\n1"), changed(mesh, "Tetrahedra\n", "Tetrahedra\n1"),
+        changed(mesh, " 1\n", " 1\nTetrahedra 0\n"), changed(mesh, "End", "Vertices 0\nEnd"), "Vertices 0\n" + mesh,
+        mesh + "\n7\n", mesh.substr(0, mesh.find("Tetra")),
+        std::string("x"), std::string() })
   {
-    const std::string path = file("bad.mesh", bad);
+    const std::string path = file("bad.mesh", text);
     Distributed_soup soup;
+    Soup serial;
     const std::string error = error_of([&] { VMP::IO::read_MEDIT(path, soup); });
-    INFO(error);
-    CHECK((error.find(path + ": ") == 0) == (bad != harmless));
-    CHECK((error.empty() || (soup.points.empty() && soup.cells.empty())));
+    CHECK(error == error_of([&] { VMP::IO::read_MEDIT(path, serial); }));
+    CHECK(whole(soup.cells) == serial.cells);
   }
+  const std::string path = file("two_lines.mesh", changed(mesh, " 1\n", "\n1\n")); // for which several need one
   Distributed_soup soup;
+  CHECK(error_of([&] { VMP::IO::read_MEDIT(path, soup); }).find(": the line ends where an integral") != std::string::npos);
+  const std::string same_line = file("one_line.mesh", changed(mesh, " 1\n", " 1 1\n"));
+  CHECK(error_of([&] { VMP::IO::read_MEDIT(same_line, soup); }).find("must have a line of its own") != std::string::npos);
+  CHECK(error_of([&] { VMP::IO::read_MEDIT(DATA, soup); }) == DATA ": this is not a regular file, of which several "
+                                                                  "processes can read a part each");
+  CHECK(soup.cells.empty());
+
+  Soup serial;
+  VMP::IO::read_MEDIT(DATA "/cube.mesh", serial);
   VMP::IO::read_MEDIT(DATA "/cube.mesh", soup);
-  for(const std::string& bad : { targets + targets, targets + "7 1 2\n", targets + "7 1 2 x\n", targets + "1000 1 2 3\n" })
+  for(const std::string& text : { targets + targets, targets + "7 1 2\n", targets + "7 1 2 x\n", targets + "7 1 2 3 4\n",
+                                  targets + "1000 1 2 3\n", targets + "-1 1 2 3\n", targets + "7 1 2\n3\n", mark + targets })
   {
-    Points points;
-    const std::string path = file("bad.txt", bad);
-    CHECK(error_of([&] { VMP::IO::read_boundary_targets(path, soup, points); }).find(path + ": ") == 0);
-    CHECK(points.empty());
+    Points points, expected;
+    const std::string name = file("bad.txt", text);
+    const std::string error = error_of([&] { VMP::IO::read_boundary_targets(name, soup, points); });
+    CHECK(error == error_of([&] { VMP::IO::read_boundary_targets(name, serial, expected); }));
+    CHECK(whole(points).size() == expected.size());
+    CHECK(error.empty() == (text == mark + targets));
   }
+}
+
+// In each pair of cells, as many indices as in the other one are the same; so are the sums of their values.
+TEST_CASE("a target with other cells is refused, whatever they have in common")
+{
+  Soup source, target;
+  source.points.assign(9, {0, 0, 0});
+  source.cells = { {0, 1, 4, 7}, {1, 2, 6, 8} };
+  source.cell_references = { 0, 0 };
+  target = source;
+  target.cells = { {0, 1, 4, 8}, {1, 2, 6, 7} };
+  std::ostringstream os, other;
+  VMP::IO::write_MEDIT(os, source);
+  VMP::IO::write_MEDIT(other, target);
+  const std::string path = file("source.mesh", os.str()), name = file("target.mesh", other.str());
+  Distributed_soup soup;
+  VMP::IO::read_MEDIT(path, soup);
+  Points points;
+  CHECK(error_of([&] { VMP::IO::read_boundary_targets(name, soup, points); })
+        == name + ": the cells of the target join other vertices than those of the source");
+  std::swap(soup.cells.empty() ? target.cells[0][0] : soup.cells[0][0], soup.cells.empty() ? target.cells[0][1] : soup.cells[0][3]);
+  CHECK(error_of([&] { VMP::IO::read_boundary_targets(path, soup, points); }) == ""); // in another order
+}
+
+TEST_CASE("reading ends in all processes if it does in one")
+{
+  struct Visitor_of_culprit
+  {
+    bool after_step(const VMP::Parameterization_step&) { return true; }
+    bool goes_on() { return rank() != culprit(); }
+  };
+  Distributed_soup soup;
+  Points points;
+  const auto np = params::visitor(Visitor_of_culprit());
+  CHECK(VMP::IO::read_MEDIT(DATA "/cube.mesh", soup, np) == VMP::ERROR_INTERRUPTED);
+  CHECK(soup.cells.empty());
+  CHECK(VMP::IO::read_MEDIT(DATA "/cube.mesh", soup) == VMP::OK);
+  CHECK(VMP::IO::read_boundary_targets(DATA "/cube_to_ball.txt", soup, points, np) == VMP::ERROR_INTERRUPTED);
+  CHECK(VMP::IO::read_boundary_targets(DATA "/cube.mesh", soup, points,
+                                       params::maximum_running_time(rank() == culprit() ? 0. : 1e9)) == VMP::ERROR_INTERRUPTED);
+  CHECK(points.empty());
+}
+
+TEST_CASE("what MPI cannot count is refused")
+{
+  constexpr std::uint64_t largest = (std::numeric_limits<int>::max)();
+  CHECK(VMP::internal::MPI_communicator_3::count(largest) == static_cast<int>(largest));
+  CHECK_THROWS_AS(VMP::internal::MPI_communicator_3::count(largest + 1), std::runtime_error);
+}
+
+TEST_CASE("the environment is the user's")
+{
+  const Problem problem = problem_of(ring(4));
+  unsetenv("SCOTCH_PTHREAD_NUMBER");
+  CHECK(end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(5)) != "");
+  CHECK(std::getenv("SCOTCH_PTHREAD_NUMBER") == nullptr);
+  setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);
 }
 
 int main(int argc, char* argv[])
 {
+  setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); // with threads, PT-Scotch finds another partition in each run
   PetscInitialize(nullptr, nullptr, nullptr, nullptr);
   const int failures = Catch::Session().run(argc, argv);
   PetscFinalize();

@@ -15,6 +15,12 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#ifndef _WIN32
+#  include <fcntl.h>
+#  include <sys/stat.h>
+#  include <unistd.h>
+#endif
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,6 +28,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <locale>
@@ -29,6 +36,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -209,8 +217,9 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
 {
   CHECK(reading_error("") == "line 1: this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
   CHECK(reading_error("OFF\n4 4 6\n") == reading_error(""));
-  CHECK(reading_error(replaced(tetrahedron, "Formatted 1", "Formatted 3"))
-        == "line 1: the version of the format is 3 instead of 1 or 2");
+  for(const std::string version : {"0", "5"})
+    CHECK(reading_error(replaced(tetrahedron, "Formatted 1", "Formatted " + version))
+          == "line 1: the version of the format is " + version + " instead of 1 to 4");
   CHECK(reading_error(replaced(tetrahedron, "Dimension 3", "Dimension 2")) == "line 2: the dimension is not 3");
 
   // a truncated file
@@ -221,9 +230,11 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
   CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find("\n1\n1 2 3 4")))
         == "line 9: the file ends where a number of elements should be");
   CHECK(reading_error(replaced(tetrahedron, "Vertices\n4", "Vertices\n5"))
-        == "line 9: 'Tetrahedra' is not a finite coordinate");
+        == "line 9: 'Tetrahedra' follows 4 instead of 5 elements of the section 'Vertices'");
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n", "Tetrahedra\n1000000000000000000\n"))
-        == "line 12: 'End' is not the number of a vertex");
+        == "line 12: 'End' follows 1 instead of 1000000000000000000 elements of the section 'Tetrahedra'");
+  CHECK(reading_error(replaced(replaced(tetrahedron, "Tetrahedra\n1\n", "Tetrahedra\n2\n"), "End\n", ""))
+        == "line 12: the end of the file follows 1 instead of 2 elements of the section 'Tetrahedra'");
 
   // not tetrahedral
   CHECK(reading_error(replaced(tetrahedron, "End", "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nEnd"))
@@ -246,8 +257,10 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
 
   // numbers
   for(const std::string bad : {"nan", "NaN", "inf", "-inf", "1e999", "0x1", "1,5", "1.5.2", "++1", "+-1", "-", "one"})
-    CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", bad + " 0 0 0"))
+    CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "1 " + bad + " 0 0"))
           == "line 6: '" + bad + "' is not a finite coordinate");
+  CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "nan 0 0 0"))
+        == "line 6: 'nan' follows 1 instead of 4 elements of the section 'Vertices'");
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1", "Tetrahedra\n-1"))
         == "line 10: '-1' is not a number of elements");
   CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "\x1b[2J" + std::string(100, 'x') + " 0 0 0"))
@@ -255,11 +268,75 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
 
   // too much
   CHECK(reading_error(replaced(tetrahedron, "Vertices\n4", "Vertices\n3"))
-        == "line 8: '0' follows the last of the 3 elements of the section 'Vertices'");
+        == "line 9: 'Tetrahedra' follows 4 instead of 3 elements of the section 'Vertices'");
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra", "Vertices\n0\nTetrahedra"))
         == "line 9: a second section 'Vertices'");
-  CHECK(reading_error(tetrahedron + "4 5 6") == "line 13: '4' after the keyword 'End'");
+  CHECK(reading_error(tetrahedron + "4 5 6") == "line 13: '4' follows the keyword 'End'");
 }
+
+TEST_CASE("All versions of the format are read, with a byte order mark or without")
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  for(const std::string version : {"1", "2", "3", "4"})
+    for(const std::string& first : {std::string(), mark})
+      CHECK(read(first + replaced(tetrahedron, "Formatted 1", "Formatted " + version)).cells == single_cell().cells);
+  CHECK(targets_of(mark + "1 1 2 3\n", 4)[1] == std::array<double, 3>{1, 2, 3});
+  CHECK(reading_error(mark.substr(0, 2) + tetrahedron) != "");
+}
+
+namespace {
+
+struct Impatient_visitor
+{
+  bool after_step(const VMP::Parameterization_step&) { return true; }
+  bool goes_on() { return ++number_of_questions < 3; }
+  int number_of_questions = 0;
+};
+
+} // namespace
+
+TEST_CASE("Reading ends with the time, or when the visitor wants it")
+{
+  namespace params = CGAL::parameters;
+  Soup soup = single_cell();
+  const Points points = soup.points;
+  std::istringstream text(tetrahedron + "# " + std::string(1 << 20, 'x')), lines("0 1 2 3\n");
+  CHECK(VMP::IO::read_MEDIT(text, soup, params::maximum_running_time(0)) == VMP::ERROR_INTERRUPTED);
+  Impatient_visitor visitor;
+  CHECK(VMP::IO::read_MEDIT(text, soup, params::visitor(std::ref(visitor))) == VMP::ERROR_INTERRUPTED);
+  CHECK(visitor.number_of_questions == 3);
+  Points targets = points;
+  CHECK(VMP::IO::read_boundary_targets(lines, 4, targets, params::maximum_running_time(0)) == VMP::ERROR_INTERRUPTED);
+  CHECK(soup.points == points);
+  CHECK(targets == points);
+}
+
+#ifndef _WIN32
+TEST_CASE("A pipe is waited for, but not for ever")
+{
+  namespace params = CGAL::parameters;
+  const std::string pipe = "test_files_pipe.mesh";
+  std::remove(pipe.c_str());
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  Soup soup;
+  const auto limit = params::maximum_running_time(0.1);
+  CHECK(VMP::IO::read_MEDIT(pipe, soup, limit) == VMP::ERROR_INTERRUPTED); // nobody has opened it
+
+  const int end = open(pipe.c_str(), O_RDWR); // does not wait for a reader
+  REQUIRE(write(end, tetrahedron.data(), tetrahedron.size()) == static_cast<ssize_t>(tetrahedron.size()));
+  Impatient_visitor visitor;
+  CHECK(VMP::IO::read_MEDIT(pipe, soup, params::visitor(std::ref(visitor))) == VMP::ERROR_INTERRUPTED); // is not closed
+  Points targets;
+  CHECK(VMP::IO::read_boundary_targets(pipe, single_cell(), targets, limit) == VMP::ERROR_INTERRUPTED);
+  close(end);
+
+  std::thread writer([&]() { std::ofstream(pipe) << tetrahedron; });
+  CHECK(VMP::IO::read_MEDIT(pipe, soup) == VMP::OK);
+  writer.join();
+  CHECK(soup.cells == single_cell().cells);
+  std::remove(pipe.c_str());
+}
+#endif
 
 TEST_CASE("A soup is unchanged by a failure to read")
 {
@@ -352,8 +429,8 @@ TEST_CASE("Boundary targets are read from lines")
         == "line 2: vertex 4 does not exist, the mesh has 4 vertices, counted from 0");
   CHECK(targets_error("-1 1 2 3\n") == "line 1: vertex -1 does not exist, the mesh has 4 vertices, counted from 0");
   CHECK(targets_error("0 1 2 3\n1 1 2 3\n0 1 2 3\n") == "line 3: vertex 0 has a second line");
-  CHECK(targets_error("0 1 2\n1 0 0 0\n") == "line 1: the line has less than the three coordinates of vertex 0");
-  CHECK(targets_error("0 1 2 3 4\n") == "line 1: the line does not end after the three coordinates of vertex 0");
+  CHECK(targets_error("0 1 2\n1 0 0 0\n") == "line 1: the line ends where a finite coordinate should be");
+  CHECK(targets_error("0 1 2 3 4\n") == "line 1: '4' follows the three coordinates of vertex 0");
   CHECK(targets_error("0 1 nan 3\n") == "line 1: 'nan' is not a finite coordinate");
   CHECK(targets_error("0.5 1 2 3\n") == "line 1: '0.5' is not the index of a vertex");
 }

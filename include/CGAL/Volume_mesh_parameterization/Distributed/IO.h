@@ -13,24 +13,25 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MEDIT_slice.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Star_forest.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distributed/piece_of_process.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_scanner.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Text_slice.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
-#include <boost/functional/hash.hpp>
+#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -42,65 +43,71 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// Runs `read(communicator)` and puts the name of the file in front of the sentence of a failure.
-template <typename Read>
-void read_together(const MPI_Comm comm, const std::string& filename, const Read& read)
+// The cells of all processes with their smallest vertex in the slice of this one, as a set of vertex sets.
+inline std::vector<std::array<std::size_t, 4> > sorted_cells(const MPI_communicator_3& communicator,
+                                                             const std::vector<std::size_t>& begins,
+                                                             const std::vector<std::array<std::size_t, 4> >& cells)
 {
-  const MPI_communicator_3 communicator(comm);
-  try
-  {
-    communicator.together([&]() { read(communicator); return 0; });
-  }
-  catch(const Input_error& error)
-  {
-    throw Input_error(filename + ": " + error.what());
-  }
+  std::vector<std::vector<std::array<std::size_t, 4> > > to_holders(communicator.size());
+  for(const std::array<std::size_t, 4>& cell : cells)
+    to_holders[communicator.holder(begins, *std::min_element(cell.begin(), cell.end()))].push_back(cell);
+  return sorted_cells(communicator.exchanged(to_holders));
 }
 
-// A number that depends on the vertices of all cells, but not on their order.
-template <typename Cells>
-double connectivity(const MPI_communicator_3& communicator, const Cells& cells)
+// Of the points of the slice that begins at `begins[rank]`.
+inline std::vector<std::array<double, 3> > read_boundary_targets(const MPI_communicator_3& communicator,
+                                                                 const std::string& filename,
+                                                                 const Distributed_tetrahedron_soup_3& soup,
+                                                                 const Budget& budget)
 {
-  double sum = 0;
-  for(std::array<std::size_t, 4> cell : cells)
+  const std::vector<std::size_t> begins = communicator.begins(soup.points.size());
+  const Text_slice slice(communicator, filename, budget);
+  if(!is_MEDIT_file(filename))
   {
-    std::sort(cell.begin(), cell.end());
-    sum += static_cast<double>(boost::hash_range(cell.begin(), cell.end()) % (1 << 20)); // exact up to 2^33 cells
+    std::vector<std::vector<Target_of_vertex> > to_holders(communicator.size());
+    for(const Target_of_vertex& target : read_targets(slice.scanner(), begins.back()))
+      to_holders[communicator.holder(begins, target.vertex)].push_back(target);
+    return points_of_vertices(communicator.exchanged(to_holders), begins[communicator.rank()], soup.points.size());
   }
-  return communicator.sum(sum);
+  const Tetrahedron_soup_3 target = MEDIT_reader(communicator, slice.scanner(), true).read();
+  check_same_connectivity(
+    { communicator.begins(target.points.size()).back(), communicator.begins(target.cells.size()).back() },
+    { begins.back(), communicator.begins(soup.cells.size()).back() }, [&]
+  {
+    return communicator.all(sorted_cells(communicator, begins, target.cells)
+                            == sorted_cells(communicator, begins, soup.cells));
+  });
+  return communicator.redistributed(target.points, begins);
 }
 
-struct Target_of_vertex
+// The cells of this process with their points and the images of these, as `IO::write_VTU()` writes them.
+inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator,
+                        const Distributed_tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
 {
-  std::size_t vertex;
-  std::array<double, 3> point;
-};
+  const std::vector<PetscInt> vertices = sorted_vertices(soup.cells);
+  const Star_forest star_forest(communicator, soup.points.size(), vertices);
+  Tetrahedron_soup_3 piece = { star_forest.get(soup.points), soup.cells, soup.cell_references, {}, {} };
+  for(std::array<std::size_t, 4>& cell : piece.cells)
+    for(std::size_t& v : cell)
+      v = place(vertices, static_cast<PetscInt>(v));
+  IO::write_VTU(os, piece, star_forest.get(uvw));
+}
 
-inline std::vector<Target_of_vertex> read_targets(const MPI_communicator_3& communicator, const std::string& filename,
-                                                  const Distributed_tetrahedron_soup_3& soup)
+// Names the pieces and their arrays.
+inline void write_PVTU(std::ostream& os, const std::vector<std::string>& pieces)
 {
-  std::vector<Target_of_vertex> result;
-  if(std::filesystem::path(filename).extension() == ".mesh")
-  {
-    const MEDIT_slice target(communicator, filename);
-    if(communicator.begins(target.points.size()).back() != communicator.begins(soup.points.size()).back()
-       || communicator.begins(target.cells.size()).back() != communicator.begins(soup.cells.size()).back()
-       || connectivity(communicator, target.cells) != connectivity(communicator, soup.cells))
-      throw Input_error("the cells of the target join other vertices than those of the source");
-    for(std::size_t i = 0; i < target.points.size(); ++i)
-      result.push_back({ target.first_point + i, target.points[i] });
-    return result;
-  }
-  const Text_slice slice(communicator, filename);
-  Text_scanner scanner(slice.text, slice.first_line);
-  while(scanner.has_word())
-  {
-    const std::size_t v = scanner.next_number<std::size_t>("the index of a vertex");
-    result.push_back({ v, next_point(scanner) });
-    if(scanner.has_word_on_line())
-      scanner.fail("the line does not end after the three coordinates of vertex " + std::to_string(v));
-  }
-  return result;
+  os << "<?xml version=\"1.0\"?>\n"
+        "<VTKFile type=\"PUnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
+        "<PUnstructuredGrid GhostLevel=\"0\">\n"
+        "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n"
+        "<PPointData>\n<PDataArray type=\"Float64\" Name=\"uvw\" NumberOfComponents=\"3\"/>\n</PPointData>\n"
+        "<PCellData>\n<PDataArray type=\"Int32\" Name=\"reference\"/>\n";
+  for(const char* name : { "angle_distortion", "volume_distortion", "det_J" })
+    os << "<PDataArray type=\"Float64\" Name=\"" << name << "\"/>\n";
+  os << "</PCellData>\n";
+  for(const std::string& piece : pieces)
+    os << "<Piece Source=\"" << std::filesystem::path(piece).filename().string() << "\"/>\n";
+  os << "</PUnstructuredGrid>\n</VTKFile>\n";
 }
 
 } // namespace internal
@@ -111,20 +118,32 @@ namespace IO {
 ///
 /// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format": each process of
 /// `soup.communicator` its range of bytes; the slices of `soup` become equally long. All of them must call this function,
-/// and see the file. Each vertex and each cell must have a line of its own. Triangles are not read.
+/// and see the file, which must be a regular one. Each vertex, triangle and cell must have a line of its own; otherwise a file
+/// is read as by one process. Triangles are left out.
+///
+/// \param filename the name of the file
+/// \param soup gets the mesh
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `maximum_running_time` and `visitor`
+///
+/// \return `OK`, or `ERROR_INTERRUPTED` in all processes if the time is over or the visitor ends the reading in one of them;
+///         `soup` is then unchanged.
 ///
 /// \exception Input_error names the file and the line that are wrong, in all processes; `soup` is then unchanged.
-inline void read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup)
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup,
+                      const NamedParameters& np = parameters::default_values())
 {
-  internal::read_together(soup.communicator, filename, [&](const internal::MPI_communicator_3& communicator)
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
-    const internal::MEDIT_slice slice(communicator, filename);
-    // a range of bytes has many points and no cells, or the other way round
-    Distributed_tetrahedron_soup_3 result = { soup.communicator, communicator.evenly(slice.points),
-                                              communicator.evenly(slice.cells),
-                                              communicator.evenly(slice.cell_references) };
-    communicator.synchronize();
-    std::swap(soup, result);
+    const internal::MPI_communicator_3 communicator(soup.communicator);
+    soup = communicator.together([&]() -> Distributed_tetrahedron_soup_3
+    {
+      const internal::Text_slice slice(communicator, filename, budget);
+      const Tetrahedron_soup_3 part = internal::MEDIT_reader(communicator, slice.scanner(), true).read();
+      // a range of bytes has many points and no cells, or the other way round
+      return { soup.communicator, communicator.evenly(part.points), communicator.evenly(part.cells),
+               communicator.evenly(part.cell_references) };
+    });
   });
 }
 
@@ -136,34 +155,35 @@ inline void read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup
 /// \param filename the name of the file, which all processes see
 /// \param soup the mesh whose boundary is to be mapped
 /// \param targets gets a point for each point of this slice; a vertex without a line gets not-a-number coordinates
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
 ///
 /// \exception Input_error names the file and what is wrong, in all processes; `targets` is then unchanged.
-inline void read_boundary_targets(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
-                                  std::vector<std::array<double, 3> >& targets)
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_boundary_targets(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
+                                 std::vector<std::array<double, 3> >& targets,
+                                 const NamedParameters& np = parameters::default_values())
 {
-  internal::read_together(soup.communicator, filename, [&](const internal::MPI_communicator_3& communicator)
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
-    const std::vector<std::size_t> begins = communicator.begins(soup.points.size());
-    std::vector<std::vector<internal::Target_of_vertex> > to_holders(communicator.size());
-    for(const internal::Target_of_vertex& target : internal::read_targets(communicator, filename, soup))
+    const internal::MPI_communicator_3 communicator(soup.communicator);
+    targets = communicator.together([&]
     {
-      if(target.vertex >= begins.back())
-        throw Input_error("vertex " + std::to_string(target.vertex) + " does not exist, the mesh has "
-                          + std::to_string(begins.back()) + " vertices, counted from 0");
-      to_holders[std::upper_bound(begins.begin(), begins.end(), target.vertex) - begins.begin() - 1].push_back(target);
-    }
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    std::vector<std::array<double, 3> > points(soup.points.size(), {none, none, none});
-    for(const internal::Target_of_vertex& target : communicator.exchanged(to_holders))
-    {
-      std::array<double, 3>& point = points[target.vertex - begins[communicator.rank()]];
-      if(!std::isnan(point[0]))
-        throw Input_error("vertex " + std::to_string(target.vertex) + " has a second line");
-      point = target.point;
-    }
-    communicator.synchronize();
-    targets.swap(points);
+      return internal::read_boundary_targets(communicator, filename, soup, budget);
+    });
   });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationDistributed
+///
+/// returns the name of the file to which `write_PVTU()` writes the cells of a process: `NAME_0.vtu`, `NAME_1.vtu`, ...
+///
+/// \param filename the name of the file that names them, `NAME.pvtu`
+/// \param rank the number of the process
+inline std::string name_of_piece(const std::string& filename, const int rank)
+{
+  return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu";
 }
 
 /// \ingroup PkgVolumeMeshParameterizationDistributed
@@ -171,7 +191,7 @@ inline void read_boundary_targets(const std::string& filename, const Distributed
 /// writes a distributed mesh with its parameterization for ParaView: a file `.vtu` for the cells of each process,
 /// as `write_VTU()` does, and one that names them. All files appear when all are complete.
 ///
-/// \param filename the name of the latter, `NAME.pvtu`; those of the processes are `NAME_0.vtu`, `NAME_1.vtu`, ...
+/// \param filename the name of the latter, `NAME.pvtu`; `name_of_piece()` tells the others
 /// \param soup the mesh
 /// \param uvw the image of each point of the slice
 ///
@@ -180,9 +200,9 @@ inline void write_PVTU(const std::string& filename, const Distributed_tetrahedro
                        const std::vector<std::array<double, 3> >& uvw)
 {
   const internal::MPI_communicator_3 communicator(soup.communicator);
-  const auto name_of = [&](const int rank)
-  { return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu"; };
-  std::vector<std::string> names; // of what this process writes
+  std::vector<std::string> pieces, names; // of all processes, and what this one writes
+  for(int rank = 0; rank < communicator.size(); ++rank)
+    pieces.push_back(name_of_piece(filename, rank));
   try
   {
     communicator.together([&]()
@@ -196,11 +216,9 @@ inline void write_PVTU(const std::string& filename, const Distributed_tetrahedro
         if(!os)
           throw std::runtime_error(name + ": the file cannot be written completely");
       };
-      const auto [piece, images] = internal::piece_of_process(communicator, soup, uvw);
-      write(name_of(communicator.rank()), [&, &piece = piece, &images = images](std::ostream& os)
-                                          { write_VTU(os, piece, images); });
+      write(pieces[communicator.rank()], [&](std::ostream& os) { internal::write_piece(os, communicator, soup, uvw); });
       if(communicator.rank() == 0)
-        write(filename, [&](std::ostream& os) { internal::write_PVTU(os, communicator.size(), name_of); });
+        write(filename, [&](std::ostream& os) { internal::write_PVTU(os, pieces); });
       communicator.synchronize();
       for(const std::string& name : names)
         std::filesystem::rename(name + ".tmp", name);

@@ -82,12 +82,13 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
 
 computes the same map for a mesh that several processes share, by MPI and PETSc. All processes of the communicator must
 call this function, after `PetscInitialize()`, with the same named parameters. A partition of the mesh is computed by
-PT-Scotch; so points and cells may come in any order.
+PT-Scotch; so points and cells may come in any order. A process may have to do with at most \f$2^{31} - 1\f$ cells.
 
 The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative
 (`KSPSTCG`) with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for
 instance `-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two
-runs of a program with the same number of processes give the same bits. All is tried that is tried for one process with
+runs of a program with the same number of processes give the same bits, if PT-Scotch runs without threads: with the
+environment variable `SCOTCH_PTHREAD_NUMBER=1`. All is tried that is tried for one process with
 fixed boundary, except to untangle small patches of the mesh, or to relax them, if there are more than a million cells
 around the inverted or flat ones. Connected components of the target are not looked at one by one: the volume of all must
 be positive.

@@ -12,11 +12,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/read_text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <array>
 #include <cstddef>
@@ -27,6 +31,11 @@
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
+
+inline Tetrahedron_soup_3 read_MEDIT_text(const std::string& text, const Budget& budget)
+{
+  return MEDIT_reader(single_process(), Text_scanner(text, budget), false).read();
+}
 
 inline void write_MEDIT_points(Text_writer& writer, const std::vector<std::array<double, 3> >& points)
 {
@@ -56,7 +65,8 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a stream in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format".
+/// reads a tetrahedral mesh from a stream in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format", of the versions 1 to
+/// 4 (which differ in the binary format alone), with or without a byte order mark of UTF-8.
 ///
 /// The sections `Vertices`, `Tetrahedra` and `Triangles` are read, in any order; the references of vertices and
 /// the other sections are skipped, except that volume elements other than tetrahedra are an error.
@@ -64,27 +74,41 @@ namespace IO {
 ///
 /// \param is the stream
 /// \param soup gets the mesh
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `maximum_running_time` and `visitor`,
+///        as `stretch_minimizing_volume_parameterization()` takes them
+///
+/// \return `OK`, or `ERROR_INTERRUPTED` if the time is over or the visitor ends the reading; `soup` is then unchanged. A
+///         stream that waits for its source is waited for; a file is not.
 ///
 /// \exception Input_error names the line that is wrong; `soup` is then unchanged.
-inline void read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup)
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup,
+                      const NamedParameters& np = parameters::default_values())
 {
-  const std::string text = internal::read_text(is);
-  soup = internal::MEDIT_reader(text).read();
+  return internal::read_within_limits(np, "", [&](const internal::Budget& budget)
+  {
+    soup = internal::read_MEDIT_text(internal::read_text(is, budget), budget);
+  });
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format".
+/// reads a tetrahedral mesh from a file, likewise.
 ///
 /// \param filename the name of the file
 /// \param soup gets the mesh
+/// \param np the same named parameters
+///
+/// \return the same; a pipe that has nothing to read is not waited for after the limit
 ///
 /// \exception Input_error names the file and the line that are wrong; `soup` is then unchanged.
-inline void read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup)
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
+                      const NamedParameters& np = parameters::default_values())
 {
-  internal::read_file(filename, [&](std::istream& is)
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
-    IO::read_MEDIT(is, soup);
+    soup = internal::read_MEDIT_text(internal::read_file(filename, budget), budget);
   });
 }
 

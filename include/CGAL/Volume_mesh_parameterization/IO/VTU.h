@@ -16,16 +16,91 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/VTU_writer.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+
+#include <CGAL/config.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// Collects an XML `UnstructuredGrid` in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays with
+// their offsets into the data behind it, where each is its number of bytes and its values, as this machine stores them.
+class VTU_writer
+{
+public:
+  // Begins with points, and cells of one type, by the number that VTK gives it.
+  template <std::size_t n>
+  VTU_writer(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, n> >& cells,
+             const int type)
+    : m_xml("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
+#ifdef CGAL_LITTLE_ENDIAN
+            "LittleEndian"
+#else
+            "BigEndian"
+#endif
+            "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
+            + std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n")
+  {
+    begin("Points");
+    add_points("Points", points);
+    end("Points");
+    begin("Cells");
+    add<std::int32_t>("connectivity", n * cells.size(), [&](const std::size_t i) { return cells[i / n][i % n]; });
+    add<std::int64_t>("offsets", cells.size(), [](const std::size_t i) { return n * (i + 1); });
+    add<std::uint8_t>("types", cells.size(), [&](std::size_t) { return type; });
+    end("Cells");
+  }
+
+  void begin(const std::string& element) { m_xml += "<" + element + ">\n"; }
+  void end(const std::string& element) { m_xml += "</" + element + ">\n"; }
+
+  // Adds `value(0)`, ..., `value(n - 1)`, converted to `Number`.
+  template <typename Number, typename Value>
+  void add(const std::string& name, const std::size_t n, const Value& value, const std::size_t number_of_components = 1)
+  {
+    m_xml += std::string("<DataArray type=\"") + type_name(Number()) + "\" Name=\"" + name + "\" NumberOfComponents=\""
+      + std::to_string(number_of_components) + "\" format=\"appended\" offset=\"" + std::to_string(m_data.size())
+      + "\"/>\n";
+    append(static_cast<std::uint64_t>(n * sizeof(Number)));
+    for(std::size_t i = 0; i < n; ++i)
+      append(static_cast<Number>(value(i)));
+  }
+
+  void add_points(const std::string& name, const std::vector<std::array<double, 3> >& points)
+  {
+    add<double>(name, 3 * points.size(), [&](const std::size_t i) { return points[i / 3][i % 3]; }, 3);
+  }
+
+  void write(std::ostream& os) const
+  {
+    os << m_xml << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << m_data
+       << "\n</AppendedData>\n</VTKFile>\n";
+  }
+
+private:
+  static const char* type_name(double) { return "Float64"; }
+  static const char* type_name(std::uint8_t) { return "UInt8"; }
+  static const char* type_name(std::int32_t) { return "Int32"; }
+  static const char* type_name(std::int64_t) { return "Int64"; }
+
+  template <typename Number>
+  void append(const Number number)
+  {
+    m_data.append(reinterpret_cast<const char*>(&number), sizeof(number));
+  }
+
+  std::string m_xml, m_data;
+};
+
+} // namespace internal
 
 namespace IO {
 
@@ -51,25 +126,16 @@ inline void write_VTU(std::ostream& os,
   const int vtk_tetra = 10;
   const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
 
-  internal::VTU_writer writer(soup.points.size(), number_of_cells);
-
-  writer.begin("Points");
-  writer.add_points("Points", soup.points);
-  writer.end("Points");
-
-  writer.add_cells(soup.cells, vtk_tetra);
-
+  internal::VTU_writer writer(soup.points, soup.cells, vtk_tetra);
   writer.begin("PointData");
   writer.add_points("uvw", uvw);
   writer.end("PointData");
-
   writer.begin("CellData");
   writer.add<std::int32_t>("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
   writer.add<double>("angle_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].angle; });
   writer.add<double>("volume_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].volume; });
   writer.add<double>("det_J", number_of_cells, [&](std::size_t i) { return distortions[i].det_J; });
   writer.end("CellData");
-
   writer.write(os);
 }
 
@@ -103,22 +169,13 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 /// \param mesh the hexahedra
 inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
-  const std::size_t number_of_cells = mesh.cells.size();
   const int vtk_hexahedron = 12;
   const std::vector<double> quality = internal::scaled_jacobians(mesh);
 
-  internal::VTU_writer writer(mesh.points.size(), number_of_cells);
-
-  writer.begin("Points");
-  writer.add_points("Points", mesh.points);
-  writer.end("Points");
-
-  writer.add_cells(mesh.cells, vtk_hexahedron);
-
+  internal::VTU_writer writer(mesh.points, mesh.cells, vtk_hexahedron);
   writer.begin("CellData");
-  writer.add<double>("scaled_jacobian", number_of_cells, [&](std::size_t i) { return quality[i]; });
+  writer.add<double>("scaled_jacobian", quality.size(), [&](std::size_t i) { return quality[i]; });
   writer.end("CellData");
-
   writer.write(os);
 }
 

@@ -12,24 +12,72 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_scanner.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/read_text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
+
+#include <CGAL/Named_function_parameters.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <istream>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
+
+struct Target_of_vertex
+{
+  std::size_t vertex, line;
+  std::array<double, 3> point;
+};
+
+// Reads lines `vertex_index x y z`.
+inline std::vector<Target_of_vertex> read_targets(Text_scanner scanner, const std::size_t number_of_vertices)
+{
+  std::vector<Target_of_vertex> targets;
+  while(!scanner.coming_word().empty())
+  {
+    Text_scanner line = scanner.next_line();
+    const long long v = line.next_number<long long>("the index of a vertex");
+    if(v < 0 || static_cast<unsigned long long>(v) >= number_of_vertices)
+      line.fail("vertex " + std::to_string(v) + " does not exist, the mesh has " + std::to_string(number_of_vertices)
+                + " vertices, counted from 0");
+    targets.push_back({ static_cast<std::size_t>(v), line.line(), next_point(line) });
+    line.expect_end("the three coordinates of vertex " + std::to_string(v));
+  }
+  return targets;
+}
+
+// The points of `number` vertices from the first one on; those without a target have coordinates that are not numbers.
+inline std::vector<std::array<double, 3> > points_of_vertices(const std::vector<Target_of_vertex>& targets,
+                                                              const std::size_t first, const std::size_t number)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::array<double, 3> > points(number, {none, none, none});
+  for(const Target_of_vertex& target : targets)
+  {
+    std::array<double, 3>& point = points[target.vertex - first];
+    if(!std::isnan(point[0]))
+      Text_scanner::fail(target.line, "vertex " + std::to_string(target.vertex) + " has a second line");
+    point = target.point;
+  }
+  return points;
+}
+
+inline bool is_MEDIT_file(const std::string& filename)
+{
+  return std::filesystem::path(filename).extension() == ".mesh";
+}
 
 // the cells as a set of vertex sets
 inline std::vector<std::array<std::size_t, 4> > sorted_cells(std::vector<std::array<std::size_t, 4> > cells)
@@ -40,15 +88,17 @@ inline std::vector<std::array<std::size_t, 4> > sorted_cells(std::vector<std::ar
   return cells;
 }
 
-inline void check_same_connectivity(const Tetrahedron_soup_3& source, const Tetrahedron_soup_3& target)
+// Compares the numbers of the target with those of the source, and then the cells.
+template <typename HasSameCells>
+void check_same_connectivity(const std::array<std::size_t, 2>& target, const std::array<std::size_t, 2>& source,
+                             const HasSameCells& has_same_cells)
 {
-  if(target.points.size() != source.points.size())
-    throw Input_error("the target has " + std::to_string(target.points.size()) + " vertices and the source has "
-                      + std::to_string(source.points.size()));
-  if(target.cells.size() != source.cells.size())
-    throw Input_error("the target has " + std::to_string(target.cells.size()) + " cells and the source has "
-                      + std::to_string(source.cells.size()));
-  if(target.cells != source.cells && sorted_cells(target.cells) != sorted_cells(source.cells))
+  const char* const kinds[] = { "vertices", "cells" };
+  for(std::size_t i = 0; i < 2; ++i)
+    if(target[i] != source[i])
+      throw Input_error("the target has " + std::to_string(target[i]) + " " + kinds[i] + " and the source has "
+                        + std::to_string(source[i]));
+  if(!has_same_cells())
     throw Input_error("the cells of the target join other vertices than those of the source");
 }
 
@@ -58,44 +108,29 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads lines `vertex_index x y z`. Indices start at 0, and no vertex may have two lines.
+/// reads lines `vertex_index x y z`. Indices start at 0, and no vertex may have two lines. The rest of a line behind `#` is
+/// skipped, and a byte order mark of UTF-8.
 ///
 /// \param is the stream
 /// \param number_of_vertices the number of vertices of the mesh
 /// \param targets gets `number_of_vertices` points; a vertex without a line gets not-a-number coordinates
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
 ///
 /// \exception Input_error names the line that is wrong; `targets` is then unchanged.
-inline void read_boundary_targets(std::istream& is,
-                                  std::size_t number_of_vertices,
-                                  std::vector<std::array<double, 3> >& targets)
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_boundary_targets(std::istream& is,
+                                 std::size_t number_of_vertices,
+                                 std::vector<std::array<double, 3> >& targets,
+                                 const NamedParameters& np = parameters::default_values())
 {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::array<double, 3> > points(number_of_vertices, {none, none, none});
-
-  const std::string text = internal::read_text(is);
-  internal::Text_scanner scanner(text);
-  while(scanner.has_word())
+  return internal::read_within_limits(np, "", [&](const internal::Budget& budget)
   {
-    const long long v = scanner.next_number<long long>("the index of a vertex");
-    if(v < 0 || static_cast<unsigned long long>(v) >= number_of_vertices)
-      scanner.fail("vertex " + std::to_string(v) + " does not exist, the mesh has "
-                   + std::to_string(number_of_vertices) + " vertices, counted from 0");
-
-    std::array<double, 3>& point = points[static_cast<std::size_t>(v)];
-    if(!std::isnan(point[0]))
-      scanner.fail("vertex " + std::to_string(v) + " has a second line");
-
-    for(double& x : point)
-    {
-      if(!scanner.has_word_on_line())
-        scanner.fail("the line has less than the three coordinates of vertex " + std::to_string(v));
-      x = scanner.next_number<double>("a finite coordinate");
-    }
-    if(scanner.has_word_on_line())
-      scanner.fail("the line does not end after the three coordinates of vertex " + std::to_string(v));
-  }
-
-  targets.swap(points);
+    const std::string text = internal::read_text(is, budget);
+    const auto lines = internal::read_targets(internal::Text_scanner(text, budget), number_of_vertices);
+    targets = internal::points_of_vertices(lines, 0, number_of_vertices);
+  });
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
@@ -106,24 +141,32 @@ inline void read_boundary_targets(std::istream& is,
 /// \param filename the name of the file
 /// \param source the mesh whose boundary is to be mapped
 /// \param targets gets a point for each vertex of `source`; a vertex without a line gets not-a-number coordinates
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
 ///
 /// \exception Input_error names the file and what is wrong; `targets` is then unchanged.
-inline void read_boundary_targets(const std::string& filename,
-                                  const Tetrahedron_soup_3& source,
-                                  std::vector<std::array<double, 3> >& targets)
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_boundary_targets(const std::string& filename,
+                                 const Tetrahedron_soup_3& source,
+                                 std::vector<std::array<double, 3> >& targets,
+                                 const NamedParameters& np = parameters::default_values())
 {
-  const std::string_view extension = ".mesh";
-  const bool is_mesh = filename.size() > extension.size()
-    && filename.compare(filename.size() - extension.size(), extension.size(), extension) == 0;
-
-  internal::read_file(filename, [&](std::istream& is)
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
-    if(!is_mesh)
-      return IO::read_boundary_targets(is, source.points.size(), targets);
-
-    Tetrahedron_soup_3 target;
-    IO::read_MEDIT(is, target);
-    internal::check_same_connectivity(source, target);
+    const std::string text = internal::read_file(filename, budget);
+    if(!internal::is_MEDIT_file(filename))
+    {
+      const auto lines = internal::read_targets(internal::Text_scanner(text, budget), source.points.size());
+      targets = internal::points_of_vertices(lines, 0, source.points.size());
+      return;
+    }
+    Tetrahedron_soup_3 target = internal::read_MEDIT_text(text, budget);
+    internal::check_same_connectivity({ target.points.size(), target.cells.size() },
+                                      { source.points.size(), source.cells.size() }, [&]
+    {
+      return target.cells == source.cells || internal::sorted_cells(target.cells) == internal::sorted_cells(source.cells);
+    });
     targets.swap(target.points);
   });
 }

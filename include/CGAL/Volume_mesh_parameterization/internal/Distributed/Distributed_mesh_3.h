@@ -110,11 +110,6 @@ public:
   }
 
 private:
-  static std::size_t place(const std::vector<PetscInt>& sorted, const PetscInt v)
-  {
-    return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
-  }
-
   std::vector<Global_cell_3> cells_of_slice(const Distributed_tetrahedron_soup_3& soup) const
   {
     const std::size_t number_of_points = m_communicator.begins(soup.points.size()).back();

@@ -12,12 +12,15 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
 #include <mpi.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -93,22 +96,31 @@ public:
   // Has no process failed? To be called before communication that is not ours.
   void synchronize() const { gathered(0); }
 
+  // MPI counts in `int`.
+  static int count(const std::uint64_t n)
+  {
+    if(n > static_cast<std::uint64_t>((std::numeric_limits<int>::max)()))
+      throw std::runtime_error("One process would have to send or to receive " + std::to_string(n)
+                               + " cells or vertices; take more processes.");
+    return static_cast<int>(n);
+  }
+
   // The elements for each process; returns those for this one, in the order of the ranks that they come from.
   template <typename T>
   std::vector<T> exchanged(const std::vector<std::vector<T> >& elements) const
   {
-    std::vector<int> counts, begins(m_size, 0), new_counts(m_size), new_begins(m_size, 0);
-    std::vector<T> sent, received;
+    std::vector<std::uint64_t> sizes, new_sizes(m_size);
+    std::vector<T> sent;
     for(const std::vector<T>& part : elements)
     {
-      counts.push_back(static_cast<int>(part.size()));
+      sizes.push_back(part.size());
       sent.insert(sent.end(), part.begin(), part.end());
     }
     synchronize();
-    MPI_Alltoall(counts.data(), 1, MPI_INT, new_counts.data(), 1, MPI_INT, m_communicator);
-    std::partial_sum(counts.begin(), counts.end() - 1, begins.begin() + 1);
-    std::partial_sum(new_counts.begin(), new_counts.end() - 1, new_begins.begin() + 1);
-    received.resize(static_cast<std::size_t>(new_begins.back()) + static_cast<std::size_t>(new_counts.back()));
+    MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, new_sizes.data(), 1, MPI_UINT64_T, m_communicator);
+    const auto [counts, begins] = counts_and_begins(sizes);
+    const auto [new_counts, new_begins] = counts_and_begins(new_sizes);
+    std::vector<T> received(static_cast<std::size_t>(new_begins.back()));
     synchronize();
     MPI_Datatype type;
     MPI_Type_contiguous(sizeof(T), MPI_BYTE, &type);
@@ -119,15 +131,32 @@ public:
     return received;
   }
 
-  // The same elements in slices of equal length, those of the ranks one behind the other before and after.
+  // The process whose slice has an element of the whole, by where the slices begin.
+  static std::size_t holder(const std::vector<std::size_t>& begins, const std::size_t i)
+  {
+    return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), i) - begins.begin()) - 1;
+  }
+
+  // The same elements in slices that begin there, those of the ranks one behind the other before and after.
+  template <typename T>
+  std::vector<T> redistributed(const std::vector<T>& elements, const std::vector<std::size_t>& new_begins) const
+  {
+    const std::size_t first = begins(elements.size())[m_rank];
+    std::vector<std::vector<T> > parts(m_size);
+    for(std::size_t i = 0; i < elements.size(); ++i)
+      parts[holder(new_begins, first + i)].push_back(elements[i]);
+    return exchanged(parts);
+  }
+
+  // The same in slices of equal length.
   template <typename T>
   std::vector<T> evenly(const std::vector<T>& elements) const
   {
-    const std::vector<std::size_t> begin = begins(elements.size());
-    std::vector<std::vector<T> > parts(m_size);
-    for(std::size_t i = 0; i < elements.size(); ++i)
-      parts[(begin[m_rank] + i) * m_size / begin.back()].push_back(elements[i]);
-    return exchanged(parts);
+    const std::size_t n = begins(elements.size()).back(), size = static_cast<std::size_t>(m_size);
+    std::vector<std::size_t> new_begins;
+    for(std::size_t i = 0; i <= size; ++i)
+      new_begins.push_back((i * n + size - 1) / size);
+    return redistributed(elements, new_begins);
   }
 
   // Runs f, which ends in all processes alike: if it throws in one, then in all.
@@ -141,6 +170,7 @@ public:
       return result;
     }
     catch(const Failure& failure) { throw_again(failure); }
+    catch(const Interruption&) { throw_again(told({ Kind::INTERRUPTED, "" })); }
     catch(const std::bad_alloc&) { throw_again(told({ Kind::MEMORY, "" })); }
     catch(const Input_error& error) { throw_again(told({ Kind::INPUT, error.what() })); }
     catch(const std::exception& error) { throw_again(told({ Kind::OTHER, error.what() })); }
@@ -148,9 +178,22 @@ public:
   }
 
 private:
-  enum class Kind { NONE, MEMORY, INPUT, OTHER };
+  enum class Kind { NONE, MEMORY, INTERRUPTED, INPUT, OTHER };
   struct Failure { Kind kind = Kind::NONE; std::string sentence; };
   struct Message { double number, kind; };
+
+  // Where parts of these sizes begin, and where the last one ends.
+  static std::pair<std::vector<int>, std::vector<int> > counts_and_begins(const std::vector<std::uint64_t>& sizes)
+  {
+    std::pair<std::vector<int>, std::vector<int> > result = { {}, { 0 } };
+    std::uint64_t end = 0;
+    for(const std::uint64_t size : sizes)
+    {
+      result.first.push_back(count(size));
+      result.second.push_back(count(end += size));
+    }
+    return result;
+  }
 
   // Throws the first failure, if there is one.
   std::vector<double> gathered(const double x, const Failure& mine) const
@@ -180,6 +223,7 @@ private:
     switch(failure.kind)
     {
       case Kind::MEMORY: throw std::bad_alloc();
+      case Kind::INTERRUPTED: throw Interruption();
       case Kind::INPUT: throw Input_error(failure.sentence);
       default: throw std::runtime_error(failure.sentence);
     }

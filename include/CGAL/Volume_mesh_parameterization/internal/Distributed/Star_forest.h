@@ -36,6 +36,12 @@ std::vector<PetscInt> sorted_vertices(const Cells& cells)
   return result;
 }
 
+// The index of an element of a sorted array.
+inline std::size_t place(const std::vector<PetscInt>& sorted, const PetscInt v)
+{
+  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
+}
+
 // Each process holds a slice of an array, those of the ranks one behind the other, and has a list of indices of the whole.
 class Star_forest
 {

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -76,7 +75,6 @@ inline std::vector<int> partition_3(const MPI_communicator_3& communicator, cons
     columns.push_back(w);
   }
 
-  setenv("SCOTCH_PTHREAD_NUMBER", "1", 0); // with threads, PT-Scotch finds another partition in each run
   communicator.synchronize();
   const auto check = [&](const PetscErrorCode error) { PetscCallAbort(communicator.get(), error); };
   const PetscInt n = static_cast<PetscInt>(size_of_slice);

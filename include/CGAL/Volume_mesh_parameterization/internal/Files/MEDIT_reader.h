@@ -13,143 +13,198 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_scanner.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Reads the text of an ASCII MEDIT file. A first pass only finds the keywords, so that their order is free.
+inline std::array<double, 3> next_point(Text_scanner& scanner)
+{
+  std::array<double, 3> point;
+  for(double& x : point)
+    x = scanner.next_number<double>("a finite coordinate");
+  return point;
+}
+
+// Reads an ASCII MEDIT file, or the lines of it that this process has. A first pass only finds the keywords that have a
+// meaning here, so that their order is free. A section goes on until the next keyword, in whichever slice that is.
 class MEDIT_reader
 {
 public:
-  explicit MEDIT_reader(std::string_view text)
+  // If the text is a slice of a file, each element must have a line of its own, and no slice may end behind a keyword that a
+  // number belongs to.
+  MEDIT_reader(const Communicator_3& communicator, const Text_scanner& text, const bool is_slice)
+    : m_communicator(communicator), m_is_slice(is_slice)
   {
+    if(communicator.rank() == 0 && text.coming_word() != m_keywords[VERSION])
+      text.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
     find_sections(text);
+    share_sections(text);
   }
 
+  // Does a number belong to this word?
+  static bool is_before_number(const std::string_view word) { return keyword(word) < END; }
+
+  // What this slice has of the elements of the file.
   Tetrahedron_soup_3 read() const
   {
-    check_kind();
-
     Tetrahedron_soup_3 soup;
-    read_points(soup.points);
-    read_simplices("Triangles", soup.points.size(), soup.facets, soup.facet_references);
-    read_simplices("Tetrahedra", soup.points.size(), soup.cells, soup.cell_references);
-    if(soup.cells.empty())
+    read_section(VERTICES, [&](Text_scanner& scanner)
+    {
+      soup.points.push_back(next_point(scanner));
+      next_reference(scanner);
+    });
+    const std::size_t number_of_points = sum(soup.points.size());
+    read_simplices(TRIANGLES, number_of_points, soup.facets, soup.facet_references);
+    read_simplices(TETRAHEDRA, number_of_points, soup.cells, soup.cell_references);
+    if(sum(soup.cells.size()) == 0)
       throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
     return soup;
   }
 
 private:
-  void find_sections(std::string_view text)
+  enum { VERSION, DIMENSION, VERTICES, TRIANGLES, TETRAHEDRA, END = 10, OTHER, NONE };
+  static constexpr std::array<std::string_view, OTHER> m_keywords
+    = { "MeshVersionFormatted", "Dimension", "Vertices", "Triangles", "Tetrahedra",
+        "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
+
+  struct Section
   {
-    Text_scanner scanner(text);
-    if(scanner.next_word() != "MeshVersionFormatted")
-      scanner.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
+    std::size_t line;     // of the keyword
+    double count;
+    Text_scanner begin;   // behind the count
+  };
 
-    const int version = scanner.next_number<int>("the version of the format");
-    if(version != 1 && version != 2)
-      scanner.fail("the version of the format is " + std::to_string(version) + " instead of 1 or 2");
+  // The next keyword does, or the end of the text.
+  static bool ends_section(const std::string_view word)
+  {
+    return word.empty() || ('A' <= word[0] && word[0] <= 'Z') || ('a' <= word[0] && word[0] <= 'z');
+  }
 
+  static std::size_t keyword(const std::string_view word)
+  {
+    return static_cast<std::size_t>(std::find(m_keywords.begin(), m_keywords.end(), word) - m_keywords.begin());
+  }
+
+  std::size_t sum(const std::size_t x) const
+  {
+    return static_cast<std::size_t>(m_communicator.sum(static_cast<double>(x)));
+  }
+
+  void find_sections(Text_scanner scanner)
+  {
     for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
     {
-      if(word == "End")
-        check_end(scanner);
-      else if(is_read(word) && !m_sections.emplace(word, scanner).second)
-        scanner.fail("a second section " + Text_scanner::quote(word));
+      if(!ends_section(word))
+        continue;
+      m_last = keyword(word);
+      if(m_last == END)
+        scanner.expect_end("the keyword 'End'");
+      if(m_last >= END)
+        continue;
+      const std::size_t line = scanner.line();
+      if(m_sections[m_last])
+        fail_of_second(line, m_last);
+      const std::size_t count = next_count(scanner);
+      m_sections[m_last] = { line, static_cast<double>(count), scanner };
     }
   }
 
-  static bool is_read(std::string_view word)
+  // The number that belongs to the last keyword.
+  std::size_t next_count(Text_scanner& scanner) const
   {
-    return word == "Dimension" || word == "Vertices" || word == "Triangles" || word == "Tetrahedra"
-      || is_unsupported(word);
+    const char* const what = m_last == VERSION ? "the version of the format"
+                           : m_last == DIMENSION ? "the dimension" : "a number of elements";
+    const std::size_t count = scanner.next_number<std::size_t>(what);
+    if(m_last == VERSION && (count < 1 || count > 4)) // which differ in the binary format alone
+      scanner.fail("the version of the format is " + std::to_string(count) + " instead of 1 to 4");
+    if(m_last == DIMENSION && count != 3)
+      scanner.fail("the dimension is not 3");
+    if(m_last > TETRAHEDRA && count != 0)
+      scanner.fail("the mesh is not tetrahedral, it has " + std::string(m_keywords[m_last]));
+    return count;
   }
 
-  static bool is_unsupported(std::string_view word)
+  [[noreturn]] static void fail_of_second(const std::size_t line, const std::size_t k)
   {
-    return word == "Hexahedra" || word == "Hexaedra" || word == "Prisms" || word == "Pentahedra" || word == "Pyramids";
+    Text_scanner::fail(line, "a second section '" + std::string(m_keywords[k]) + "'");
   }
 
-  static bool is_keyword(std::string_view word)
+  // Tells the counts to all processes, and this one which section its text begins in.
+  void share_sections(Text_scanner text)
   {
-    return ('A' <= word[0] && word[0] <= 'Z') || ('a' <= word[0] && word[0] <= 'z');
-  }
-
-  static void check_end(Text_scanner& scanner)
-  {
-    const std::string_view word = scanner.next_word();
-    if(!word.empty())
-      scanner.fail(Text_scanner::quote(word) + " after the keyword 'End'");
-  }
-
-  void check_kind() const
-  {
-    const auto dimension = m_sections.find("Dimension");
-    if(dimension != m_sections.end())
+    std::vector<double> mine(END, -1);
+    for(std::size_t k = 0; k < END; ++k)
+      if(m_sections[k])
+        mine[k] = m_sections[k]->count;
+    mine.push_back(static_cast<double>(m_last));
+    const std::vector<double> all = m_communicator.concatenated(mine);
+    const std::size_t rank = static_cast<std::size_t>(m_communicator.rank()), size = all.size() / mine.size();
+    m_is_last = rank + 1 == size;
+    double open = NONE;
+    for(std::size_t r = 0; r < size; ++r)
     {
-      Text_scanner scanner(dimension->second);
-      if(scanner.next_number<int>("the dimension") != 3)
-        scanner.fail("the dimension is not 3");
+      const double* const numbers = &all[r * mine.size()];
+      for(std::size_t k = 0; k < END; ++k)
+        if(numbers[k] >= 0)
+        {
+          if(m_counts[k] >= 0 && r == rank)
+            fail_of_second(m_sections[k]->line, k);
+          m_counts[k] = numbers[k];
+        }
+      if(r < rank && numbers[END] != NONE)
+        open = numbers[END];
     }
-
-    for(const auto& [keyword, begin] : m_sections)
-    {
-      Text_scanner scanner(begin);
-      if(is_unsupported(keyword) && next_count(scanner) != 0)
-        scanner.fail("the mesh is not tetrahedral, it has " + std::string(keyword));
-    }
+    if(open == END)
+      text.expect_end("the keyword 'End'");
+    if(open < END)
+      m_sections[static_cast<std::size_t>(open)] = { text.line(), 0, text };
   }
 
-  static std::size_t next_count(Text_scanner& scanner)
-  {
-    return scanner.next_number<std::size_t>("a number of elements");
-  }
-
-  // Calls `read_element(scanner)` for each element of a section, which may be missing.
+  // Calls `read_element(scanner)` for each element that this slice has of a section, which may be missing.
   template <typename ReadElement>
-  void read_section(const char* keyword, const ReadElement& read_element) const
+  void read_section(const std::size_t k, const ReadElement& read_element) const
   {
-    const auto section = m_sections.find(keyword);
-    if(section == m_sections.end())
-      return;
-
-    Text_scanner scanner(section->second);
-    const std::size_t count = next_count(scanner);
-    for(std::size_t i = 0; i < count; ++i)
-      read_element(scanner);
-
-    const std::string_view word = scanner.next_word();
-    if(!word.empty() && !is_keyword(word))
-      scanner.fail(Text_scanner::quote(word) + " follows the last of the " + std::to_string(count)
-                   + " elements of the section '" + keyword + "'");
-  }
-
-  void read_points(std::vector<std::array<double, 3> >& points) const
-  {
-    read_section("Vertices", [&](Text_scanner& scanner)
+    std::size_t number = 0;
+    std::optional<Text_scanner> scanner;
+    if(m_sections[k])
+      scanner = m_sections[k]->begin;
+    for(; scanner && !ends_section(scanner->coming_word()); ++number)
     {
-      std::array<double, 3> point;
-      for(double& x : point)
-        x = scanner.next_number<double>("a finite coordinate");
-      next_reference(scanner);
-      points.push_back(point);
-    });
+      if(!m_is_slice)
+      {
+        read_element(*scanner);
+        continue;
+      }
+      Text_scanner line = scanner->next_line();
+      read_element(line);
+      line.expect_end("the element, which must have a line of its own");
+    }
+
+    const double total = m_communicator.sum(static_cast<double>(number));
+    if(!scanner || total == m_counts[k])
+      return;
+    const std::string_view word = scanner->next_word();
+    if(!word.empty() || m_is_last) // otherwise the section goes on in the next slice
+      scanner->fail((word.empty() ? "the end of the file" : Text_scanner::quote(word)) + " follows "
+                    + std::to_string(static_cast<std::size_t>(total)) + " instead of "
+                    + std::to_string(static_cast<std::size_t>(m_counts[k])) + " elements of the section '"
+                    + std::string(m_keywords[k]) + "'");
   }
 
   template <std::size_t N>
-  void read_simplices(const char* keyword,
-                      std::size_t number_of_points,
-                      std::vector<std::array<std::size_t, N> >& simplices,
-                      std::vector<int>& references) const
+  void read_simplices(const std::size_t k, const std::size_t number_of_points,
+                      std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references) const
   {
-    read_section(keyword, [&](Text_scanner& scanner)
+    read_section(k, [&](Text_scanner& scanner)
     {
       std::array<std::size_t, N> simplex;
       for(std::size_t& v : simplex)
@@ -159,7 +214,7 @@ private:
     });
   }
 
-  static std::size_t next_vertex(Text_scanner& scanner, std::size_t number_of_points)
+  static std::size_t next_vertex(Text_scanner& scanner, const std::size_t number_of_points)
   {
     const long long v = scanner.next_number<long long>("the number of a vertex");
     if(v < 1 || static_cast<unsigned long long>(v) > number_of_points)
@@ -173,7 +228,11 @@ private:
     return scanner.next_number<int>("an integral reference");
   }
 
-  std::map<std::string_view, Text_scanner> m_sections;   // each begins behind its keyword
+  const Communicator_3& m_communicator;
+  bool m_is_slice, m_is_last;
+  std::array<std::optional<Section>, END> m_sections; // what this slice has of each
+  std::vector<double> m_counts = std::vector<double>(END, -1); // in the whole file
+  std::size_t m_last = NONE; // keyword of this slice
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
