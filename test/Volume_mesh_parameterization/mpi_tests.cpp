@@ -499,8 +499,10 @@ TEST_CASE("reading ends in all processes if it does in one")
 TEST_CASE("what MPI cannot count is refused")
 {
   constexpr std::uint64_t largest = (std::numeric_limits<int>::max)();
-  CHECK(VMP::internal::MPI_communicator_3::count(largest) == static_cast<int>(largest));
-  CHECK_THROWS_AS(VMP::internal::MPI_communicator_3::count(largest + 1), std::runtime_error);
+  using VMP::internal::MPI_communicator_3;
+  CHECK(MPI_communicator_3::begins_of({ 3, largest - 3 }) == std::vector<int>{ 0, 3, static_cast<int>(largest) });
+  CHECK_THROWS_AS(MPI_communicator_3::begins_of({ 3, largest - 2 }), std::runtime_error);
+  CHECK_THROWS_AS(MPI_communicator_3::begins_of({ largest + 4, largest }), std::runtime_error);
 }
 
 TEST_CASE("the environment is the user's")

@@ -48,7 +48,7 @@ public:
   /// starts CHOLMOD, with its messages switched off.
   CHOLMOD_solver_traits_3()
   {
-    cholmod_start(&m_common);
+    cholmod_l_start(&m_common);
     m_common.print = 0;
     m_common.supernodal = CHOLMOD_SUPERNODAL;
     m_common.quick_return_if_not_posdef = 1;
@@ -60,21 +60,21 @@ public:
 
   ~CHOLMOD_solver_traits_3()
   {
-    cholmod_free_factor(&m_factor, &m_common);
-    cholmod_finish(&m_common);
+    cholmod_l_free_factor(&m_factor, &m_common);
+    cholmod_l_finish(&m_common);
   }
 
   /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, `factorize()` will tell.
   void analyze_pattern(const Matrix& A)
   {
     set_pattern(A);
-    cholmod_free_factor(&m_factor, &m_common);
+    cholmod_l_free_factor(&m_factor, &m_common);
     cholmod_sparse view = matrix_view();
     m_common.nmethods = 1;
     m_common.method[0].ordering = CHOLMOD_GIVEN;
     m_common.postorder = 1;
-    std::vector<int> order = vertex_order(A);
-    m_factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &m_common);
+    std::vector<SuiteSparse_long> order = vertex_order(A);
+    m_factor = cholmod_l_analyze_p(&view, order.data(), nullptr, 0, &m_common);
   }
 
   /// factorizes `A`.
@@ -88,7 +88,7 @@ public:
     if(m_factor == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;
     cholmod_sparse view = matrix_view();
-    cholmod_factorize(&view, m_factor, &m_common);
+    cholmod_l_factorize(&view, m_factor, &m_common);
     switch(m_common.status)
     {
       case CHOLMOD_OK: return Linear_solver_status::SUCCESS;
@@ -115,11 +115,11 @@ public:
     right.x = const_cast<double*>(b.data());
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
-    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, m_factor, &right, &m_common);
+    cholmod_dense* solution = cholmod_l_solve(CHOLMOD_A, m_factor, &right, &m_common);
     if(solution == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;
     x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution->x), b.size());
-    cholmod_free_dense(&solution, &m_common);
+    cholmod_l_free_dense(&solution, &m_common);
     return x.allFinite() ? Linear_solver_status::SUCCESS : Linear_solver_status::FAILED;
   }
 
@@ -132,7 +132,7 @@ private:
       if(A.column(k) >= vertex)
         for(int i = 0; i < 3; ++i)
           if(A.column(k) > vertex || i >= component)
-            f(3 * A.column(k) + i, A.block(k)(component, i));
+            f(SuiteSparse_long(3) * A.column(k) + i, A.block(k)(component, i));
   }
 
   void set_pattern(const Matrix& A)
@@ -142,8 +142,8 @@ private:
     for(int v = 0; v < A.size(); ++v)
       for(int component = 0; component < 3; ++component)
       {
-        for_each_lower(A, v, component, [&](const int row, double) { m_rows.push_back(row); });
-        m_column_begin.push_back(static_cast<int>(m_rows.size()));
+        for_each_lower(A, v, component, [&](const SuiteSparse_long row, double) { m_rows.push_back(row); });
+        m_column_begin.push_back(static_cast<SuiteSparse_long>(m_rows.size()));
       }
     m_values.resize(m_rows.size());
   }
@@ -153,28 +153,28 @@ private:
     std::size_t i = 0;
     for(int v = 0; v < A.size(); ++v)
       for(int component = 0; component < 3; ++component)
-        for_each_lower(A, v, component, [&](int, const double value) { m_values[i++] = value; });
+        for_each_lower(A, v, component, [&](SuiteSparse_long, const double value) { m_values[i++] = value; });
   }
 
   // Orders the graph of the vertices, which is nine times smaller than that of the unknowns.
-  std::vector<int> vertex_order(const Matrix& A)
+  std::vector<SuiteSparse_long> vertex_order(const Matrix& A)
   {
-    std::vector<int> begin(1, 0), rows;
+    std::vector<SuiteSparse_long> begin(1, 0), rows;
     for(int v = 0; v < A.size(); ++v)
     {
       for(int k = A.row_begin(v); k < A.row_end(v); ++k)
         if(A.column(k) >= v)
           rows.push_back(A.column(k));
-      begin.push_back(static_cast<int>(rows.size()));
+      begin.push_back(static_cast<SuiteSparse_long>(rows.size()));
     }
-    cholmod_sparse graph = view(A.size(), begin, rows, nullptr);
-    std::vector<int> vertices(A.size());
-    if(!cholmod_metis(&graph, nullptr, 0, 1, vertices.data(), &m_common))
-      cholmod_amd(&graph, nullptr, 0, vertices.data(), &m_common);
+    cholmod_sparse graph = view(begin.size() - 1, begin, rows, nullptr);
+    std::vector<SuiteSparse_long> vertices(A.size());
+    if(!cholmod_l_metis(&graph, nullptr, 0, 1, vertices.data(), &m_common))
+      cholmod_l_amd(&graph, nullptr, 0, vertices.data(), &m_common);
 
-    std::vector<int> unknowns;
+    std::vector<SuiteSparse_long> unknowns;
     unknowns.reserve(3 * vertices.size());
-    for(const int v : vertices)
+    for(const SuiteSparse_long v : vertices)
       for(int component = 0; component < 3; ++component)
         unknowns.push_back(3 * v + component);
     return unknowns;
@@ -182,19 +182,20 @@ private:
 
   cholmod_sparse matrix_view()
   {
-    return view(static_cast<int>(m_column_begin.size()) - 1, m_column_begin, m_rows, m_values.data());
+    return view(m_column_begin.size() - 1, m_column_begin, m_rows, m_values.data());
   }
 
-  static cholmod_sparse view(const int size, std::vector<int>& begin, std::vector<int>& rows, double* values)
+  static cholmod_sparse view(const std::size_t size, std::vector<SuiteSparse_long>& begin,
+                             std::vector<SuiteSparse_long>& rows, double* values)
   {
     cholmod_sparse result = {};
-    result.nrow = result.ncol = static_cast<std::size_t>(size);
+    result.nrow = result.ncol = size;
     result.nzmax = rows.size();
     result.p = begin.data();
     result.i = rows.data();
     result.x = values;
     result.stype = -1; // the lower triangle
-    result.itype = CHOLMOD_INT;
+    result.itype = CHOLMOD_LONG; // the scalars of a large mesh are more than an int counts
     result.xtype = values == nullptr ? CHOLMOD_PATTERN : CHOLMOD_REAL;
     result.dtype = CHOLMOD_DOUBLE;
     result.sorted = 1;
@@ -204,7 +205,7 @@ private:
 
   cholmod_common m_common;
   cholmod_factor* m_factor = nullptr;
-  std::vector<int> m_column_begin, m_rows;
+  std::vector<SuiteSparse_long> m_column_begin, m_rows;
   std::vector<double> m_values;
 };
 

@@ -20,8 +20,8 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Star_forest.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Text_slice.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 

@@ -18,7 +18,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Facet_matching_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distributed/Star_forest.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>

@@ -96,13 +96,19 @@ public:
   // Has no process failed? To be called before communication that is not ours.
   void synchronize() const { gathered(0); }
 
-  // MPI counts in `int`.
-  static int count(const std::uint64_t n)
+  // Where parts of these sizes begin, and where the last one ends. MPI counts in `int`.
+  static std::vector<int> begins_of(const std::vector<std::uint64_t>& sizes)
   {
-    if(n > static_cast<std::uint64_t>((std::numeric_limits<int>::max)()))
-      throw std::runtime_error("One process would have to send or to receive " + std::to_string(n)
-                               + " cells or vertices; take more processes.");
-    return static_cast<int>(n);
+    std::vector<int> result = { 0 };
+    std::uint64_t end = 0;
+    for(const std::uint64_t size : sizes)
+    {
+      end += size;
+      if(end > static_cast<std::uint64_t>((std::numeric_limits<int>::max)()))
+        throw std::runtime_error("One process would send or receive 2^31 cells or vertices or more; take more processes.");
+      result.push_back(static_cast<int>(end));
+    }
+    return result;
   }
 
   // The elements for each process; returns those for this one, in the order of the ranks that they come from.
@@ -118,8 +124,8 @@ public:
     }
     synchronize();
     MPI_Alltoall(sizes.data(), 1, MPI_UINT64_T, new_sizes.data(), 1, MPI_UINT64_T, m_communicator);
-    const auto [counts, begins] = counts_and_begins(sizes);
-    const auto [new_counts, new_begins] = counts_and_begins(new_sizes);
+    const std::vector<int> begins = begins_of(sizes), new_begins = begins_of(new_sizes);
+    const std::vector<int> counts(sizes.begin(), sizes.end()), new_counts(new_sizes.begin(), new_sizes.end());
     std::vector<T> received(static_cast<std::size_t>(new_begins.back()));
     synchronize();
     MPI_Datatype type;
@@ -181,19 +187,6 @@ private:
   enum class Kind { NONE, MEMORY, INTERRUPTED, INPUT, OTHER };
   struct Failure { Kind kind = Kind::NONE; std::string sentence; };
   struct Message { double number, kind; };
-
-  // Where parts of these sizes begin, and where the last one ends.
-  static std::pair<std::vector<int>, std::vector<int> > counts_and_begins(const std::vector<std::uint64_t>& sizes)
-  {
-    std::pair<std::vector<int>, std::vector<int> > result = { {}, { 0 } };
-    std::uint64_t end = 0;
-    for(const std::uint64_t size : sizes)
-    {
-      result.first.push_back(count(size));
-      result.second.push_back(count(end += size));
-    }
-    return result;
-  }
 
   // Throws the first failure, if there is one.
   std::vector<double> gathered(const double x, const Failure& mine) const

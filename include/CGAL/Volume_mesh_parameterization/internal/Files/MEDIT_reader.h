@@ -79,8 +79,8 @@ private:
   struct Section
   {
     std::size_t line;     // of the keyword
-    double count;
-    Text_scanner begin;   // behind the count
+    double count;         // of elements in the whole file
+    Text_scanner begin;   // of what this slice has of them
   };
 
   // The next keyword does, or the end of the text.
@@ -113,24 +113,16 @@ private:
       const std::size_t line = scanner.line();
       if(m_sections[m_last])
         fail_of_second(line, m_last);
-      const std::size_t count = next_count(scanner);
+      const std::size_t count
+        = scanner.next_number<std::size_t>(m_last < VERTICES ? "a version or dimension" : "a number of elements");
+      if(m_last == VERSION && (count < 1 || count > 4)) // which differ in the binary format alone
+        scanner.fail("the version of the format is " + std::to_string(count) + " instead of 1 to 4");
+      if(m_last == DIMENSION && count != 3)
+        scanner.fail("the dimension is not 3");
+      if(m_last > TETRAHEDRA && count != 0)
+        scanner.fail("the mesh is not tetrahedral, it has " + std::string(word));
       m_sections[m_last] = { line, static_cast<double>(count), scanner };
     }
-  }
-
-  // The number that belongs to the last keyword.
-  std::size_t next_count(Text_scanner& scanner) const
-  {
-    const char* const what = m_last == VERSION ? "the version of the format"
-                           : m_last == DIMENSION ? "the dimension" : "a number of elements";
-    const std::size_t count = scanner.next_number<std::size_t>(what);
-    if(m_last == VERSION && (count < 1 || count > 4)) // which differ in the binary format alone
-      scanner.fail("the version of the format is " + std::to_string(count) + " instead of 1 to 4");
-    if(m_last == DIMENSION && count != 3)
-      scanner.fail("the dimension is not 3");
-    if(m_last > TETRAHEDRA && count != 0)
-      scanner.fail("the mesh is not tetrahedral, it has " + std::string(m_keywords[m_last]));
-    return count;
   }
 
   [[noreturn]] static void fail_of_second(const std::size_t line, const std::size_t k)
@@ -138,35 +130,33 @@ private:
     Text_scanner::fail(line, "a second section '" + std::string(m_keywords[k]) + "'");
   }
 
-  // Tells the counts to all processes, and this one which section its text begins in.
+  // Finds in which section of the slices before the text of this one begins.
   void share_sections(Text_scanner text)
   {
-    std::vector<double> mine(END, -1);
+    std::vector<double> mine(END + 1, -1);
     for(std::size_t k = 0; k < END; ++k)
       if(m_sections[k])
         mine[k] = m_sections[k]->count;
-    mine.push_back(static_cast<double>(m_last));
+    mine[END] = static_cast<double>(m_last);
     const std::vector<double> all = m_communicator.concatenated(mine);
-    const std::size_t rank = static_cast<std::size_t>(m_communicator.rank()), size = all.size() / mine.size();
-    m_is_last = rank + 1 == size;
-    double open = NONE;
-    for(std::size_t r = 0; r < size; ++r)
+    const std::size_t size_of_all_before = static_cast<std::size_t>(m_communicator.rank()) * mine.size();
+    m_is_last = size_of_all_before + mine.size() == all.size();
+    std::size_t open = NONE;
+    double count = 0;
+    for(std::size_t i = 0; i < size_of_all_before; i += mine.size())
     {
-      const double* const numbers = &all[r * mine.size()];
       for(std::size_t k = 0; k < END; ++k)
-        if(numbers[k] >= 0)
-        {
-          if(m_counts[k] >= 0 && r == rank)
-            fail_of_second(m_sections[k]->line, k);
-          m_counts[k] = numbers[k];
-        }
-      if(r < rank && numbers[END] != NONE)
-        open = numbers[END];
+        if(all[i + k] >= 0 && m_sections[k])
+          fail_of_second(m_sections[k]->line, k);
+      if(all[i + END] == NONE)
+        continue;
+      open = static_cast<std::size_t>(all[i + END]);
+      count = all[i + (std::min)(open, std::size_t(END))];
     }
     if(open == END)
       text.expect_end("the keyword 'End'");
     if(open < END)
-      m_sections[static_cast<std::size_t>(open)] = { text.line(), 0, text };
+      m_sections[open] = { text.line(), count, text };
   }
 
   // Calls `read_element(scanner)` for each element that this slice has of a section, which may be missing.
@@ -190,13 +180,13 @@ private:
     }
 
     const double total = m_communicator.sum(static_cast<double>(number));
-    if(!scanner || total == m_counts[k])
+    if(!scanner || total == m_sections[k]->count)
       return;
     const std::string_view word = scanner->next_word();
     if(!word.empty() || m_is_last) // otherwise the section goes on in the next slice
       scanner->fail((word.empty() ? "the end of the file" : Text_scanner::quote(word)) + " follows "
                     + std::to_string(static_cast<std::size_t>(total)) + " instead of "
-                    + std::to_string(static_cast<std::size_t>(m_counts[k])) + " elements of the section '"
+                    + std::to_string(static_cast<std::size_t>(m_sections[k]->count)) + " elements of the section '"
                     + std::string(m_keywords[k]) + "'");
   }
 
@@ -230,8 +220,7 @@ private:
 
   const Communicator_3& m_communicator;
   bool m_is_slice, m_is_last;
-  std::array<std::optional<Section>, END> m_sections; // what this slice has of each
-  std::vector<double> m_counts = std::vector<double>(END, -1); // in the whole file
+  std::array<std::optional<Section>, END> m_sections;
   std::size_t m_last = NONE; // keyword of this slice
 };
 
