@@ -296,6 +296,15 @@ TEST_CASE("PETSc's options choose the solver")
   PetscOptionsClearValue(nullptr, "-pc_type");
 }
 
+TEST_CASE("a solver that ends at its limit of iterations is named")
+{
+  const Problem problem = problem_of(ring(4));
+  PetscOptionsSetValue(nullptr, "-ksp_max_it", "3");
+  CHECK(end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(200))
+          .find("linear solver has reached its limit of iterations") != std::string::npos);
+  PetscOptionsClearValue(nullptr, "-ksp_max_it");
+}
+
 TEST_CASE("an error of one process is that of all")
 {
   const Problem problem = problem_of(ring(4));

@@ -64,11 +64,7 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
       distributed.write(found.map.positions, images);
   }
   else
-  {
-    result.status = check.status;
-    result.message = check.message;
-    result.seconds_numbering = result.seconds_total = problem.progress.seconds();
-  }
+    result = refused_result(check, problem.progress);
   result.number_of_vertices = distributed.number_of_vertices();
   result.number_of_cells = static_cast<std::size_t>(mesh.number_of_all_cells());
   result.number_of_boundary_vertices = distributed.number_of_boundary_vertices();

@@ -94,14 +94,20 @@ void add_counts(const Numbered& numbered, Parameterization_result& result)
   result.number_of_boundary_vertices = numbered.number_of_boundary_vertices();
 }
 
-// The result where the check does not allow a search.
+// The result where the check does not allow a search, without counts.
+inline Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress)
+{
+  Parameterization_result result;
+  result.status = check.status;
+  result.message = check.message;
+  result.seconds_numbering = result.seconds_total = progress.seconds();
+  return result;
+}
+
 template <typename Numbered, typename Problem>
 Parameterization_result refused_result(const Checked_complex_3<Numbered>& complex, const Problem& problem)
 {
-  Parameterization_result result;
-  result.status = complex.check.status;
-  result.message = complex.check.message;
-  result.seconds_numbering = result.seconds_total = problem.progress.seconds();
+  Parameterization_result result = refused_result(complex.check, problem.progress);
   add_counts(complex.numbered, result);
   return result;
 }

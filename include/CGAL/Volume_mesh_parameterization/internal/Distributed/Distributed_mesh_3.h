@@ -85,7 +85,7 @@ public:
       m_mesh.vertex_numbers[places[v]] = vertices[v];
     set_rows(all, places);
 
-    m_number_of_vertices = static_cast<std::size_t>(communicator.sum(static_cast<double>(own.size())));
+    m_number_of_vertices = communicator.begins(own.size()).back();
     m_number_of_boundary_vertices = static_cast<std::size_t>(communicator.sum(number_of_own_boundary_vertices));
   }
 
