@@ -83,7 +83,8 @@ predicates on the coordinates that are written.
                     `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
                     `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
                     forgotten, which is undefined behaviour and may end as `OK`. Prescribed vertices receive exactly
-                    the points given, unless they slide or the boundary is missed.}
+                    the points given, those of an exact kernel rounded to `double`, unless they slide or the boundary
+                    is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{initial_map}
     \cgalParamDescription{the image of each vertex from which the search starts, as of a map to a boundary nearby}
@@ -199,7 +200,7 @@ predicates on the coordinates that are written.
     \cgalParamPrecondition{The value is not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{a limit for the running time in seconds, tested before each Newton step}
+    \cgalParamDescription{a limit for the running time in seconds}
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
     \cgalParamExtra{Results that depend on it are not reproducible.}

@@ -5,6 +5,7 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
@@ -709,6 +710,66 @@ TEST_CASE("A flat target is refused, and not called turned")
   CHECK(number_of_refusals >= 2);
 }
 
+TEST_CASE("Targets in one point are called flat")
+{
+  for(const Vector3d& point : { Vector3d(0, 0, 0), Vector3d(1, 2, 3), Vector3d(1e6, -0.1, 1e-6) })
+  {
+    Complex complex(mapped_cube(3, 0, [&](const Vector3d&) { return point; }));
+    check_refusal(complex, VMP::ERROR_INVERTED_TARGET_BOUNDARY, {"volume 0,", "flat"});
+  }
+}
+
+TEST_CASE("Bodies so small or so large that volumes cannot be computed are refused by their size")
+{
+  const double size = GENERATE(1e-300, 1e-110, 1e-75, 1e75, 1e110, 1e300);
+  Complex complex(twisted_cube(3));
+  SECTION("source")
+  {
+    for(const Vertex_handle v : complex.vertices)
+      v->set_point(Complex::Tr::Point(CGAL::ORIGIN + size * (v->point() - CGAL::ORIGIN)));
+    check_refusal(complex, VMP::ERROR_SIZE_OUT_OF_RANGE, {"source has the diagonal"});
+  }
+  SECTION("target")
+  {
+    for(auto& [v, p] : complex.target)
+      p = CGAL::ORIGIN + size * (p - CGAL::ORIGIN);
+    check_refusal(complex, VMP::ERROR_SIZE_OUT_OF_RANGE, {"prescribed points has the diagonal"});
+  }
+}
+
+TEST_CASE("A shifted target has the shifted map")
+{
+  const Vector3d shift = GENERATE(Vector3d(1e6, 2e6, 3e6), Vector3d(-1e8, 0, 1), Vector3d(0.5, 0.25, -16));
+  const double rounding = 1e-15 * shift.norm();
+  const auto map_of = [](Complex& complex, const auto& energy)
+  {
+    const Parameterization_result result = parameterize(complex, params::energy(energy));
+    INFO(result.message);
+    CHECK(result.status == VMP::OK);
+    return result;
+  };
+  SECTION("of the identity")
+  {
+    Complex complex(mapped_cube(4, 0, [&](const Vector3d& p) -> Vector3d { return p + shift; }));
+    const Parameterization_result result = map_of(complex, VMP::Stretch_energy_3());
+    CHECK(result.energy == Approx(3));
+    const Numbered_mesh_3 image = image_mesh(complex);
+    CHECK((image.target.colwise() - shift - image.source).cwiseAbs().maxCoeff() <= 10 * rounding + 1e-7);
+  }
+  SECTION("of a twisted cube, with an energy that knows the volume")
+  {
+    Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
+    Complex expected(mesh);
+    mesh.target.colwise() += shift;
+    Complex complex(mesh);
+    const VMP::Symmetric_Dirichlet_energy_3 energy;
+    const double expected_energy = map_of(expected, energy).energy;
+    CHECK(map_of(complex, energy).energy == Approx(expected_energy).epsilon(1e-9));
+    const Eigen::Matrix3Xd difference = image_mesh(complex).target - image_mesh(expected).target;
+    CHECK((difference.colwise() - shift).cwiseAbs().maxCoeff() <= 10 * rounding + 1e-5);
+  }
+}
+
 TEST_CASE("A boundary that is missed is told with the place, and whether it intersects itself")
 {
   // the middle of the upper face is drawn through the lower one
@@ -930,6 +991,8 @@ TEST_CASE("A facet of the boundary that the target flattens is named, and nothin
   CHECK(result.has_valid_map);
   CHECK(result.number_of_added_vertices == 0);
   CHECK(result.message.find("No refinement helps") != std::string::npos);
+  CHECK(result.message.find("Allow refinement") == std::string::npos);
+  CHECK(result.message.find("Prescribe a boundary nearer") != std::string::npos);
 }
 
 TEST_CASE("Each status has a sentence")

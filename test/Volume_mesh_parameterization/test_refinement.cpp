@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -512,6 +513,36 @@ TEST_CASE("with a boundary map only degenerate simplices are removed")
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(refine_for_map(built.c3t3, [nan](const Point_3& p) { return Point_3(p.x(), p.y(), nan); }) == 0);
   }
+}
+
+TEST_CASE("a limit of time leaves a valid complex, which another call refines further")
+{
+  Mesh_3_C3t3 c3t3 = two_halves();
+  Built<Remeshing_C3t3> built(soup_of(c3t3)), expected(soup_of(c3t3));
+  const Counts before = count_bad(built.c3t3);
+  const Invariants<Remeshing_C3t3> invariants(built.c3t3);
+  CHECK(VMP::make_parameterizable(built.c3t3, params::maximum_running_time(0)) == 0);
+  CHECK(count_bad(built.c3t3) == before);
+
+  struct Patient_visitor : VMP::Default_visitor
+  {
+    std::size_t patience;
+    explicit Patient_visitor(const std::size_t patience) : patience(patience) {}
+    bool goes_on() { return patience > 0 && patience-- > 0; }
+  };
+  Patient_visitor visitor(built.c3t3.number_of_cells_in_complex() + before.edges / 2); // one question a cell comes first
+  Inserted<Remeshing_C3t3> inserted;
+  const std::size_t n = VMP::make_parameterizable(built.c3t3, params::visitor(std::ref(visitor))
+                                                                .output_iterator(std::back_inserter(inserted)));
+  CHECK(visitor.patience == 0);
+  CHECK((0 < n && n < before.edges));
+  REQUIRE(inserted.size() == n);
+  check_refined(built.c3t3, invariants, inserted);
+  CHECK(count_bad(built.c3t3).edges > 0);
+
+  const std::size_t all = VMP::make_parameterizable(expected.c3t3);
+  CHECK(n + VMP::make_parameterizable(built.c3t3) == all);
+  CHECK(count_bad(built.c3t3) == count_bad(expected.c3t3));
 }
 
 TEST_CASE("given edges are split, longest first, and others are ignored")

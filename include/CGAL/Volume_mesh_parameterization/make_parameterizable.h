@@ -13,7 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 
@@ -75,6 +77,16 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
   \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{a limit for the running time in seconds; what is left to refine then is left as it is}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{may end the refinement, if it has the function `goes_on()`; is not told of steps}
+    \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
+    \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
+  \cgalParamNEnd
   \cgalParamNBegin{output_iterator}
     \cgalParamDescription{receives the inserted vertices, in the order of their insertion}
     \cgalParamType{a model of `OutputIterator` that accepts `Inserted_vertex_3<C3t3::Vertex_handle>`}
@@ -82,7 +94,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of inserted vertices
+\return the number of inserted vertices. If a limit ends the refinement, the complex is valid, and another call goes on.
 
 The time is O(n + m d (d + log m)) for n cells and m simplices to be removed, with at most d cells around an edge.
 
@@ -100,9 +112,11 @@ std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = paramet
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                Static_boolean_property_map<Vertex_handle, false>());
   const auto out = choose_parameter(get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
+  internal::Limits<NamedParameters> limits(np);
+  const internal::Budget budget = limits.budget();
   const auto remove = [&](const auto& is_bad)
   {
-    return internal::Simplex_removal_3(c3t3, is_bad).run(out);
+    return internal::Simplex_removal_3(c3t3, is_bad).run(out, budget);
   };
 
   const internal::Boundary_facets<C3t3> boundary(c3t3);

@@ -72,8 +72,7 @@ protected:
     return inserted.first->second;
   }
 
-  // Prescribes the image of the vertices of the boundary, and of those that `is_constrained` tells, by `target`. The
-  // images of the others are 0.
+  // Prescribes the image of the vertices of the boundary, and of those that `is_constrained` tells, by `target`.
   template <typename PointOfVertex, typename VertexIsConstrainedMap, typename BoundaryMap>
   void set_mesh(const std::vector<std::array<int, 4> >& cells, const PointOfVertex& point_of,
                 std::vector<bool> is_prescribed, const VertexIsConstrainedMap& is_constrained,
@@ -90,9 +89,10 @@ protected:
     m_mesh.has_volume_weights = has_volume_weights;
     renumber(engine::set_numbered_mesh(cells, points, is_prescribed, m_mesh));
 
-    m_mesh.target.setZero(3, m_mesh.number_of_vertices());
+    m_mesh.target.resize(3, m_mesh.number_of_vertices());
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
       m_mesh.target.col(v) = to_vector(get(target, m_vertices[v]));
+    set_base_point(m_mesh);
   }
 
 private:

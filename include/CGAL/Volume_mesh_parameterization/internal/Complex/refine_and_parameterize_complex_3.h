@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
@@ -37,11 +38,12 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Inserts vertices into the simplices that the boundary map makes degenerate whatever the map is; returns their number.
 template <typename C3t3, typename VertexIsConstrainedMap, typename BoundaryMap>
-std::size_t remove_degenerate_simplices(C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
+std::size_t remove_degenerate_simplices(C3t3& c3t3, const VertexIsConstrainedMap is_constrained, const BoundaryMap target,
+                                        const Budget& budget)
 {
   const Boundary_facets<C3t3> boundary(c3t3);
   const Degenerate_simplices_3<typename C3t3::Vertex_handle, BoundaryMap> is_bad(c3t3, boundary, is_constrained, target);
-  return Simplex_removal_3(c3t3, is_bad).run(Emptyset_iterator());
+  return Simplex_removal_3(c3t3, is_bad).run(Emptyset_iterator(), budget);
 }
 
 // Splits those of the edges that are interior ones.
@@ -60,10 +62,11 @@ split_edges(C3t3& c3t3, const Numbered_complex_3<C3t3>& numbered, const std::vec
 
 // From a complex to the images of its vertices: refines the complex where the boundary map makes cells degenerate, and
 // then where a search was blocked, and searches again. More new vertices than a tenth would mean that this does not help;
-// a small complex may need many in proportion.
+// a small complex may need many in proportion. What limits of time leave undone is refined no more.
 template <typename C3t3, typename Problem, typename VertexUVWMap>
 Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Problem& problem, VertexUVWMap uvw_map)
 {
+  const Budget& budget = problem.progress.budget();
   std::size_t number_of_removals = 0, number_of_splits = 0;
   Carried_search_3<C3t3> carried;
   for(bool is_first = true; ; is_first = false)
@@ -71,7 +74,7 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
     const Checked_complex_3<Numbered_complex_3<C3t3> > complex(c3t3, problem);
     if(is_first && complex.check.allows_soft_boundary() && complex.check.is_refinable)
     {
-      number_of_removals = remove_degenerate_simplices(c3t3, problem.is_constrained, problem.target);
+      number_of_removals = remove_degenerate_simplices(c3t3, problem.is_constrained, problem.target, budget);
       if(number_of_removals > 0)
         continue;
     }
@@ -80,12 +83,18 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
 
     Parameterization_result result;
     if(!complex.allows(problem.options.mode))
+    {
       result = refused_result(complex, problem);
+      if(result.status == ERROR_PRESCRIBED_CELL_INVERTED && complex.check.is_refinable && budget.is_exhausted())
+        result.status = ERROR_INTERRUPTED;
+    }
     else
     {
-      const Found_map_3 found = find_map_of_complex_3(complex, problem, carried.untangling_start(complex.numbered, may_split),
+      Found_map_3 found = find_map_of_complex_3(complex, problem, carried.untangling_start(complex.numbered, may_split),
                                                       carried.approach_start(complex.numbered, may_split ? 1 : 2));
-      if(found.is_blocked() && may_split)
+      if(found.is_blocked() && may_split && budget.is_exhausted())
+        found.status = ERROR_INTERRUPTED;
+      else if(found.is_blocked() && may_split)
       {
         const Refinement_plan_3 plan = carried.plan(complex.numbered.mesh(), found);
         const auto inserted = split_edges(c3t3, complex.numbered, plan.edges);

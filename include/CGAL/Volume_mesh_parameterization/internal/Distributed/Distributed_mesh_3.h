@@ -197,7 +197,7 @@ private:
         std::swap(cell[0], cell[1]);
 
     std::vector<int> result(order.size());
-    m_mesh.target.setZero(3, m_mesh.number_of_vertices());
+    m_mesh.target.resize(3, m_mesh.number_of_vertices());
     for(int i = 0; i < m_mesh.number_of_vertices(); ++i)
     {
       const std::size_t v = order[last_order[i]];
@@ -205,6 +205,7 @@ private:
       if(!m_mesh.is_free(i))
         m_mesh.target.col(i) = Eigen::Map<const Eigen::Vector3d>(targets[v].data());
     }
+    set_base_point(m_mesh);
     return result;
   }
 

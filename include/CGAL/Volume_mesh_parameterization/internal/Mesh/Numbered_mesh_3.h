@@ -28,10 +28,11 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 struct Numbered_mesh_3
 {
   Eigen::Matrix3Xd source;               // one column a vertex
-  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free, otherwise 0
+  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Eigen::Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
+  Eigen::Vector3d base_point = Eigen::Vector3d::Zero(); // the target of free vertices, near those of the others
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
   std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
   const Communicator_3* communicator = &single_process();
@@ -68,9 +69,9 @@ inline bool is_on_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& po
   return mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
 }
 
-// The diagonal of the bounding box of points of all processes.
+// The bounding box of points of all processes.
 template <typename Points>
-double diagonal(const Communicator_3& communicator, const Points& points)
+Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Points& points)
 {
   Eigen::AlignedBox3d box;
   for(Eigen::Index i = 0; i < points.cols(); ++i)
@@ -80,12 +81,26 @@ double diagonal(const Communicator_3& communicator, const Points& points)
     box.min()[i] = communicator.minimum(box.min()[i]);
     box.max()[i] = communicator.maximum(box.max()[i]);
   }
-  return box.diagonal().norm();
+  return box;
+}
+
+inline Eigen::AlignedBox3d target_box(const Numbered_mesh_3& mesh)
+{
+  return bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices));
 }
 
 inline double target_diagonal(const Numbered_mesh_3& mesh)
 {
-  return diagonal(*mesh.communicator, mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices));
+  return target_box(mesh).diagonal().norm();
+}
+
+// Puts the free vertices to the point of the bounding box of the targets that is nearest to the origin. The volume of the
+// target depends on its boundary only, but with free vertices far from it would be the difference of large numbers.
+inline void set_base_point(Numbered_mesh_3& mesh)
+{
+  const Eigen::AlignedBox3d box = target_box(mesh);
+  mesh.base_point = Eigen::Vector3d::Zero().cwiseMax(box.min()).cwiseMin(box.max());
+  mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
 }
 
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.

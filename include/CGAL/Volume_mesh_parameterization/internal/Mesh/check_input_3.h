@@ -55,9 +55,10 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 }
 
 // The volume of a cell is a product of three lengths, and energies have their fourth powers.
-inline Input_check_3 check_diagonal(const double diagonal, const char* name)
+inline Input_check_3 check_box(const Eigen::AlignedBox3d& box, const char* name)
 {
   constexpr double smallest = 1e-70, largest = 1e70;
+  const double diagonal = box.diagonal().stableNorm();
   if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
     return {};
   return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
@@ -66,12 +67,12 @@ inline Input_check_3 check_diagonal(const double diagonal, const char* name)
 
 inline Input_check_3 check_source_size(const Numbered_mesh_3& mesh)
 {
-  return check_diagonal(diagonal(*mesh.communicator, mesh.source), "source");
+  return check_box(bounding_box(*mesh.communicator, mesh.source), "source");
 }
 
 inline Input_check_3 check_target_size(const Numbered_mesh_3& mesh)
 {
-  return check_diagonal(target_diagonal(mesh), "prescribed points");
+  return check_box(target_box(mesh), "prescribed points");
 }
 
 inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
@@ -79,7 +80,7 @@ inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
   if(mesh.initial.cols() == 0)
     return {};
   const Eigen::Matrix3Xd points = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
-  return check_diagonal(diagonal(*mesh.communicator, points), "initial images");
+  return check_box(bounding_box(*mesh.communicator, points), "initial images");
 }
 
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
@@ -129,7 +130,7 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
   for(const std::array<int, 4>& cell : mesh.cells)
     if(const double volume = volumes[components.find(cell[0])]; !(volume > 0))
       return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ", volume,
-                          ", which must be positive: it is ", volume > -flat ? "flat." : "turned inside out.");
+                          ", which must be positive: it is ", volume >= -flat ? "flat." : "turned inside out.");
   return {};
 }
 

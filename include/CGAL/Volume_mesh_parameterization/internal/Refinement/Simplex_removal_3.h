@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
 
@@ -37,15 +38,16 @@ class Simplex_removal_3
 public:
   Simplex_removal_3(C3t3& c3t3, const IsBad& is_bad) : m_c3t3(c3t3), m_is_bad(is_bad), m_refinement(c3t3) {}
 
-  // Writes an `Inserted_vertex_3` for each insertion and returns their number.
+  // Writes an `Inserted_vertex_3` for each insertion and returns their number. If the budget does not suffice to find all
+  // bad simplices, nothing is inserted.
   template <typename OutputIterator>
-  std::size_t run(OutputIterator out)
+  std::size_t run(OutputIterator out, const Budget& budget)
   {
-    for(auto it = m_c3t3.cells_in_complex_begin(); it != m_c3t3.cells_in_complex_end(); ++it)
+    for(auto it = m_c3t3.cells_in_complex_begin(); it != m_c3t3.cells_in_complex_end() && !budget.is_exhausted(); ++it)
       collect_candidates(it);
 
     std::size_t number_of_insertions = 0;
-    while(!m_queue.empty())
+    while(!m_queue.empty() && !budget.is_exhausted())
     {
       Candidate candidate = m_queue.top();
       m_queue.pop();

@@ -63,8 +63,8 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
 }
 
 // Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
-// displacements, and untangles. Zeros become the harmonic map, which recovers affine maps. If it inverts cells, so may that
-// with respect to regular cells, but mostly fewer, so that patches suffice.
+// displacements, and untangles. One point for all becomes the harmonic map, which recovers affine maps. If it inverts
+// cells, so may that with respect to regular cells, but mostly fewer, so that patches suffice.
 inline Untangled_3 untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& initial,
                                    Progress_3& progress, Found_map_3& found)
 {
@@ -106,7 +106,7 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   // then the full Hessian is tried first
   const bool may_be_near_minimum = !goes_on && untangled.status == OK && progress.number_of_steps() == 0;
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
-    untangled = untangle_from_3(system, solver, Eigen::Matrix3Xd::Zero(3, mesh.number_of_vertices()), progress, found);
+    untangled = untangle_from_3(system, solver, mesh.base_point.replicate(1, mesh.number_of_vertices()), progress, found);
   if(untangled.status == OK && progress.number_of_steps() > 0)
     untangled.positions = relaxed_flat_cells_3(mesh, solver, untangled.positions, progress.budget());
   found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));

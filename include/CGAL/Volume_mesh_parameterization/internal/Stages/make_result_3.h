@@ -54,7 +54,8 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
 }
 
 // By how much the boundary is missed, where most, and what can be done.
-inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions,
+                                            const bool is_refinable)
 {
   const auto distance_of = [&](const int w) { return (positions.col(w) - mesh.target.col(w)).norm(); };
   int v = mesh.number_of_free_vertices;
@@ -65,7 +66,8 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const E
   return sentence(" The largest distance to a target is ", distance, ", ", distance / target_diagonal(mesh),
                   " times the diagonal of all targets: the source's vertex at ", describe(mesh.source.col(v)), " is at ",
                   describe(positions.col(v)), " instead of ", describe(mesh.target.col(v)),
-                  ". Allow refinement (do_refine), or prescribe a boundary nearer to the source there.");
+                  is_refinable ? ". Allow refinement (do_refine), or prescribe" : ". Prescribe",
+                  " a boundary nearer to the source there.");
 }
 
 // The result of a search without its counts of the complex: the only place where it is written.
@@ -81,7 +83,7 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
     result.message += sentence(" The linear solver has reached its limit of iterations ", solver.number_of_cut_solutions(),
                                " times, and steps were the shorter for it; CHOLMOD_solver_traits_3 has no limit.");
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
-    result.message += describe_missed_boundary(mesh, found.map.positions);
+    result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
   if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
      && mesh.communicator->is_alone()) // otherwise facets between processes would seem to be on the boundary
     result.message += describe_self_intersection(mesh);

@@ -116,6 +116,7 @@ private:
 
     const std::set<std::array<double, 8> > vertices = rows_of_all(m_communicator, own_vertices);
     std::map<double, int> places;
+    m_mesh.base_point = m_whole.base_point;
     m_mesh.source.resize(3, vertices.size());
     m_positions.resize(3, vertices.size());
     for(const auto& [is_fixed, number, x, y, z, u, v, w] : vertices)

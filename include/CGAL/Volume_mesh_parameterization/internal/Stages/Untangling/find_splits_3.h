@@ -137,7 +137,7 @@ inline void split_patch_edges_3(Numbered_mesh_3& patch, Eigen::Matrix3Xd& image,
   image = with_midpoints(image, edges, n);
   patch.number_of_free_vertices += number_of_edges;
   patch.target = image;
-  patch.target.leftCols(patch.number_of_free_vertices).setZero();
+  patch.target.leftCols(patch.number_of_free_vertices).colwise() = patch.base_point;
 
   const auto number = [&](const int v) { return v < n ? v : v + number_of_edges; };
   for(std::array<int, 4>& cell : patch.cells)

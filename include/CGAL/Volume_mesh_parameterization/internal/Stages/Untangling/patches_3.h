@@ -145,7 +145,8 @@ struct Patch_mesh_3
       positions.col(i) = image.col(vertices[i]);
     }
     mesh.target = positions;
-    mesh.target.leftCols(mesh.number_of_free_vertices).setZero();
+    mesh.base_point = whole.base_point;
+    mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
   }
 
   // Puts the images of the vertices that move back to the whole mesh.
