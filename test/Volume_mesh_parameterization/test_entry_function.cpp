@@ -9,7 +9,7 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 
 #include <CGAL/exceptions.h>
 
@@ -740,7 +740,7 @@ TEST_CASE("Bodies so small or so large that volumes cannot be computed are refus
 TEST_CASE("A shifted target has the shifted map")
 {
   const Vector3d shift = GENERATE(Vector3d(1e6, 2e6, 3e6), Vector3d(-1e8, 0, 1), Vector3d(0.5, 0.25, -16));
-  const double rounding = 1e-15 * shift.norm();
+  const double rounding = 1e-15 * shift.norm(), convergence = 3e-5; // of cubes of size 1
   const auto map_of = [](Complex& complex, const auto& energy)
   {
     const Parameterization_result result = parameterize(complex, params::energy(energy));
@@ -754,7 +754,7 @@ TEST_CASE("A shifted target has the shifted map")
     const Parameterization_result result = map_of(complex, VMP::Stretch_energy_3());
     CHECK(result.energy == Approx(3));
     const Numbered_mesh_3 image = image_mesh(complex);
-    CHECK((image.target.colwise() - shift - image.source).cwiseAbs().maxCoeff() <= 10 * rounding + 1e-7);
+    CHECK((image.target.colwise() - shift - image.source).cwiseAbs().maxCoeff() <= 10 * rounding + convergence);
   }
   SECTION("of a twisted cube, with an energy that knows the volume")
   {
@@ -764,9 +764,9 @@ TEST_CASE("A shifted target has the shifted map")
     Complex complex(mesh);
     const VMP::Symmetric_Dirichlet_energy_3 energy;
     const double expected_energy = map_of(expected, energy).energy;
-    CHECK(map_of(complex, energy).energy == Approx(expected_energy).epsilon(1e-9));
+    CHECK(map_of(complex, energy).energy == Approx(expected_energy).epsilon(1e-9 + rounding));
     const Eigen::Matrix3Xd difference = image_mesh(complex).target - image_mesh(expected).target;
-    CHECK((difference.colwise() - shift).cwiseAbs().maxCoeff() <= 10 * rounding + 1e-5);
+    CHECK((difference.colwise() - shift).cwiseAbs().maxCoeff() <= 10 * rounding + convergence);
   }
 }
 

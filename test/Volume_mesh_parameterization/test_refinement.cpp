@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "mesh_body.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/split_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 

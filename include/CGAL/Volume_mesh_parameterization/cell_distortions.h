@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <Eigen/Dense>
 
@@ -73,10 +73,8 @@ computes the distortions of one cell of a complex, in constant time.
 template <typename C3t3, typename VertexUVWMap>
 Cell_distortion_3 cell_distortion(const C3t3& c3t3, const typename C3t3::Cell_handle cell, const VertexUVWMap uvw_map)
 {
-  const auto& tr = c3t3.triangulation();
-  const auto point = tr.geom_traits().construct_point_3_object();
   return internal::distortion_of_cell(
-    [&](const int i) { return internal::to_vector(point(tr.point(cell->vertex(i)))); },
+    [&](const int i) { return internal::to_vector(internal::point_of_vertex(c3t3.triangulation(), cell->vertex(i))); },
     [&](const int i) { return internal::to_vector(get(uvw_map, cell->vertex(i))); });
 }
 

@@ -13,10 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Degenerate_simplices_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <array>
 #include <cstddef>
@@ -24,12 +23,6 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
-
-template <typename Point_3>
-std::array<double, 3> coordinates(const Point_3& p)
-{
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
-}
 
 // The points that a property map has for vertices, in their order.
 template <typename Vertex_handle, typename VertexPointMap>
@@ -59,31 +52,24 @@ void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3,
                                         Tetrahedron_soup_3& soup,
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
 {
-  using Vertex_handle = typename C3t3::Triangulation::Vertex_handle;
-  using Cell_handle = typename C3t3::Triangulation::Cell_handle;
-
-  const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();
-  std::unordered_map<Vertex_handle, std::size_t> indices;
-
+  std::unordered_map<typename C3t3::Vertex_handle, std::size_t> indices;
   soup = Tetrahedron_soup_3();
   vertices.clear();
   for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
   {
-    const Cell_handle cell = it;
-    std::array<std::size_t, 4> simplex;
+    soup.cells.emplace_back();
+    soup.cell_references.push_back(static_cast<int>(c3t3.subdomain_index(it)));
     for(int i = 0; i < 4; ++i)
     {
-      const Vertex_handle v = cell->vertex(i);
+      const auto v = it->vertex(i);
       const auto [entry, is_new] = indices.emplace(v, vertices.size());
-      simplex[static_cast<std::size_t>(i)] = entry->second;
+      soup.cells.back()[i] = entry->second;
       if(is_new)
       {
         vertices.push_back(v);
-        soup.points.push_back(internal::coordinates(point(c3t3.triangulation().point(v))));
+        soup.points.push_back(internal::coordinates(internal::point_of_vertex(c3t3.triangulation(), v)));
       }
     }
-    soup.cells.push_back(simplex);
-    soup.cell_references.push_back(static_cast<int>(c3t3.subdomain_index(cell)));
   }
 }
 

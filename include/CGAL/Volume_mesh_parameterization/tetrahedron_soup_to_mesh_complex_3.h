@@ -14,12 +14,210 @@
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Facet_matching_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Mesh_complex_3_builder.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/check_tetrahedron_soup.h>
 
+#include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// Builds a complex from a checked soup through the functions of the triangulation data structure.
+template <typename C3t3>
+class Mesh_complex_3_builder
+{
+  using Triangulation = typename C3t3::Triangulation;
+  using Tds = typename Triangulation::Triangulation_data_structure;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Cell_handle = typename Triangulation::Cell_handle;
+  using Subdomain_index = typename C3t3::Subdomain_index;
+  using Surface_patch_index = typename C3t3::Surface_patch_index;
+  using Index = typename C3t3::Index;
+
+public:
+  Mesh_complex_3_builder(const Tetrahedron_soup_3& soup, const Facet_matching_3& matching, C3t3& c3t3,
+                         std::vector<Vertex_handle>& vertices, std::vector<Cell_handle>& cells)
+    : m_soup(soup), m_matching(matching), m_c3t3(c3t3), m_vertices(vertices), m_cells(cells)
+  {}
+
+  void build(bool has_negative_cells)
+  {
+    clear();
+    add_vertices();
+    add_cells(has_negative_cells);
+    join_cells();
+    close_boundary();
+    add_facets();
+  }
+
+private:
+  Triangulation& triangulation() { return m_c3t3.triangulation(); }
+  Tds& tds() { return triangulation().tds(); }
+
+  // An empty triangulation is the infinite vertex in a cell of dimension -1.
+  void clear()
+  {
+    m_c3t3.clear();
+    const Vertex_handle infinite = triangulation().infinite_vertex();
+    tds().delete_cell(infinite->cell());
+    infinite->set_cell(Cell_handle());
+    tds().set_dimension(3);
+  }
+
+  void add_vertices()
+  {
+    using Point_3 = typename Triangulation::Geom_traits::Point_3;
+    std::vector<bool> is_used(m_soup.points.size(), false);
+    for(const std::array<std::size_t, 4>& cell : m_soup.cells)
+      for(const std::size_t v : cell)
+        is_used[v] = true;
+
+    m_vertices.assign(m_soup.points.size(), Vertex_handle());
+    for(std::size_t v = 0; v < m_vertices.size(); ++v)
+      if(is_used[v])
+      {
+        const auto& [x, y, z] = m_soup.points[v];
+        m_vertices[v] = tds().create_vertex();
+        m_vertices[v]->set_point(typename Triangulation::Point(Point_3(x, y, z)));
+        m_c3t3.set_dimension(m_vertices[v], 3);
+      }
+  }
+
+  void add_cells(bool has_negative_cells)
+  {
+    const int zero_replacement = unused_reference(m_soup.cell_references);
+    m_cells.clear();
+    m_cells.reserve(m_soup.cells.size());
+    for(std::size_t c = 0; c < m_soup.cells.size(); ++c)
+    {
+      std::array<Vertex_handle, 4> v;
+      for(std::size_t i = 0; i < 4; ++i)
+        v[i] = m_vertices[m_soup.cells[c][i]];
+      if(has_negative_cells)
+        std::swap(v[2], v[3]);
+
+      const int reference = m_soup.cell_references[c];
+      const Subdomain_index subdomain(reference == 0 ? zero_replacement : reference);
+      const Cell_handle cell = tds().create_cell(v[0], v[1], v[2], v[3]);
+      m_c3t3.add_to_complex(cell, subdomain);
+      m_cells.push_back(cell);
+      for(const Vertex_handle vh : v)
+      {
+        vh->set_cell(cell);
+        m_c3t3.set_index(vh, Index(subdomain));
+      }
+    }
+  }
+
+  // the smallest positive number that is not a reference
+  static int unused_reference(const std::vector<int>& references)
+  {
+    const std::set<int> used(references.begin(), references.end());
+    int unused = 1;
+    while(used.count(unused) != 0)
+      ++unused;
+    return unused;
+  }
+
+  // The handle of the vertex opposite to a facet also finds the index of the facet, whichever vertices were swapped.
+  int facet_index(std::size_t facet) const
+  {
+    return m_cells[facet / 4]->index(m_vertices[m_soup.cells[facet / 4][facet % 4]]);
+  }
+
+  void join_cells()
+  {
+    for(std::size_t f = 0; f < 4 * m_cells.size(); ++f)
+    {
+      const std::size_t g = m_matching.mirror(f);
+      if(g != Facet_matching_3::none && f < g)
+        tds().set_adjacency(m_cells[f / 4], facet_index(f), m_cells[g / 4], facet_index(g));
+    }
+  }
+
+  void close_boundary()
+  {
+    std::vector<Cell_handle> infinite_cells;
+    for(std::size_t f = 0; f < 4 * m_cells.size(); ++f)
+      if(m_matching.mirror(f) == Facet_matching_3::none)
+        infinite_cells.push_back(add_infinite_cell(m_cells[f / 4], facet_index(f)));
+    for(Cell_handle cell : infinite_cells)
+      join_infinite_cell(cell);
+  }
+
+  Cell_handle add_infinite_cell(Cell_handle cell, int i)
+  {
+    const Vertex_handle infinite = triangulation().infinite_vertex();
+    std::array<Vertex_handle, 4> v = {cell->vertex(0), cell->vertex(1), cell->vertex(2), cell->vertex(3)};
+    v[i] = infinite;
+    std::swap(v[(i + 1) % 4], v[(i + 2) % 4]);
+    const Cell_handle infinite_cell = tds().create_cell(v[0], v[1], v[2], v[3]);
+    infinite->set_cell(infinite_cell);
+    tds().set_adjacency(cell, i, infinite_cell, i);
+    return infinite_cell;
+  }
+
+  // From each edge of its finite facet, turns through the finite cells around that edge to the next infinite cell.
+  // A non-manifold edge so gets one closed circle of cells for each fan of finite cells.
+  void join_infinite_cell(Cell_handle infinite_cell)
+  {
+    const int i = infinite_cell->index(triangulation().infinite_vertex());
+    for(int j = 0; j < 4; ++j)
+    {
+      if(j == i || infinite_cell->neighbor(j) != Cell_handle())
+        continue;
+      Vertex_handle behind = infinite_cell->vertex(j);
+      Cell_handle cell = infinite_cell->neighbor(i);
+      Vertex_handle ahead = cell->vertex(cell->index(infinite_cell));
+      Cell_handle next = cell->neighbor(cell->index(behind));
+      while(!triangulation().is_infinite(next))
+      {
+        behind = ahead;
+        ahead = next->vertex(next->index(cell));
+        cell = next;
+        next = cell->neighbor(cell->index(behind));
+      }
+      tds().set_adjacency(infinite_cell, j, next, next->index(ahead));
+    }
+  }
+
+  // The complex has the marked facets and those between different subdomains, the outside being one.
+  void add_facets()
+  {
+    const int default_reference = unused_reference(m_soup.facet_references);
+    for(const auto& [facet, reference] : m_matching.marks())
+      add_facet(m_cells[facet / 4], facet_index(facet), reference == 0 ? default_reference : reference);
+    for(Cell_handle cell : m_cells)
+      for(int i = 0; i < 4; ++i)
+        if(!m_c3t3.is_in_complex(cell, i)
+           && !(m_c3t3.subdomain_index(cell) == m_c3t3.subdomain_index(cell->neighbor(i))))
+          add_facet(cell, i, default_reference);
+  }
+
+  void add_facet(Cell_handle cell, int i, int reference)
+  {
+    const Surface_patch_index patch(reference);
+    m_c3t3.add_to_complex(cell, i, patch);
+    for(int j = 1; j < 4; ++j)
+    {
+      const Vertex_handle v = cell->vertex((i + j) % 4);
+      m_c3t3.set_dimension(v, 2);
+      m_c3t3.set_index(v, Index(patch));
+    }
+  }
+
+  const Tetrahedron_soup_3& m_soup;
+  const Facet_matching_3& m_matching;
+  C3t3& m_c3t3;
+  std::vector<Vertex_handle>& m_vertices;
+  std::vector<Cell_handle>& m_cells;
+};
+
+} // namespace internal
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///

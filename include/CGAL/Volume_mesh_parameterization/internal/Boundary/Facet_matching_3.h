@@ -14,14 +14,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,14 +39,14 @@ public:
       m_numbers(std::move(numbers)),
       m_mirrors(4 * soup.cells.size(), none)
   {
-    const std::vector<std::size_t> bucket_ends = collect_sides();
-    std::size_t begin = 0;
-    for(std::size_t end : bucket_ends)
-    {
-      match_bucket(begin, end);
-      begin = end;
-    }
-    m_sides = std::vector<Side>();
+    std::vector<Side> sides;
+    sides.reserve(4 * soup.cells.size() + soup.facets.size());
+    for(const std::array<std::size_t, 4>& c : soup.cells)
+      for(std::size_t i = 0; i < 4; ++i)
+        sides.emplace_back(sorted({c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4]}), sides.size());
+    for(const std::array<std::size_t, 3>& facet : soup.facets)
+      sides.emplace_back(sorted(facet), sides.size());
+    for_each_group(std::move(sides), [&](const auto begin, const auto end) { match_facet(begin, end); });
   }
 
   // the same facet seen from the other cell, or `none` on the boundary
@@ -57,22 +56,8 @@ public:
   const std::vector<std::pair<std::size_t, int> >& marks() const { return m_marks; }
 
 private:
-  // A facet of a cell, or the marked facet `owner - 4 * number_of_cells`, without its smallest vertex.
-  struct Side
-  {
-    std::size_t middle, largest, owner;
-  };
-
-  template <typename Visit>
-  void visit_sides(const Visit& visit) const
-  {
-    std::size_t owner = 0;
-    for(const std::array<std::size_t, 4>& c : m_soup.cells)
-      for(std::size_t i = 0; i < 4; ++i)
-        visit(sorted({c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4]}), owner++);
-    for(const std::array<std::size_t, 3>& f : m_soup.facets)
-      visit(sorted(f), owner++);
-  }
+  // The vertices of a facet of a cell, or of the marked facet `number - 4 * number_of_cells`, and its number.
+  using Side = std::pair<std::array<std::size_t, 3>, std::size_t>;
 
   static std::array<std::size_t, 3> sorted(std::array<std::size_t, 3> f)
   {
@@ -80,59 +65,22 @@ private:
     return f;
   }
 
-  // Fills `m_sides`, in one bucket for each smallest vertex, and returns the ends of the buckets.
-  std::vector<std::size_t> collect_sides()
+  // Those of cells come before the marks.
+  template <typename Iterator>
+  void match_facet(const Iterator begin, const Iterator end)
   {
-    std::vector<std::size_t> ends(m_soup.points.size() + 1, 0);
-    visit_sides([&](const std::array<std::size_t, 3>& f, std::size_t) { ++ends[f[0] + 1]; });
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-
-    m_sides.resize(ends.back());
-    visit_sides([&](const std::array<std::size_t, 3>& f, std::size_t owner)
-    {
-      m_sides[ends[f[0]]++] = {f[1], f[2], owner};
-    });
-    return ends;
-  }
-
-  void match_bucket(std::size_t begin, std::size_t end)
-  {
-    const auto first = m_sides.begin() + static_cast<std::ptrdiff_t>(begin);
-    const auto last = m_sides.begin() + static_cast<std::ptrdiff_t>(end);
-    std::sort(first, last, [](const Side& a, const Side& b)
-    {
-      return std::tie(a.middle, a.largest, a.owner) < std::tie(b.middle, b.largest, b.owner);
-    });
-
-    while(begin != end)
-    {
-      const Side& front = m_sides[begin];
-      std::size_t next = begin + 1;
-      while(next != end && m_sides[next].middle == front.middle && m_sides[next].largest == front.largest)
-        ++next;
-      match_facet(begin, next);
-      begin = next;
-    }
-  }
-
-  // Handles the sides `[begin, end)` of one facet; those of cells come before the marks.
-  void match_facet(std::size_t begin, std::size_t end)
-  {
-    std::size_t first_mark = begin;
-    while(first_mark != end && m_sides[first_mark].owner < m_mirrors.size())
-      ++first_mark;
-
-    const std::size_t number_of_cells = first_mark - begin;
+    const auto first_mark = std::find_if(begin, end, [&](const Side& side) { return side.second >= m_mirrors.size(); });
+    const auto number_of_cells = first_mark - begin;
     if(number_of_cells == 0)
       return;
-    const std::size_t facet = m_sides[begin].owner;
+    const std::size_t facet = begin->second;
     if(number_of_cells > 2)
       throw Input_error("more than two cells share a facet, among them " + cell_name(facet) + ", "
-                        + cell_name(m_sides[begin + 1].owner) + " and " + cell_name(m_sides[begin + 2].owner));
+                        + cell_name((begin + 1)->second) + " and " + cell_name((begin + 2)->second));
     if(number_of_cells == 2)
-      join(facet, m_sides[begin + 1].owner);
+      join(facet, (begin + 1)->second);
     if(first_mark != end)
-      m_marks.emplace_back(facet, m_soup.facet_references[m_sides[first_mark].owner - m_mirrors.size()]);
+      m_marks.emplace_back(facet, m_soup.facet_references[first_mark->second - m_mirrors.size()]);
   }
 
   void join(std::size_t f, std::size_t g)
@@ -173,7 +121,6 @@ private:
   std::vector<std::size_t> m_numbers;
   std::vector<std::size_t> m_mirrors;
   std::vector<std::pair<std::size_t, int> > m_marks;
-  std::vector<Side> m_sides;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -13,11 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Boundary_facets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <Eigen/Core>
 
@@ -31,10 +31,8 @@ Numbered_surface_3 numbered_surface_3(const C3t3& c3t3, const Boundary_facets<C3
 {
   Numbered_surface_3 surface;
   surface.facets = boundary.facets;
-  const auto& tr = c3t3.triangulation();
-  const auto point = tr.geom_traits().construct_point_3_object(); // of a bare or a weighted point
   for(const auto v : boundary.vertices)
-    surface.points.push_back(to_vector(point(tr.point(v))));
+    surface.points.push_back(to_vector(point_of_vertex(c3t3.triangulation(), v)));
   return surface;
 }
 

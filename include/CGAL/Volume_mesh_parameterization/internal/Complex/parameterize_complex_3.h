@@ -15,19 +15,41 @@
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 
 #include <Eigen/Core>
 
 #include <functional>
+#include <iomanip>
+#include <iostream>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Says what is going to be solved, and by which linear solver.
+inline void print(const Numbered_mesh_3& mesh, const Linear_solver_3& solver)
+{
+  std::cout << mesh.cells.size() << " cells, " << mesh.number_of_vertices() << " vertices, "
+            << mesh.number_of_free_vertices << " of them free; linear solver " << solver.name() << std::endl;
+}
+
+inline void print(const Parameterization_step& step)
+{
+  std::cout << std::setw(5) << step.iteration
+            << (step.phase == Phase::UNTANGLING ? " untangling  " : " minimization")
+            << "  energy " << std::setw(12) << step.energy
+            << "  inverted " << std::setw(6) << step.number_of_inverted_cells
+            << "  gradient " << std::setw(11) << step.gradient_norm
+            << "  decrement " << std::setw(11) << step.decrement
+            << "  step " << std::setw(9) << step.step_length
+            << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
+}
 
 // What is asked for, and with what means: the engine's options, and what depends on the type of the complex.
 template <typename Vertex, typename VertexIsConstrainedMap, typename BoundaryMap>

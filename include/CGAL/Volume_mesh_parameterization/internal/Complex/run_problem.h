@@ -21,19 +21,19 @@
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/is_property_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/verbose_output.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <Eigen/Core>
 
@@ -44,6 +44,22 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Tells what is no property map, and whether a map takes what is put into it, for errors of the compiler that can be
+// read.
+template <typename Map, typename = void>
+struct Is_property_map : std::false_type {};
+
+template <typename Map>
+struct Is_property_map<Map, std::void_t<typename boost::property_traits<Map>::value_type> > : std::true_type {};
+
+template <typename Map, typename Value, typename = void>
+struct Can_hold : std::false_type {};
+
+template <typename Map, typename Value>
+struct Can_hold<Map, Value, std::void_t<typename boost::property_traits<Map>::value_type> >
+  : std::is_convertible<Value, typename boost::property_traits<Map>::value_type>
+{};
 
 // Reads the named parameters that do not depend on where the cells come from, and returns `run(problem)`.
 template <typename ConcurrencyTag, typename Vertex, typename NamedParameters, typename BoundaryMap, typename Run>

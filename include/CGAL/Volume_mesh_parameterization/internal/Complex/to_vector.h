@@ -12,24 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/number_utils.h>
-
-#include <Eigen/Core>
-
-#include <array>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-template <typename Point>
-Eigen::Vector3d to_vector(const Point& p)
-{
-  return Eigen::Vector3d(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
-
-inline Eigen::Vector3d to_vector(const std::array<double, 3>& p)
-{
-  return Eigen::Vector3d(p[0], p[1], p[2]);
-}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -27,7 +27,6 @@
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>

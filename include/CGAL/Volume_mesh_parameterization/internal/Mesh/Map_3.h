@@ -13,15 +13,62 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Is the cell positively oriented? Decided by exact predicates on the coordinates as they are.
+inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+{
+  const auto point = [&](const int i) { return exact_point(positions.col(cell[i])); };
+  return is_positive_cell({ point(0), point(1), point(2), point(3) });
+}
+
+// How many cells there are with some property, and the first of them in the order of the user.
+struct Found_cells
+{
+  std::size_t number = 0;
+  std::size_t first = 0;
+  bool has_first = false; // does this process own it?
+};
+
+template <typename Condition>
+Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
+{
+  Found_cells result;
+  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
+    if(condition(mesh.cells[c])
+       && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
+      result.first = c;
+  const double first = result.number > 0 ? static_cast<double>(mesh.user_number(result.first))
+                                         : std::numeric_limits<double>::infinity();
+  result.has_first = mesh.communicator->minimum(first) == first && result.number > 0;
+  result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.number)));
+  return result;
+}
+
+inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
+}
+
+// Those of the cells with four prescribed vertices whose targets give them no positive volume.
+inline Found_cells inverted_prescribed_cells(const Numbered_mesh_3& mesh)
+{
+  return find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
+           && !is_positive(mesh.target, cell);
+  });
+}
 
 // The images of all vertices, with the verdict of exact predicates on them.
 struct Map_3

@@ -12,32 +12,64 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Sorts pairs, and calls `f(begin, end)` for all that have the same first element.
+template <typename Pair, typename Function>
+void for_each_group(std::vector<Pair> pairs, const Function& f)
+{
+  std::sort(pairs.begin(), pairs.end());
+  for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
+  {
+    end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });
+    f(begin, end);
+  }
+}
+
+// Calls `f(begin, end)` for each edge, with a pair for each of its facets: its vertices, the smaller first, and the corners
+// there, where corner k of facet i is 3 i + k.
+template <typename Vertex, typename Function>
+void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Function& f)
+{
+  std::vector<std::pair<std::array<Vertex, 2>, std::array<std::size_t, 2> > > edges;
+  edges.reserve(3 * facets.size());
+  for(std::size_t i = 0; i < facets.size(); ++i)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const std::size_t l = (k + 1) % 3;
+      const bool is_sorted = facets[i][k] < facets[i][l];
+      const std::size_t first = is_sorted ? k : l, second = is_sorted ? l : k;
+      edges.push_back({ { facets[i][first], facets[i][second] }, { 3 * i + first, 3 * i + second } });
+    }
+  for_each_group(std::move(edges), f);
+}
+
 // Those of the faces of all cells that occur once, in whatever order of their vertices.
 template <typename Face>
 std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces)
 {
-  std::vector<std::pair<Face, Face> > sorted; // with vertices sorted, and as they are
-  sorted.reserve(faces.size());
+  std::vector<std::pair<Face, Face> > pairs; // with vertices sorted, and as they are
+  pairs.reserve(faces.size());
   for(const Face& face : faces)
   {
-    sorted.emplace_back(face, face);
-    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+    pairs.emplace_back(face, face);
+    std::sort(pairs.back().first.begin(), pairs.back().first.end());
   }
-  std::sort(sorted.begin(), sorted.end());
-
   std::vector<Face> result;
-  for(std::size_t i = 0; i < sorted.size(); ++i)
-    if((i == 0 || sorted[i - 1].first != sorted[i].first)
-       && (i + 1 == sorted.size() || sorted[i + 1].first != sorted[i].first))
-      result.push_back(sorted[i].second);
+  for_each_group(std::move(pairs), [&](const auto begin, const auto end)
+  {
+    if(end - begin == 1)
+      result.push_back(begin->second);
+  });
   return result;
 }
 
@@ -51,6 +83,36 @@ inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std:
     for(const auto& i : outward)
       facets.push_back({ cell[i[0]], cell[i[1]], cell[i[2]] });
   return faces_of_one_cell(facets);
+}
+
+// The vertices at an edge that has not two facets, and those whose corners of facets are not all joined by such edges.
+inline std::vector<std::size_t> non_manifold_vertices(const std::size_t number_of_vertices,
+                                                      const std::vector<std::array<std::size_t, 3> >& facets)
+{
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<bool> is_bad(number_of_vertices, false);
+  Disjoint_sets corners(3 * facets.size());
+  for_each_edge(facets, [&](const auto begin, const auto end)
+  {
+    for(std::size_t i = 0; i < 2; ++i)
+      if(end - begin == 2)
+        corners.unite(begin->second[i], (begin + 1)->second[i]);
+      else
+        is_bad[begin->first[i]] = true;
+  });
+
+  std::vector<std::size_t> umbrella(number_of_vertices, none);
+  for(std::size_t corner = 0; corner < 3 * facets.size(); ++corner)
+  {
+    const std::size_t v = facets[corner / 3][corner % 3], set = corners.find(corner);
+    is_bad[v] = is_bad[v] || (umbrella[v] != none && umbrella[v] != set);
+    umbrella[v] = set;
+  }
+  std::vector<std::size_t> result;
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+    if(is_bad[v])
+      result.push_back(v);
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -15,9 +15,9 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_orientation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -55,32 +56,19 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 }
 
 // The volume of a cell is a product of three lengths, and energies have their fourth powers.
-inline Input_check_3 check_box(const Eigen::AlignedBox3d& box, const char* name)
+inline Input_check_3 check_sizes(const Numbered_mesh_3& mesh)
 {
   constexpr double smallest = 1e-70, largest = 1e70;
-  const double diagonal = box.diagonal().stableNorm();
-  if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
-    return {};
-  return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
-                      ", which is not between ", smallest, " and ", largest, ".");
-}
-
-inline Input_check_3 check_source_size(const Numbered_mesh_3& mesh)
-{
-  return check_box(bounding_box(*mesh.communicator, mesh.source), "source");
-}
-
-inline Input_check_3 check_target_size(const Numbered_mesh_3& mesh)
-{
-  return check_box(target_box(mesh), "prescribed points");
-}
-
-inline Input_check_3 check_initial_size(const Numbered_mesh_3& mesh)
-{
-  if(mesh.initial.cols() == 0)
-    return {};
-  const Eigen::Matrix3Xd points = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
-  return check_box(bounding_box(*mesh.communicator, points), "initial images");
+  const Eigen::Matrix3Xd initial = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
+  const std::pair<Eigen::AlignedBox3d, const char*> boxes[]
+    = { { bounding_box(*mesh.communicator, mesh.source), "source" }, { target_box(mesh), "prescribed points" },
+        { bounding_box(*mesh.communicator, initial), "initial images" } };
+  for(const auto& [box, name] : boxes)
+    if(const double diagonal = box.isEmpty() ? 0 : box.diagonal().stableNorm();
+       diagonal != 0 && !(smallest <= diagonal && diagonal <= largest))
+      return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
+                          ", which is not between ", smallest, " and ", largest, ".");
+  return {};
 }
 
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
@@ -137,11 +125,7 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 // Three prescribed vertices on a line make each of their cells flat.
 inline bool is_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 3>& facet)
 {
-  const auto point = [&](const int i)
-  {
-    const auto target = mesh.target.col(facet[i]);
-    return Exact_point_3(target[0], target[1], target[2]);
-  };
+  const auto point = [&](const int i) { return exact_point(mesh.target.col(facet[i])); };
   return std::none_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_free(v); })
          && CGAL::collinear(point(0), point(1), point(2));
 }
@@ -192,9 +176,8 @@ inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.number_of_all_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const auto check : { check_coordinates, check_source_size, check_target_size, check_initial_size,
-                           check_source_cells, check_source_determinants, check_target_volume, check_prescribed_facets,
-                           check_prescribed_cells })
+  for(const auto check : { check_coordinates, check_sizes, check_source_cells, check_source_determinants,
+                           check_target_volume, check_prescribed_facets, check_prescribed_cells })
   {
     const Input_check_3 result = check(mesh);
     const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);

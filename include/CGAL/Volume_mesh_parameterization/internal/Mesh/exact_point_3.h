@@ -15,6 +15,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 
@@ -23,10 +25,34 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The point with coordinates in double precision, for which predicates are exact.
 using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
+// From points of any kernel, from vectors and from arrays.
+template <typename Point>
+std::array<double, 3> coordinates(const Point& p)
+{
+  return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) };
+}
+
+inline const std::array<double, 3>& coordinates(const std::array<double, 3>& p) { return p; }
+
+template <typename Point>
+Eigen::Vector3d to_vector(const Point& p)
+{
+  const auto& [x, y, z] = coordinates(p);
+  return Eigen::Vector3d(x, y, z);
+}
+
 template <typename Point>
 Exact_point_3 exact_point(const Point& p)
 {
-  return Exact_point_3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  const auto& [x, y, z] = coordinates(p);
+  return Exact_point_3(x, y, z);
+}
+
+// The point of a vertex of a triangulation, where it may be a weighted one.
+template <typename Tr>
+auto point_of_vertex(const Tr& tr, const typename Tr::Vertex_handle v)
+{
+  return typename Tr::Geom_traits::Point_3(tr.geom_traits().construct_point_3_object()(tr.point(v)));
 }
 
 inline bool is_finite_point(const Exact_point_3& p)

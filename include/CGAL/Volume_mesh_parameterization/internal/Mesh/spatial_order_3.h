@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
@@ -33,15 +34,15 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_3> points;
+  std::vector<Exact_point_3> points;
   for(Eigen::Index v = 0; v < source.cols(); ++v)
-    points.emplace_back(source(0, v), source(1, v), source(2, v));
+    points.push_back(exact_point(source.col(v)));
 
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto end_of_free
     = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return !is_prescribed[v]; });
-  using Point_map = CGAL::Pointer_property_map<Kernel::Point_3>::type;
+  using Point_map = CGAL::Pointer_property_map<Exact_point_3>::type;
   const CGAL::Spatial_sort_traits_adapter_3<Kernel, Point_map> traits(CGAL::make_property_map(points));
   CGAL::hilbert_sort(order.begin(), end_of_free, traits);
   return order;

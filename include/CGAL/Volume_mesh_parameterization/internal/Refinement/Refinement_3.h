@@ -12,17 +12,69 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Point_in_simplex_3.h>
+#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
 #include <boost/functional/hash.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A point of a simplex that can become a vertex, as all cells it makes are positive after rounding: the centroid, or else
+// one up to a third of the way towards a vertex.
+template <typename Tr>
+std::optional<Exact_point_3> point_in_simplex_3(const Tr& tr, const Simplex_3<typename Tr::Vertex_handle>& simplex,
+                                                const std::vector<typename Tr::Cell_handle>& cells_around)
+{
+  using Vertex_handle = typename Tr::Vertex_handle;
+
+  const auto weighted_mean = [&](const Vertex_handle preferred, const double additional_weight)
+  {
+    std::array<double, 3> sum = { 0, 0, 0 };
+    double total_weight = 0;
+    for(const Vertex_handle v : simplex)
+    {
+      const double weight = (v == preferred) ? 1 + additional_weight : 1;
+      const Exact_point_3 p = exact_point(point_of_vertex(tr, v));
+      for(int i = 0; i < 3; ++i)
+        sum[i] += weight * p[i];
+      total_weight += weight;
+    }
+    return Exact_point_3(sum[0] / total_weight, sum[1] / total_weight, sum[2] / total_weight);
+  };
+  const auto makes_positive_cells = [&](const Exact_point_3& p)
+  {
+    for(const auto c : cells_around)
+      for(const Vertex_handle replaced : simplex)
+      {
+        const auto point = [&](const int i)
+        {
+          return c->vertex(i) == replaced ? p : exact_point(point_of_vertex(tr, c->vertex(i)));
+        };
+        if(!is_positive_cell({ point(0), point(1), point(2), point(3) }))
+          return false;
+      }
+    return true;
+  };
+
+  for(const double additional_weight : { 0., 0.125, 0.25, 0.5, 1. })
+    for(const Vertex_handle v : simplex)
+    {
+      const Exact_point_3 p = weighted_mean(v, additional_weight);
+      if(makes_positive_cells(p))
+        return p;
+    }
+  return std::nullopt;
+}
 
 // Inserts vertices into chosen edges, facets and cells of a complex, and knows where the other chosen ones are then.
 //
@@ -57,7 +109,7 @@ public:
     if(c == Cell_handle() || !is_interior(m_c3t3, simplex, c))
       return Vertex_handle();
     const std::vector<Cell_handle> cells = cells_around(m_c3t3.triangulation(), simplex, c);
-    const auto point = Point_in_simplex_3<typename C3t3::Triangulation>(m_c3t3.triangulation(), simplex, cells).find();
+    const auto point = point_in_simplex_3(m_c3t3.triangulation(), simplex, cells);
     if(!point)
       return Vertex_handle();
 
@@ -105,6 +157,38 @@ private:
   C3t3& m_c3t3;
   std::unordered_map<Simplex, Cell_handle, Hash, Has_same_vertices> m_cells;
 };
+
+// Splits the interior edges among the given pairs of vertices, longest first, and writes an `Inserted_vertex_3` for each
+// split. Pairs that are no interior edge are ignored. The time is linear in the number of cells.
+template <typename C3t3, typename OutputIterator>
+OutputIterator split_edges_3(C3t3& c3t3,
+                             const std::vector<std::pair<typename C3t3::Vertex_handle,
+                                                         typename C3t3::Vertex_handle> >& edges,
+                             OutputIterator out)
+{
+  using Vertex_handle = typename C3t3::Vertex_handle;
+  using Simplex = Simplex_3<Vertex_handle>;
+
+  Refinement_3<C3t3> refinement(c3t3);
+  std::vector<std::pair<double, Simplex> > sorted;
+  for(const auto& [v, w] : edges)
+  {
+    const Simplex edge = { v, w };
+    if(refinement.choose(edge))
+      sorted.emplace_back(squared_size(c3t3.triangulation(), edge), edge);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+    refinement.locate_faces(it);
+
+  for(const auto& [size, edge] : sorted)
+  {
+    const Vertex_handle v = refinement.insert(edge);
+    if(v != Vertex_handle())
+      *out++ = Inserted_vertex_3<Vertex_handle>{ v, { edge.begin(), edge.end() } };
+  }
+  return out;
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -63,19 +63,17 @@ void for_each_face(const Simplex_3<VertexHandle>& simplex, const Function& f)
 template <typename Tr>
 double squared_size(const Tr& tr, const Simplex_3<typename Tr::Vertex_handle>& simplex)
 {
-  const auto point = tr.geom_traits().construct_point_3_object();
   double result = 0;
   for(const auto v : simplex)
     for(const auto w : simplex)
-      result = (std::max)(result, CGAL::squared_distance(exact_point(point(tr.point(v))),
-                                                         exact_point(point(tr.point(w)))));
+      result = (std::max)(result, CGAL::squared_distance(exact_point(point_of_vertex(tr, v)),
+                                                         exact_point(point_of_vertex(tr, w))));
   return result;
 }
 
 // The cells that contain a simplex of the cell c.
 template <typename Tr>
-std::vector<typename Tr::Cell_handle> cells_around(const Tr& tr,
-                                                   const Simplex_3<typename Tr::Vertex_handle>& simplex,
+std::vector<typename Tr::Cell_handle> cells_around(const Tr& tr, const Simplex_3<typename Tr::Vertex_handle>& simplex,
                                                    const typename Tr::Cell_handle c)
 {
   if(simplex.size() == 4)
@@ -94,15 +92,11 @@ std::vector<typename Tr::Cell_handle> cells_around(const Tr& tr,
 
 // Does a simplex of the cell c lie inside the complex, that is not in a facet between the complex and the outside?
 template <typename C3t3>
-bool is_interior(const C3t3& c3t3,
-                 const Simplex_3<typename C3t3::Vertex_handle>& simplex,
+bool is_interior(const C3t3& c3t3, const Simplex_3<typename C3t3::Vertex_handle>& simplex,
                  const typename C3t3::Cell_handle c)
 {
   const auto cells = cells_around(c3t3.triangulation(), simplex, c);
-  return std::all_of(cells.begin(), cells.end(), [&](const typename C3t3::Cell_handle around)
-  {
-    return c3t3.is_in_complex(around);
-  });
+  return std::all_of(cells.begin(), cells.end(), [&](const auto around) { return c3t3.is_in_complex(around); });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
