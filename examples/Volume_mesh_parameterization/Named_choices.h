@@ -1,11 +1,20 @@
-// The linear solvers and the modes of the boundary, chosen by their names at run time.
+// The energies, the linear solvers and the modes of the boundary, chosen by their names at run time.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
 
 #include "find_name.h"
 
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
@@ -14,6 +23,16 @@
 
 #include <string>
 #include <variant>
+
+// Energies that have no barrier receive one.
+inline CGAL::Volume_mesh_parameterization::Any_energy_3 named_energy(const std::string& name)
+{
+  using namespace CGAL::Volume_mesh_parameterization;
+  return find_name<Any_energy_3>("energy", name, {
+    {"stretch", Stretch_energy_3()}, {"symmetric_dirichlet", Symmetric_Dirichlet_energy_3()}, {"mips", MIPS_energy_3()},
+    {"arap", Barrier_energy_3<ARAP_energy_3>()}, {"dirichlet", Barrier_energy_3<Dirichlet_energy_3>()},
+    {"lscm", Barrier_energy_3<LSCM_energy_3>()}, {"lpm", Barrier_energy_3<LPM_energy_3>()}});
+}
 
 // The number of threads is limited at run time; results do not depend on it.
 using Concurrency_tag = CGAL::Parallel_if_available_tag;

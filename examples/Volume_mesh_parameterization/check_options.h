@@ -5,7 +5,6 @@
 #include "Command_line.h"
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
-#include "Named_energy_3.h"
 #include "Output_file.h"
 #include "boundary_targets_of.h"
 
@@ -59,7 +58,7 @@ inline void check_files(const Options& options)
 
 inline void check(const Options& options)
 {
-  Named_energy_3{options.energy};
+  named_energy(options.energy);
   named_solver(options.solver);
   named_boundary_mode(options.boundary);
   if(!options.domain.empty())

@@ -3,7 +3,6 @@
 #include "Hexahedra_file.h"
 #include "Mesh_file.h"
 #include "Named_choices.h"
-#include "Named_energy_3.h"
 #include "Output_file.h"
 #include "Progress_line.h"
 #include "Report.h"
@@ -64,7 +63,7 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Pr
         .boundary_mode(named_boundary_mode(options.boundary))
         .do_refine(options.do_refine)
         .do_slide_boundary(options.do_slide)
-        .energy(Named_energy_3(options.energy))
+        .energy(named_energy(options.energy))
         .use_volume_weights(options.use_volume_weights)
         .maximal_angle_distortion(options.maximal_angle_distortion)
         .minimize_maximal_angle_distortion(options.minimize_maximal_angle_distortion)

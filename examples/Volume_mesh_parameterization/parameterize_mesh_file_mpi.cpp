@@ -1,7 +1,7 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, with several processes:
 // mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [PETSc's options, with one dash]
 #include "Command_line.h"
-#include "Named_energy_3.h"
+#include "Named_choices.h"
 #include "Output_file.h"
 #include "Progress_line.h"
 #include "Result_report.h"
@@ -68,7 +68,7 @@ Result parameterize(const Options& options, const VMP::Distributed_tetrahedron_s
   try
   {
     return CGAL::stretch_minimizing_volume_parameterization(source, targets, uvw,
-      params::energy(Named_energy_3(options.energy))
+      params::energy(named_energy(options.energy))
         .use_volume_weights(options.use_volume_weights)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(std::ref(progress)));
@@ -82,7 +82,7 @@ Result parameterize(const Options& options, const VMP::Distributed_tetrahedron_s
 // Finds faults in the options before anything expensive is done; where files are concerned, on rank 0.
 void check(const Options& options)
 {
-  Named_energy_3{options.energy};
+  named_energy(options.energy);
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.time_limit >= 0))

@@ -3,13 +3,24 @@
 //
 // Usage: fuzz_parameterization [NUMBER_OF_INPUTS [SEED]]
 // Input i is made from the seed SEED + i only, so a failure can be repeated by itself.
-#include "Any_energy_3.h"
 #include "complex_checks.h"
 #include "fuzz_inputs.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Lp_stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -95,12 +106,23 @@ void expect(const bool condition, const char* promise)
     throw std::logic_error(std::string("broken promise: ") + promise);
 }
 
+const std::vector<VMP::Any_energy_3>& energies()
+{
+  static const std::vector<VMP::Any_energy_3> result = {
+    VMP::Stretch_energy_3(), VMP::Dirichlet_energy_3(), VMP::ARAP_energy_3(), VMP::LSCM_energy_3(), VMP::LPM_energy_3(),
+    VMP::MIPS_energy_3(), VMP::Symmetric_Dirichlet_energy_3(), VMP::Lp_stretch_energy_3(),
+    VMP::Barrier_energy_3<VMP::ARAP_energy_3>(), VMP::Power_energy_3<VMP::MIPS_energy_3>(),
+    VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>(3)
+  };
+  return result;
+}
+
 // All arguments of a call.
 class Problem
 {
 public:
   Problem(const VMP::Tetrahedron_soup_3& soup, Random& random)
-    : m_energy(random.one_in(2) ? 0 : random.below(VMP::Any_energy_3::number_of_energies))
+    : m_energy(random.one_in(2) ? energies().front() : energies()[random.below(energies().size())])
   {
     std::vector<Vertex_handle> vertices;
     std::vector<Cell_handle> cells;

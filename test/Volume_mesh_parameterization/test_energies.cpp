@@ -2,6 +2,7 @@
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
@@ -43,10 +44,11 @@ template <typename E> using Bounded_angle = VMP::Bounded_angle_energy_3<E>;
 struct Cubed_MIPS : Power<MIPS> { Cubed_MIPS() : Power<MIPS>(3) {} };
 struct Bounded_stretch : Bounded_angle<Stretch> { Bounded_stretch() : Bounded_angle<Stretch>(4) {} };
 struct Bounded_Dirichlet : Bounded_angle<Dirichlet> { Bounded_Dirichlet() : Bounded_angle<Dirichlet>(2.5) {} };
+struct Any_LSCM : VMP::Any_energy_3 { Any_LSCM() : VMP::Any_energy_3(Barrier<LSCM>()) {} };
 
 using Energies = std::tuple<Stretch, Dirichlet, ARAP, LSCM, LPM, MIPS, Symmetric_Dirichlet, Lp_stretch,
                             Barrier<ARAP>, Barrier<LSCM>, Power<Stretch>, Cubed_MIPS, Bounded_stretch,
-                            Bounded_Dirichlet>;
+                            Bounded_Dirichlet, Any_LSCM, Barrier<Any_LSCM> >;
 
 // distinct, equal, nearly equal, tiny
 const std::vector<Vector3d> samples = {
@@ -280,6 +282,24 @@ TEST_CASE("The barrier against the distortion of angles", "[energies]")
   const double distance = 2 + relaxation;
   CHECK(barrier(2 * K, relaxation)
         == Approx(2 * (here - distance * first + distance * distance / 2 * second)).epsilon(1e-3));
+}
+
+TEST_CASE("An energy chosen at run time has the values of the one it holds", "[energies]")
+{
+  const Vector3d s(1.7, 0.9, 0.4);
+  const auto check = [&](const VMP::Any_energy_3& any, const auto& energy)
+  {
+    CHECK(any.value(s) == Approx(value(energy, s)).epsilon(1e-14));
+    CHECK(any.gradient(s).isApprox(Vector3d(energy.gradient(s)), 1e-14));
+    CHECK(any.hessian(s).isApprox(Matrix3d(energy.hessian(s)), 1e-14));
+  };
+  const Barrier<ARAP> strong(ARAP(), 5, 2);
+  VMP::Any_energy_3 any = strong;
+  check(any, strong);
+  const VMP::Any_energy_3 copy = any;
+  any = Lp_stretch(8);
+  check(any, Lp_stretch(8));
+  check(copy, strong);
 }
 
 // With k = r + 1/r, r the ratio of the largest to the smallest singular value.

@@ -5,6 +5,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
@@ -182,6 +183,18 @@ TEST_CASE("Minimum, maximum and selection of packs act in each cell, and as for 
       CHECK(is_same(selected[i], VMP::select(a[i] < b[i], 5., a[i])));
     }
   }
+}
+
+TEST_CASE("An energy whose type is chosen at run time leads to the same map, bit by bit")
+{
+  Complex complex(twisted_cube(4, 0.1)), other(complex.mesh);
+  Recorder recorder;
+  const Parameterization_result expected = parameterize(complex, Own_energy(), recorder);
+  const Parameterization_result result = parameterize(other, VMP::Any_energy_3(Own_energy()), recorder);
+  CHECK(result.status == VMP::OK);
+  CHECK(result.energy == expected.energy);
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    CHECK(other.uvw.at(other.vertices[v]) == complex.uvw.at(complex.vertices[v]));
 }
 
 TEST_CASE("An energy of the user that chooses between formulas is minimized")

@@ -2,7 +2,7 @@
 //   run_soft_boundary SOURCE.mesh TARGET NAME [options]
 // Writes the map NAME.mesh, and NAME.csv with the energies of distortion and positions and the squared
 // norms of their gradients after each step; lengths are such that the target has volume 1.
-#include "../../../examples/Volume_mesh_parameterization/Named_energy_3.h"
+#include "../../../examples/Volume_mesh_parameterization/Named_choices.h"
 #include "Map_problem.h"
 #include "Plain_newton_map_3.h"
 
@@ -136,14 +136,14 @@ void run(Map& map, const Options& options, const Map_problem& problem, const Mea
 void run(const Options& options)
 {
   const Map_problem problem(options.source, options.target);
-  const Named_energy_3 energy(options.energy);
-  const VMP::internal::Cell_energy_of<Named_energy_3> cell_energy(energy);
+  const VMP::Any_energy_3 energy = named_energy(options.energy);
+  const VMP::internal::Cell_energy_3& cell_energy = cell_energy_3(energy);
   const Mean_energy mean_energy(problem.mesh(), cell_energy);
   CGAL::Real_timer timer;
   timer.start();
   if(options.is_plain)
   {
-    Plain_newton_map_3<Named_energy_3> map(problem.mesh(), energy, options.parameters.weight);
+    Plain_newton_map_3<VMP::Any_energy_3> map(problem.mesh(), energy, options.parameters.weight);
     run(map, options, problem, mean_energy, timer);
   }
   else

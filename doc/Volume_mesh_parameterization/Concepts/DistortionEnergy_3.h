@@ -43,6 +43,7 @@ be copy constructible; objects are copied, and should be small.
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Barrier_energy_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Power_energy_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Bounded_angle_energy_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Any_energy_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`

@@ -79,6 +79,10 @@ private:
   Energy m_energy;
 };
 
+// An energy as the engine knows it; `Any_energy_3` has another such function.
+template <typename Energy>
+Cell_energy_of<Energy> cell_energy_3(const Energy& energy) { return Cell_energy_of<Energy>(energy); }
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_ENERGY_3_H

@@ -121,7 +121,7 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   options.is_parallel = is_parallel<ConcurrencyTag>();
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
 
-  const Cell_energy_of<Energy> cell_energy(energy);
+  const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
   const Complex_problem_3<Vertex, std::remove_const_t<decltype(is_constrained)>, BoundaryMap> problem = {
     is_constrained, boundary_map, initial,

@@ -12,8 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Bounded_cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
@@ -30,6 +31,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,9 +55,10 @@ void bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Cell_energy_3& 
   double excess = largest_angle_distortion_3(mesh, found.map.positions) - bound;
   if(excess < 0)
     return;
+  const Any_energy_3 unbounded(std::shared_ptr<const Cell_energy_3>(std::shared_ptr<void>(), &energy));
   const auto minimize_relaxed = [&](const double relaxation)
   {
-    minimize(Bounded_cell_energy_3(bound, energy, relaxation));
+    minimize(cell_energy_3(Bounded_angle_energy_3<Any_energy_3>(bound, unbounded, relaxation)));
     excess = largest_angle_distortion_3(mesh, found.map.positions) - bound;
   };
   double previous = std::numeric_limits<double>::infinity();
