@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Inverse_spline_barrier.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Core>

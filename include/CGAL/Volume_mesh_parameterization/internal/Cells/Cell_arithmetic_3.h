@@ -17,8 +17,7 @@
 #include <Eigen/Core>
 
 // The arithmetic with the instructions of this unit, which is also the one for single cells.
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/begin_instructions_of_unit.inc>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/cell_arithmetic.inc>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Distortion_derivatives_3.inc>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -62,7 +61,5 @@ inline Rotation_and_stretch_3 rotation_and_stretch_3(const Eigen::Matrix3d& J)
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
-
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_CELLS_CELL_ARITHMETIC_3_H

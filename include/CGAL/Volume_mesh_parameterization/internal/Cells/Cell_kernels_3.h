@@ -15,10 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Energy_evaluation.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/positive_until.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -38,12 +38,29 @@ struct Cell_kernels_3
   double (*largest_step)(Range, Range, const double* u, const double* d);
 };
 
+// A number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its
+// first root, less at most the resolution times that root, however small it is. Bisects by de
+// Casteljau's algorithm.
+inline double positive_until(const std::array<double, 4>& b, const double resolution = 1. / 1024)
+{
+  if((std::min)((std::min)(b[0], b[1]), (std::min)(b[2], b[3])) > 0)
+    return 1;
+  const bool are_finite = std::isfinite(b[0]) && std::isfinite(b[1]) && std::isfinite(b[2]) && std::isfinite(b[3]);
+  if(resolution >= 1 || !(b[0] > 0) || !are_finite)
+    return 0;
+  const double b01 = (b[0] + b[1]) / 2, b12 = (b[1] + b[2]) / 2, b23 = (b[2] + b[3]) / 2;
+  const double b012 = (b01 + b12) / 2, b123 = (b12 + b23) / 2;
+  const double middle = (b012 + b123) / 2;
+  const double left = positive_until({ b[0], b01, b012, middle }, resolution);
+  if(left < 1)
+    return left / 2;
+  return (1 + positive_until({ middle, b123, b23, b[3] }, 2 * resolution)) / 2;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 // The kernels are compiled for the instructions of this unit, and for longer ones that the processor may have.
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/begin_instructions_of_unit.inc>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Cell_kernels_3.inc>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #  if !(defined(__AVX512F__) && defined(__AVX512DQ__))
@@ -61,12 +78,13 @@ struct Cell_kernels_3
 #    pragma GCC push_options
 #    pragma GCC target("avx2,fma")
 #  endif
+#  undef CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS
+#  undef CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS avx2
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 4
 #  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Pack.inc>
-#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/cell_arithmetic.inc>
+#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Distortion_derivatives_3.inc>
 #  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Cell_kernels_3.inc>
-#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 #  if defined(__clang__)
 #    pragma clang attribute pop
 #  else
@@ -81,12 +99,13 @@ struct Cell_kernels_3
 #    pragma GCC push_options
 #    pragma GCC target("avx512f,avx512dq,avx2,fma")
 #  endif
+#  undef CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS
+#  undef CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS avx512
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 8
 #  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Pack.inc>
-#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/cell_arithmetic.inc>
+#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Distortion_derivatives_3.inc>
 #  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Cell_kernels_3.inc>
-#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 #  if defined(__clang__)
 #    pragma clang attribute pop
 #  else

@@ -12,7 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -35,6 +38,23 @@ struct alignas(64) Cell_pack_3
   std::array<Indices, 10> blocks;   // the positions in the matrix of the pairs a <= b; -1 if a vertex is not unknown
 
   static constexpr int index_of_block(const int a, const int b) { return a * (7 - a) / 2 + b; }
+};
+
+// What one pass over the cells tells.
+struct Energy_evaluation
+{
+  double energy = 0;                                                  // sum of weight times psi
+  double smallest_determinant = std::numeric_limits<double>::infinity();
+  std::size_t number_of_inverted_cells = 0;                           // det J <= 0, or not a number
+
+  bool is_flip_free() const { return number_of_inverted_cells == 0; }
+
+  void add(const Energy_evaluation& other)
+  {
+    energy += other.energy;
+    smallest_determinant = (std::min)(smallest_determinant, other.smallest_determinant);
+    number_of_inverted_cells += other.number_of_inverted_cells;
+  }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -27,7 +27,18 @@
 #include <cstring>
 #include <utility>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/begin_instructions_of_unit.inc>
+// The instructions for which this unit is compiled, and the doubles in a register of theirs. The namespace of the
+// arithmetic is named after them, so that units for different processors do not share functions.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS avx512
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 8
+#elif defined(__AVX2__) && defined(__FMA__)
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS avx2
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 4
+#else
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS baseline
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 2
+#endif
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -62,8 +73,6 @@ inline Pack log(const Pack& a)
 using CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS::Pack;
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
-
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/end_instructions.inc>
 
 namespace Eigen {
 
