@@ -49,6 +49,10 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, std::vect
   target_link_libraries(${PROJECT_NAME}_engine PUBLIC ${PROJECT_NAME})
   target_compile_definitions(${PROJECT_NAME}_engine PUBLIC
     CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE EIGEN_MAX_ALIGN_BYTES=64)
+  # Energies are compiled with the programs: with other instructions, they are rounded otherwise than the engine.
+  if(${PROJECT_NAME}_NATIVE)
+    target_compile_options(${PROJECT_NAME}_engine PUBLIC -march=native)
+  endif()
   install(TARGETS ${PROJECT_NAME}_engine EXPORT ${PROJECT_NAME}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
