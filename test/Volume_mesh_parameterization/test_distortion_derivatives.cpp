@@ -1,4 +1,4 @@
-// Signed singular values, and the derivatives of each energy that are built on them.
+// Packs of cells, signed singular values, and the derivatives of each energy that are built on them.
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
@@ -295,6 +295,33 @@ void check_against_differences(const Erased_energy& energy, const Matrix3d& sour
 }
 
 } // namespace
+
+TEST_CASE("Minimum, maximum and selection of packs act in each cell, and as for numbers where one is none")
+{
+  const double nan = std::nan("");
+  const std::vector<double> values = { -2, 0, 1, nan, 1e300 };
+  for(std::size_t first = 0; first < values.size(); ++first)
+  {
+    double a[Pack::size], b[Pack::size], least[Pack::size], largest[Pack::size], selected[Pack::size];
+    for(std::size_t i = 0; i < Pack::size; ++i)
+    {
+      a[i] = values[(first + i) % values.size()];
+      b[i] = values[(first + 2 * i + 1) % values.size()];
+    }
+    const Pack x = Pack::load(a), y = Pack::load(b);
+    minimum(x, y).store(least);
+    maximum(x, y).store(largest);
+    select(x < y, Pack(5), x).store(selected);
+    const auto is_same = [](const double p, const double q) { return p == q || (std::isnan(p) && std::isnan(q)); };
+    for(std::size_t i = 0; i < Pack::size; ++i)
+    {
+      INFO(a[i] << ", " << b[i]);
+      CHECK(is_same(least[i], VMP::minimum(a[i], b[i])));
+      CHECK(is_same(largest[i], VMP::maximum(a[i], b[i])));
+      CHECK(is_same(selected[i], VMP::select(a[i] < b[i], 5., a[i])));
+    }
+  }
+}
 
 TEST_CASE("Signed singular values decompose a matrix")
 {

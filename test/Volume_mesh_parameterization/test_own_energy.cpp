@@ -7,7 +7,6 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
 
 #include <Eigen/Dense>
@@ -28,7 +27,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using VMP::Parameterization_result;
 using VMP::internal::Numbered_mesh_3;
-using VMP::internal::Pack;
 
 namespace {
 
@@ -156,33 +154,6 @@ TEST_CASE("Minimum, maximum and selection of numbers")
   CHECK(VMP::maximum(2., 1.) == 2);
   CHECK(VMP::select(true, 1., 2.) == 1);
   CHECK(VMP::select(false, 1., 2.) == 2);
-}
-
-TEST_CASE("Minimum, maximum and selection of packs act in each cell, and as for numbers where one is none")
-{
-  const double nan = std::nan("");
-  const std::vector<double> values = { -2, 0, 1, nan, 1e300 };
-  for(std::size_t first = 0; first < values.size(); ++first)
-  {
-    double a[Pack::size], b[Pack::size], least[Pack::size], largest[Pack::size], selected[Pack::size];
-    for(std::size_t i = 0; i < Pack::size; ++i)
-    {
-      a[i] = values[(first + i) % values.size()];
-      b[i] = values[(first + 2 * i + 1) % values.size()];
-    }
-    const Pack x = Pack::load(a), y = Pack::load(b);
-    minimum(x, y).store(least);
-    maximum(x, y).store(largest);
-    select(x < y, Pack(5), x).store(selected);
-    const auto is_same = [](const double p, const double q) { return p == q || (std::isnan(p) && std::isnan(q)); };
-    for(std::size_t i = 0; i < Pack::size; ++i)
-    {
-      INFO(a[i] << ", " << b[i]);
-      CHECK(is_same(least[i], VMP::minimum(a[i], b[i])));
-      CHECK(is_same(largest[i], VMP::maximum(a[i], b[i])));
-      CHECK(is_same(selected[i], VMP::select(a[i] < b[i], 5., a[i])));
-    }
-  }
 }
 
 TEST_CASE("An energy whose type is chosen at run time leads to the same map, bit by bit")
