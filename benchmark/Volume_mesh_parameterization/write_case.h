@@ -3,7 +3,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
 #include <array>
 #include <cstddef>

@@ -215,6 +215,20 @@ TEMPLATE_LIST_TEST_CASE("The solution is that of a dense factorization", "", Sol
   CHECK((x - llt.solve(b)).norm() <= 1e4 * std::numeric_limits<NT>::epsilon() * x.norm());
 }
 
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+TEST_CASE("The entries of a lower triangle are counted before any are written, beyond what an int holds")
+{
+  using VMP::internal::number_of_entries_of_lower_triangle;
+  const auto A = pattern<double>(cube_mesh(4));
+  std::size_t number = 0;
+  for(int row = 0; row < A.size(); ++row)
+    for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+      number += A.column(k) > row ? 9 : A.column(k) == row ? 6 : 0;
+  CHECK(number_of_entries_of_lower_triangle(A.size(), A.row_end(A.size() - 1)) == number);
+  CHECK(number_of_entries_of_lower_triangle(100000000, 1500000000) == 6900000000);
+}
+#endif
+
 TEMPLATE_LIST_TEST_CASE("An indefinite matrix is reported, and the solver stays usable", "", Solvers)
 {
   auto A = pattern<typename TestType::NT>(cube_mesh(5));

@@ -20,9 +20,20 @@
 #include <cholmod.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// The lower triangle of a matrix with blocks of 3x3 in both, of which there is one on each place of the diagonal.
+constexpr std::size_t number_of_entries_of_lower_triangle(const std::size_t number_of_rows, const std::size_t number_of_blocks)
+{
+  return 9 * ((number_of_blocks - number_of_rows) / 2) + 6 * number_of_rows;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
@@ -48,7 +59,7 @@ public:
   /// starts CHOLMOD, with its messages switched off.
   CHOLMOD_solver_traits_3()
   {
-    cholmod_l_start(&m_common);
+    cholmod_start(&m_common);
     m_common.print = 0;
     m_common.supernodal = CHOLMOD_SUPERNODAL;
     m_common.quick_return_if_not_posdef = 1;
@@ -60,21 +71,25 @@ public:
 
   ~CHOLMOD_solver_traits_3()
   {
-    cholmod_l_free_factor(&m_factor, &m_common);
-    cholmod_l_finish(&m_common);
+    cholmod_free_factor(&m_factor, &m_common);
+    cholmod_finish(&m_common);
   }
 
-  /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, `factorize()` will tell.
+  /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, or if the lower triangle of `A` has
+  /// \f$2^{31}\f$ entries or more, which CHOLMOD counts in `int` here, `factorize()` will tell.
   void analyze_pattern(const Matrix& A)
   {
+    cholmod_free_factor(&m_factor, &m_common);
+    const std::size_t n = static_cast<std::size_t>(A.size()), blocks = n == 0 ? 0 : A.row_end(A.size() - 1);
+    if(internal::number_of_entries_of_lower_triangle(n, blocks) > (std::numeric_limits<int>::max)())
+      return;
     set_pattern(A);
-    cholmod_l_free_factor(&m_factor, &m_common);
     cholmod_sparse view = matrix_view();
     m_common.nmethods = 1;
     m_common.method[0].ordering = CHOLMOD_GIVEN;
     m_common.postorder = 1;
-    std::vector<SuiteSparse_long> order = vertex_order(A);
-    m_factor = cholmod_l_analyze_p(&view, order.data(), nullptr, 0, &m_common);
+    std::vector<int> order = vertex_order(A);
+    m_factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &m_common);
   }
 
   /// factorizes `A`.
@@ -84,11 +99,11 @@ public:
   {
     if(A.size() == 0) // nothing to do, and CHOLMOD fails
       return Linear_solver_status::SUCCESS;
-    copy_values(A);
     if(m_factor == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;
+    copy_values(A);
     cholmod_sparse view = matrix_view();
-    cholmod_l_factorize(&view, m_factor, &m_common);
+    cholmod_factorize(&view, m_factor, &m_common);
     switch(m_common.status)
     {
       case CHOLMOD_OK: return Linear_solver_status::SUCCESS;
@@ -115,11 +130,11 @@ public:
     right.x = const_cast<double*>(b.data());
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
-    cholmod_dense* solution = cholmod_l_solve(CHOLMOD_A, m_factor, &right, &m_common);
+    cholmod_dense* solution = cholmod_solve(CHOLMOD_A, m_factor, &right, &m_common);
     if(solution == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;
     x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution->x), b.size());
-    cholmod_l_free_dense(&solution, &m_common);
+    cholmod_free_dense(&solution, &m_common);
     return x.allFinite() ? Linear_solver_status::SUCCESS : Linear_solver_status::FAILED;
   }
 
@@ -132,7 +147,7 @@ private:
       if(A.column(k) >= vertex)
         for(int i = 0; i < 3; ++i)
           if(A.column(k) > vertex || i >= component)
-            f(SuiteSparse_long(3) * A.column(k) + i, A.block(k)(component, i));
+            f(3 * A.column(k) + i, A.block(k)(component, i));
   }
 
   void set_pattern(const Matrix& A)
@@ -142,8 +157,8 @@ private:
     for(int v = 0; v < A.size(); ++v)
       for(int component = 0; component < 3; ++component)
       {
-        for_each_lower(A, v, component, [&](const SuiteSparse_long row, double) { m_rows.push_back(row); });
-        m_column_begin.push_back(static_cast<SuiteSparse_long>(m_rows.size()));
+        for_each_lower(A, v, component, [&](const int row, double) { m_rows.push_back(row); });
+        m_column_begin.push_back(static_cast<int>(m_rows.size()));
       }
     m_values.resize(m_rows.size());
   }
@@ -153,28 +168,28 @@ private:
     std::size_t i = 0;
     for(int v = 0; v < A.size(); ++v)
       for(int component = 0; component < 3; ++component)
-        for_each_lower(A, v, component, [&](SuiteSparse_long, const double value) { m_values[i++] = value; });
+        for_each_lower(A, v, component, [&](int, const double value) { m_values[i++] = value; });
   }
 
   // Orders the graph of the vertices, which is nine times smaller than that of the unknowns.
-  std::vector<SuiteSparse_long> vertex_order(const Matrix& A)
+  std::vector<int> vertex_order(const Matrix& A)
   {
-    std::vector<SuiteSparse_long> begin(1, 0), rows;
+    std::vector<int> begin(1, 0), rows;
     for(int v = 0; v < A.size(); ++v)
     {
       for(int k = A.row_begin(v); k < A.row_end(v); ++k)
         if(A.column(k) >= v)
           rows.push_back(A.column(k));
-      begin.push_back(static_cast<SuiteSparse_long>(rows.size()));
+      begin.push_back(static_cast<int>(rows.size()));
     }
-    cholmod_sparse graph = view(begin.size() - 1, begin, rows, nullptr);
-    std::vector<SuiteSparse_long> vertices(A.size());
-    if(!cholmod_l_metis(&graph, nullptr, 0, 1, vertices.data(), &m_common))
-      cholmod_l_amd(&graph, nullptr, 0, vertices.data(), &m_common);
+    cholmod_sparse graph = view(A.size(), begin, rows, nullptr);
+    std::vector<int> vertices(A.size());
+    if(!cholmod_metis(&graph, nullptr, 0, 1, vertices.data(), &m_common))
+      cholmod_amd(&graph, nullptr, 0, vertices.data(), &m_common);
 
-    std::vector<SuiteSparse_long> unknowns;
+    std::vector<int> unknowns;
     unknowns.reserve(3 * vertices.size());
-    for(const SuiteSparse_long v : vertices)
+    for(const int v : vertices)
       for(int component = 0; component < 3; ++component)
         unknowns.push_back(3 * v + component);
     return unknowns;
@@ -182,20 +197,19 @@ private:
 
   cholmod_sparse matrix_view()
   {
-    return view(m_column_begin.size() - 1, m_column_begin, m_rows, m_values.data());
+    return view(static_cast<int>(m_column_begin.size()) - 1, m_column_begin, m_rows, m_values.data());
   }
 
-  static cholmod_sparse view(const std::size_t size, std::vector<SuiteSparse_long>& begin,
-                             std::vector<SuiteSparse_long>& rows, double* values)
+  static cholmod_sparse view(const int size, std::vector<int>& begin, std::vector<int>& rows, double* values)
   {
     cholmod_sparse result = {};
-    result.nrow = result.ncol = size;
+    result.nrow = result.ncol = static_cast<std::size_t>(size);
     result.nzmax = rows.size();
     result.p = begin.data();
     result.i = rows.data();
     result.x = values;
     result.stype = -1; // the lower triangle
-    result.itype = CHOLMOD_LONG; // the scalars of a large mesh are more than an int counts
+    result.itype = CHOLMOD_INT;
     result.xtype = values == nullptr ? CHOLMOD_PATTERN : CHOLMOD_REAL;
     result.dtype = CHOLMOD_DOUBLE;
     result.sorted = 1;
@@ -205,7 +219,7 @@ private:
 
   cholmod_common m_common;
   cholmod_factor* m_factor = nullptr;
-  std::vector<SuiteSparse_long> m_column_begin, m_rows;
+  std::vector<int> m_column_begin, m_rows;
   std::vector<double> m_values;
 };
 

@@ -45,7 +45,7 @@ struct Target_of_vertex
 inline std::vector<Target_of_vertex> read_targets(Text_scanner scanner, const std::size_t number_of_vertices)
 {
   std::vector<Target_of_vertex> targets;
-  while(!scanner.coming_word().empty())
+  while(!scanner.rest().empty())
   {
     Text_scanner line = scanner.next_line();
     const long long v = line.next_number<long long>("the index of a vertex");

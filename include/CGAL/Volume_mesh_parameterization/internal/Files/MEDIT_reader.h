@@ -44,7 +44,7 @@ public:
   MEDIT_reader(const Communicator_3& communicator, const Text_scanner& text, const bool is_slice)
     : m_communicator(communicator), m_is_slice(is_slice)
   {
-    if(communicator.rank() == 0 && text.coming_word() != m_keywords[VERSION])
+    if(communicator.rank() == 0 && Text_scanner(text).next_word() != m_keywords[VERSION])
       text.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
     find_sections(text);
     share_sections(text);
@@ -84,9 +84,9 @@ private:
   };
 
   // The next keyword does, or the end of the text.
-  static bool ends_section(const std::string_view word)
+  static bool ends_section(const std::string_view text)
   {
-    return word.empty() || ('A' <= word[0] && word[0] <= 'Z') || ('a' <= word[0] && word[0] <= 'z');
+    return text.empty() || ('A' <= text[0] && text[0] <= 'Z') || ('a' <= text[0] && text[0] <= 'z');
   }
 
   static std::size_t keyword(const std::string_view word)
@@ -167,7 +167,7 @@ private:
     std::optional<Text_scanner> scanner;
     if(m_sections[k])
       scanner = m_sections[k]->begin;
-    for(; scanner && !ends_section(scanner->coming_word()); ++number)
+    for(; scanner && !ends_section(scanner->rest()); ++number)
     {
       if(!m_is_slice)
       {

@@ -25,11 +25,9 @@
 #include <ios>
 #include <istream>
 #include <locale>
-#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <type_traits>
 
 #ifndef _WIN32
 #  include <fcntl.h>
@@ -148,8 +146,12 @@ public:
     return m_text.substr(begin, m_position - begin);
   }
 
-  // the same, without passing it
-  std::string_view coming_word() const { return Text_scanner(*this).next_word(); }
+  // the text from the next word on
+  std::string_view rest()
+  {
+    skip_blanks();
+    return m_text.substr(m_position);
+  }
 
   // the next word as a number; `what` names it in the sentence of a failure
   template <typename Number>
@@ -262,31 +264,6 @@ private:
   const Budget* m_budget;
   const char* m_name = "file";
   std::size_t m_line, m_position = 0, m_next_question = 0;
-};
-
-// Writes text and numbers to a stream, whatever its locale and precision. Floating-point numbers get the fewest digits
-// (at most 17) from which reading restores the same bits. A failure is left in the state of the stream.
-class Text_writer
-{
-public:
-  explicit Text_writer(std::ostream& os) : m_os(os) {}
-
-  Text_writer& operator<<(const std::string_view text)
-  {
-    m_os.write(text.data(), static_cast<std::streamsize>(text.size()));
-    return *this;
-  }
-
-  template <typename Number, typename = std::enable_if_t<std::is_arithmetic_v<Number> > >
-  Text_writer& operator<<(const Number number)
-  {
-    char digits[32];
-    const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), number);
-    return *this << std::string_view(digits, static_cast<std::size_t>(result.ptr - digits));
-  }
-
-private:
-  std::ostream& m_os;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
