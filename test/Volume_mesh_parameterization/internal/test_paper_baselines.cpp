@@ -3,11 +3,11 @@
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 
-#include "../../benchmark/Volume_mesh_parameterization/paper/As_rigid_as_possible_map_3.h"
-#include "../../benchmark/Volume_mesh_parameterization/paper/Bounded_distortion_map_3.h"
-#include "../../benchmark/Volume_mesh_parameterization/paper/Jacobian_system_3.h"
-#include "../../benchmark/Volume_mesh_parameterization/paper/Locally_injective_map_3.h"
-#include "../../benchmark/Volume_mesh_parameterization/paper/Plain_newton_map_3.h"
+#include "../../../benchmark/Volume_mesh_parameterization/paper/As_rigid_as_possible_map_3.h"
+#include "../../../benchmark/Volume_mesh_parameterization/paper/Bounded_distortion_map_3.h"
+#include "../../../benchmark/Volume_mesh_parameterization/paper/Jacobian_system_3.h"
+#include "../../../benchmark/Volume_mesh_parameterization/paper/Locally_injective_map_3.h"
+#include "../../../benchmark/Volume_mesh_parameterization/paper/Plain_newton_map_3.h"
 #include "cube_mesh.h"
 
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
