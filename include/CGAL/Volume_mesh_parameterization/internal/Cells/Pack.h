@@ -22,6 +22,7 @@
 #  include <immintrin.h>
 #endif
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
