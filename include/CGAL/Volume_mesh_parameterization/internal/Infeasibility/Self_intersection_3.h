@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
@@ -41,20 +42,31 @@ public:
     : m_points(points), m_facets(facets)
   {}
 
-  // The first pair, whatever the order is in which the boxes are compared. Triangles without area are left out.
-  std::optional<Pair> find() const
+  // The first pair, whatever the order is in which the boxes are compared. Triangles without area are left out. Nothing, if
+  // the budget ends before all have been compared.
+  std::optional<Pair> find(const Budget& budget = Budget()) const
   {
     std::vector<Box> boxes;
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       if(const Triangle t = triangle(f); !t.is_degenerate())
         boxes.emplace_back(t.bbox(), f);
     std::optional<Pair> result;
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
+    struct Interruption {}; // the only way out of the comparison
+    try
     {
-      const Pair pair = std::minmax(a.info(), b.info());
-      if((!result || pair < *result) && do_intersect(pair.first, pair.second))
-        result = pair;
-    });
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
+      {
+        if(budget.is_exhausted())
+          throw Interruption();
+        const Pair pair = std::minmax(a.info(), b.info());
+        if((!result || pair < *result) && do_intersect(pair.first, pair.second))
+          result = pair;
+      });
+    }
+    catch(const Interruption&)
+    {
+      return std::nullopt;
+    }
     return result;
   }
 

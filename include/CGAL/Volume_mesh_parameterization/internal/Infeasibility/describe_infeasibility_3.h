@@ -13,6 +13,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Infeasibility_proof_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
@@ -70,10 +71,10 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
 }
 
 // Two facets that the prescribed surface intersects itself in, with a space in front; empty if there are none.
-inline std::string describe_self_intersection(const Numbered_mesh_3& mesh)
+inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const Budget& budget = Budget())
 {
   const std::vector<std::array<int, 3> > facets = boundary_facets_3(mesh.cells);
-  const auto found = Self_intersection_3(mesh.target, facets).find();
+  const auto found = Self_intersection_3(mesh.target, facets).find(budget);
   if(!found)
     return "";
   const auto corners = [&](const std::size_t facet)

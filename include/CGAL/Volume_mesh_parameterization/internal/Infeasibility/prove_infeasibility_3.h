@@ -13,13 +13,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Infeasibility_proof_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_cells_infeasible_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/QP_functions.h>
+#include <CGAL/QP_models.h>
 
 #include <Eigen/Dense>
 
@@ -51,6 +53,39 @@ inline bool can_be_positive(const Numbered_mesh_3& mesh, const std::array<int, 4
   }
 }
 
+// Can these cells be positive together? By Gordan's theorem not, if and only if a combination of their volume forms with
+// factors that are not negative, and of sum 1, is a constant that is not positive: a linear program, solved with exact
+// numbers. Its basic solutions have few cells.
+inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbered_mesh_3& mesh,
+                                                                     const std::vector<std::size_t>& cells)
+{
+  const int u = *free_vertices_of(mesh, cells).begin(), n = static_cast<int>(cells.size()), row_of_sum = 10;
+  Quadratic_program<Exact_rational> program(EQUAL);
+  program.set_r(0, SMALLER);
+  program.set_b(row_of_sum, 1);
+  for(int i = 0; i < n; ++i)
+  {
+    const Volume_form_3 form = volume_form_3(mesh, mesh.cells[cells[i]], u);
+    for(int k = 0; k < row_of_sum; ++k)
+      program.set_a(i, k, form[k]);
+    program.set_a(i, row_of_sum, 1);
+  }
+  const auto solution = solve_nonnegative_linear_program(program, Exact_rational());
+  if(solution.is_infeasible())
+    return std::nullopt;
+  Infeasibility_proof_3 proof;
+  auto factor = solution.variable_values_begin();
+  for(const std::size_t c : cells)
+  {
+    if(!is_zero(factor->numerator()))
+    {
+      proof.cells.push_back(c);
+      proof.factors.push_back(factor->numerator() / factor->denominator());
+    }
+    ++factor;
+  }
+  return proof;
+}
 
 // Examines the cells whose free vertices are one vertex, or the two ends of an edge: that their volumes are positive
 // is linear in these points u and v and in u x v.
@@ -60,12 +95,12 @@ class Infeasibility_search_3
   using Ends = std::array<int, 2>;
 
 public:
-  // Examines only sets of cells that are not all positive in `positions`.
-  Infeasibility_search_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+  // Examines only sets of cells that are not all positive in `positions`, until the budget ends.
+  Infeasibility_search_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Budget& budget)
     : m_mesh(mesh),
       m_is_suspect(mesh.cells.size())
   {
-    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for(std::size_t c = 0; c < mesh.cells.size() && !budget.is_exhausted(); ++c)
     {
       m_is_suspect[c] = !is_positive(positions, mesh.cells[c]);
       if(m_is_suspect[c] && !can_be_positive(mesh, mesh.cells[c]))
@@ -75,7 +110,7 @@ public:
     }
     for(const bool are_edges : {false, true})
       for(const auto& group : m_groups)
-        if((group.first[0] != group.first[1]) == are_edges)
+        if((group.first[0] != group.first[1]) == are_edges && !budget.is_exhausted())
           examine(group.first);
   }
 
@@ -122,11 +157,13 @@ private:
 // Proves, where it can, that no map with the prescribed vertices has only positive cells. Three kinds of reasons are
 // looked for: a cell that can never be positive, a free vertex and an edge between two of them for which there
 // is no place. Any image of the vertices, `positions`, speeds up the search by the cells that are positive there.
-// No proof does not mean that there is a map. Near-linear in the number of cells.
+// No proof does not mean that there is a map; with a limited budget, not even that the search was complete. Near-linear in
+// the number of cells.
 inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_mesh_3& mesh,
-                                                                const Eigen::Matrix3Xd& positions)
+                                                                const Eigen::Matrix3Xd& positions,
+                                                                const Budget& budget = Budget())
 {
-  return Infeasibility_search_3(mesh, positions).proofs();
+  return Infeasibility_search_3(mesh, positions, budget).proofs();
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
