@@ -34,9 +34,10 @@ template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Par
 }
 ]] @ONLY)
   file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 namespace CGAL::Volume_mesh_parameterization::internal {
 template Error_code map_to_sphere_3(const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
                                     const Budget& budget);

@@ -2,7 +2,7 @@
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/describe_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

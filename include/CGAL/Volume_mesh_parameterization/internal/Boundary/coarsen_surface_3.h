@@ -12,17 +12,99 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+
+#include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A vertex that was collapsed onto the first vertex of its ring.
+struct Removed_vertex
+{
+  int vertex;
+  std::vector<int> ring;
+};
+
+// A closed triangulated surface as the neighbours of each vertex, counterclockwise as seen from outside.
+class Vertex_rings_3
+{
+public:
+  explicit Vertex_rings_3(const Boundary_mesh_3& mesh)
+    : m_rings(mesh.number_of_vertices())
+  {
+    for(const auto v : mesh.vertices())
+    {
+      std::vector<int>& ring = m_rings[v];
+      for(const auto w : CGAL::vertices_around_target(v, mesh)) // clockwise
+        ring.push_back(static_cast<int>(w));
+      std::reverse(ring.begin(), ring.end());
+    }
+  }
+
+  int number_of_vertices() const { return static_cast<int>(m_rings.size()); }
+
+  // Empty for a removed vertex.
+  const std::vector<int>& operator[](const int v) const { return m_rings[v]; }
+
+  // May v be collapsed onto its neighbour u, with the surface remaining a manifold? (Link condition.)
+  bool is_collapsible(const int v, const int u) const
+  {
+    return std::count_if(m_rings[v].begin(), m_rings[v].end(), [&](const int w)
+    {
+      return std::find(m_rings[u].begin(), m_rings[u].end(), w) != m_rings[u].end();
+    }) == 2;
+  }
+
+  Removed_vertex collapse(const int v, const int u)
+  {
+    std::vector<int> ring;
+    ring.swap(m_rings[v]);
+    std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), u), ring.end());
+
+    const auto in_u = begin_at(u, v);
+    m_rings[u].insert(m_rings[u].erase(in_u), ring.begin() + 2, ring.end() - 1);
+    m_rings[ring[1]].erase(begin_at(ring[1], v));
+    m_rings[ring.back()].erase(begin_at(ring.back(), v));
+    for(std::size_t i = 2; i + 1 < ring.size(); ++i)
+      *begin_at(ring[i], v) = u;
+    return { v, ring };
+  }
+
+  // Undoes a collapse; the last one first.
+  void insert(const Removed_vertex& removed)
+  {
+    const int v = removed.vertex;
+    const std::vector<int>& ring = removed.ring;
+    const int u = ring.front();
+
+    std::vector<int>& ring_of_u = m_rings[u];
+    std::rotate(ring_of_u.begin(), begin_at(u, ring[1]), ring_of_u.end());
+    ring_of_u.erase(ring_of_u.begin() + 1, begin_at(u, ring.back()));
+    ring_of_u.insert(ring_of_u.begin() + 1, v);
+    m_rings[ring[1]].insert(begin_at(ring[1], u), v);
+    m_rings[ring.back()].insert(std::next(begin_at(ring.back(), u)), v);
+    for(std::size_t i = 2; i + 1 < ring.size(); ++i)
+      *begin_at(ring[i], u) = v;
+    m_rings[v] = ring;
+  }
+
+private:
+  std::vector<int>::iterator begin_at(const int v, const int neighbour)
+  {
+    return std::find(m_rings[v].begin(), m_rings[v].end(), neighbour);
+  }
+
+  std::vector<std::vector<int> > m_rings;
+};
 
 // A way to remove a vertex; the cost is the largest squared length of an edge of the triangles that fill the hole.
 struct Collapse

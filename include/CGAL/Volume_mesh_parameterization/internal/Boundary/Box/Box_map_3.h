@@ -17,7 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Box_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/is_radially_bijective_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 

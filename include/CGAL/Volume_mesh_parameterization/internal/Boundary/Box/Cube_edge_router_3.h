@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Vertex_rings_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/shortest_vertex_path_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
 
@@ -26,10 +24,85 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end,
+// which is infinite for vertices that the path may not touch; that of the target does not matter.
+inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
+                                               const int source, const int target, const std::vector<double>& costs,
+                                               const Budget& budget)
+{
+  using Entry = std::pair<double, int>;
+  std::vector<double> distance(points.size(), (std::numeric_limits<double>::infinity)());
+  std::vector<int> previous(points.size(), -1);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  distance[source] = 0;
+  queue.emplace(0., source);
+  while(!queue.empty() && queue.top().second != target && !budget.is_exhausted())
+  {
+    const Entry nearest = queue.top();
+    queue.pop();
+    if(nearest.first > distance[nearest.second])
+      continue;
+    for(const int w : rings[nearest.second])
+    {
+      const double length = (points[w] - points[nearest.second]).norm();
+      const double candidate = nearest.first + ((w == target) ? length : costs[w] * length);
+      if(candidate < distance[w])
+      {
+        distance[w] = candidate;
+        previous[w] = nearest.second;
+        queue.emplace(candidate, w);
+      }
+    }
+  }
+
+  if(previous[target] < 0)
+    return {};
+  std::vector<int> path(1, target);
+  while(path.back() != source)
+    path.push_back(previous[path.back()]);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+// Bit a of the number of a corner of the cube tells on which of the two sides it is along axis a.
+inline int side_of_corner(const int corner, const int axis)
+{
+  return (corner >> axis & 1) ? 1 : -1;
+}
+
+struct Cube_edge_3
+{
+  int corner; // on the negative side along the axis
+  int axis;
+
+  int other_corner() const { return corner + (1 << axis); }
+};
+
+inline std::array<Cube_edge_3, 12> cube_edges()
+{
+  std::array<Cube_edge_3, 12> edges;
+  std::size_t n = 0;
+  for(int axis = 0; axis < 3; ++axis)
+    for(int corner = 0; corner < 8; ++corner)
+      if(side_of_corner(corner, axis) < 0)
+        edges[n++] = { corner, axis };
+  return edges;
+}
+
+// The axis of the edge that follows around a corner, counterclockwise as seen from outside.
+inline int next_axis_around_corner(const int corner, const int axis)
+{
+  const bool is_direct = side_of_corner(corner, 0) * side_of_corner(corner, 1) * side_of_corner(corner, 2) > 0;
+  return (axis + (is_direct ? 1 : 2)) % 3;
+}
 
 // Finds disjoint paths along edges of a triangulated sphere that join eight of its vertices like the edges of a cube.
 //

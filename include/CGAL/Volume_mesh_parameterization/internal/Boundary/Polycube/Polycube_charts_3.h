@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/axis_direction.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -30,6 +29,22 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The six directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
+inline int axis_of_direction(const std::size_t direction)
+{
+  return static_cast<int>(direction / 2);
+}
+
+inline int sign_of_direction(const std::size_t direction)
+{
+  return (direction % 2 == 0) ? 1 : -1;
+}
+
+inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
+{
+  return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
+}
 
 // A connected part of the surface with one label: the preimage of a face of the polycube.
 struct Polycube_chart_3

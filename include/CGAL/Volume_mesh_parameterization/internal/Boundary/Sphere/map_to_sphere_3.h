@@ -15,6 +15,14 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Spherical_map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
+#endif
 
 #include <Eigen/Core>
 
@@ -27,10 +35,31 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <typename Surface>
 Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget);
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+template <typename Mesh>
+Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  const Error_code status = check_sphere(mesh);
+  if(status != OK)
+    return status;
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  Spherical_map_3<> map(points, Vertex_rings_3(mesh), budget);
+  if(!map.run())
+    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+  images = map.images();
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+}
+
+template <typename Surface>
+Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Boundary_mesh_3 mesh;
+  const Error_code status = build_boundary_mesh_3(surface, mesh);
+  return status == OK ? map_mesh_to_sphere_3(mesh, images, budget) : status;
+}
 #endif
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_MAP_TO_SPHERE_3_H
