@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Facet_matching_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/Facet_matching_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>

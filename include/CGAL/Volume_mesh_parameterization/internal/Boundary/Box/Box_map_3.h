@@ -14,9 +14,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Box_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
@@ -24,152 +24,122 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
+#include <boost/property_map/function_property_map.hpp>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The boundary of a box around the origin, as a domain of `Radial_map_3`: vertices move in their face or along their
+// edge, which they are known to be on by the coordinates that are exactly those of the box.
+struct Box_boundary_3
+{
+  static constexpr double curvature = 0;
+
+  Eigen::Vector3d half_lengths;
+
+  bool is_on_side(const Eigen::Vector3d& image, const int axis) const
+  {
+    return std::abs(image[axis]) == half_lengths[axis];
+  }
+
+  double area() const
+  {
+    return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2]
+                + half_lengths[2] * half_lengths[0]);
+  }
+
+  Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
+  {
+    Eigen::Matrix<double, 3, 2> result = Eigen::Matrix<double, 3, 2>::Zero();
+    int column = 0;
+    for(int axis = 0; axis < 3; ++axis)
+      if(!is_on_side(image, axis))
+        result(axis, column++) = 1;
+    return result;
+  }
+
+  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const
+  {
+    return image + step;
+  }
+
+  // The distance of the face that contains the triangle from the origin.
+  double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+  {
+    for(int axis = 0; axis < 3; ++axis)
+      if(is_on_side(a, axis) && a[axis] == b[axis] && a[axis] == c[axis])
+        return half_lengths[axis];
+    return 1;
+  }
+};
+
+// Maps the patches between the paths to the faces of the box on which their borders are. Returns whether this succeeds.
+inline bool map_patches_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path,
+                               std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  std::vector<std::size_t> patch_of_face(mesh.number_of_faces());
+  const std::size_t number_of_patches = Polygon_mesh_processing::connected_components(
+    mesh, boost::make_iterator_property_map(patch_of_face.begin(), get(boost::face_index, mesh)),
+    parameters::edge_is_constrained_map(boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
+      [&](const Boundary_mesh_3::Edge_index e) -> bool { return is_on_path[e]; })));
+  for(std::size_t i = 0; i < number_of_patches; ++i)
+  {
+    const Surface_patch_3 patch = extract_patch(mesh, patch_of_face, i);
+    Eigen::AlignedBox3d border;
+    for(const int v : patch.vertices)
+      if(!images[v].isZero(0))
+        border.extend(images[v]);
+    int axis;
+    if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
+      return false;
+    for(const int v : patch.vertices)
+      images[v][axis] = border.min()[axis];
+    if(!map_patch_to_polygon_3(patch, (axis + 1) % 3, (axis + 2) % 3, images))
+      return false;
+  }
+  return true;
+}
 
 // Maps a triangulated topological sphere, of which an image on the unit sphere is known, onto the boundary of a box:
 // twelve paths on the surface become the edges of the box, and the patches between them its faces.
 // Lengths on the sphere guide the paths and the first map of the patches, since they are tame where
 // the surface has long thin parts. The last step lowers the distortion of the map from the surface itself.
-class Box_map_3
+inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere,
+                                      const Eigen::Vector3d& half_lengths, const std::array<int, 8>& corners,
+                                      std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
-public:
-  Box_map_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere_images,
-            const Eigen::Vector3d& half_lengths, const Budget& budget)
-    : m_budget(budget), m_mesh(mesh), m_rings(mesh), m_points(unit_points(mesh)), m_sphere(sphere_images),
-      m_images(sphere_images.size(), Eigen::Vector3d::Zero()), m_domain(sphere_images.size(), half_lengths)
+  const Vertex_rings_3 rings(mesh);
+  Cube_edge_router_3 router(rings, sphere, corners, budget);
+  if(!router.run())
+    return Cube_edge_router_3(rings, sphere, mirrored(corners), budget).run() ? ERROR_MIRRORED_CORNERS
+                                                                              : ERROR_BOUNDARY_TOO_COARSE;
+  Boundary_mesh_3 sphere_mesh = mesh;
+  set_points(sphere_mesh, sphere);
+  images.assign(sphere.size(), Eigen::Vector3d::Zero());
+  for(int k = 0; k < 8; ++k)
+    for(int axis = 0; axis < 3; ++axis)
+      images[corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
+  std::vector<bool> is_on_path(mesh.number_of_edges(), false);
+  for(std::size_t i = 0; i < 12; ++i)
   {
-    set_points(m_mesh, m_sphere);
+    const std::vector<int>& path = router.path(i);
+    map_path_to_segment_3(sphere_mesh, path, router.edge(i).axis, images);
+    for(std::size_t k = 1; k < path.size(); ++k)
+      is_on_path[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(path[k - 1]),
+                                         Boundary_mesh_3::Vertex_index(path[k])))] = true;
   }
+  if(!map_patches_to_box(sphere_mesh, is_on_path, images, budget))
+    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 
-  Error_code run(const std::array<int, 8>& corners)
-  {
-    Cube_edge_router_3 router(m_rings, m_sphere, corners, m_budget);
-    if(!router.run())
-      return Cube_edge_router_3(m_rings, m_sphere, mirrored(corners), m_budget).run() ? ERROR_MIRRORED_CORNERS
-                                                                                      : ERROR_BOUNDARY_TOO_COARSE;
-    place_corners(corners);
-    for(std::size_t i = 0; i < 12; ++i)
-      place_path(router.edge(i), router.path(i));
-    if(!map_patches(router))
-      return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-    relax();
-    return is_radially_bijective_3(m_mesh, m_images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-  }
-
-  const std::vector<Eigen::Vector3d>& images() const { return m_images; }
-
-private:
-  static std::array<int, 8> mirrored(std::array<int, 8> corners)
-  {
-    for(std::size_t k = 0; k < 8; k += 2)
-      std::swap(corners[k], corners[k + 1]);
-    return corners;
-  }
-
-  void place_corners(const std::array<int, 8>& corners)
-  {
-    for(int k = 0; k < 8; ++k)
-    {
-      for(int axis = 0; axis < 3; ++axis)
-        m_domain.sides(corners[k])[axis] = side_of_corner(k, axis);
-      m_images[corners[k]] = m_domain.on_sides(corners[k], Eigen::Vector3d::Zero());
-    }
-  }
-
-  // Spaces the vertices of a path on the edge by their distances on the sphere.
-  void place_path(const Cube_edge_3& edge, const std::vector<int>& path)
-  {
-    std::vector<double> length(1, 0.);
-    for(std::size_t i = 1; i < path.size(); ++i)
-      length.push_back(length.back() + (m_sphere[path[i]] - m_sphere[path[i - 1]]).norm());
-    for(std::size_t i = 1; i + 1 < path.size(); ++i)
-    {
-      for(int axis = 0; axis < 3; ++axis)
-        m_domain.sides(path[i])[axis] = (axis == edge.axis) ? 0 : side_of_corner(edge.corner, axis);
-      Eigen::Vector3d image = Eigen::Vector3d::Zero();
-      image[edge.axis] = (2 * length[i] / length.back() - 1) * m_domain.half_lengths()[edge.axis];
-      m_images[path[i]] = m_domain.on_sides(path[i], image);
-    }
-  }
-
-  bool map_patches(const Cube_edge_router_3& router)
-  {
-    std::vector<std::size_t> patch_of_face(m_mesh.number_of_faces());
-    const std::size_t number_of_patches = find_patches(router, patch_of_face);
-    for(std::size_t patch = 0; patch < number_of_patches; ++patch)
-      if(m_budget.is_exhausted() || !map_patch(extract_patch(m_mesh, patch_of_face, patch)))
-        return false;
-    return true;
-  }
-
-  std::size_t find_patches(const Cube_edge_router_3& router, std::vector<std::size_t>& patch_of_face)
-  {
-    auto is_on_path = m_mesh.add_property_map<Boundary_mesh_3::Edge_index, bool>("e:is_on_path", false).first;
-    for(std::size_t i = 0; i < 12; ++i)
-      for(std::size_t k = 1; k < router.path(i).size(); ++k)
-      {
-        const Boundary_mesh_3::Vertex_index v(router.path(i)[k - 1]), w(router.path(i)[k]);
-        is_on_path[m_mesh.edge(m_mesh.halfedge(v, w))] = true;
-      }
-    return Polygon_mesh_processing::connected_components(
-      m_mesh, boost::make_iterator_property_map(patch_of_face.begin(), get(boost::face_index, m_mesh)),
-      parameters::edge_is_constrained_map(is_on_path));
-  }
-
-  bool map_patch(const Surface_patch_3& patch)
-  {
-    const Box_boundary_3::Sides sides = common_sides(patch.vertices);
-    if(std::count(sides.begin(), sides.end(), 0) != 2)
-      return false;
-    for(const int v : patch.vertices)
-      if(!m_domain.is_placed(v))
-      {
-        m_domain.sides(v) = sides;
-        m_images[v] = m_domain.on_sides(v, m_images[v]);
-      }
-    const int axis = (sides[0] != 0) ? 0 : (sides[1] != 0) ? 1 : 2;
-    return map_patch_to_polygon_3(patch, (axis + 1) % 3, (axis + 2) % 3, m_images);
-  }
-
-  // Those of a face of the box, for the vertices on the border of a patch.
-  Box_boundary_3::Sides common_sides(const std::vector<int>& vertices) const
-  {
-    std::array<bool, 3> is_common = {true, true, true};
-    Box_boundary_3::Sides result = {};
-    for(const int v : vertices)
-      if(m_domain.is_placed(v))
-        for(int axis = 0; axis < 3; ++axis)
-        {
-          const int side = m_domain.sides(v)[axis];
-          is_common[axis] = is_common[axis] && side != 0 && result[axis] * side >= 0;
-          result[axis] = is_common[axis] ? side : 0;
-        }
-    return result;
-  }
-
-  void relax()
-  {
-    Radial_map_3<Box_boundary_3> map(m_rings, m_points, m_images, m_domain, m_budget);
-    map.fit_area_scale();
-    for(int sweep = 0; sweep < 100; ++sweep)
-      if(map.relax() < 1e-4)
-        break;
-  }
-
-  const Budget& m_budget;
-  Boundary_mesh_3 m_mesh; // with the images on the sphere as points
-  const Vertex_rings_3 m_rings;
-  const std::vector<Eigen::Vector3d> m_points;
-  const std::vector<Eigen::Vector3d>& m_sphere;
-  std::vector<Eigen::Vector3d> m_images;
-  Box_boundary_3 m_domain;
-};
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const Box_boundary_3 domain = { half_lengths };
+  Radial_map_3<Box_boundary_3>(rings, points, images, domain, budget).relax(100, 1e-4);
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -78,6 +78,13 @@ inline int side_of_corner(const int corner, const int axis)
   return (corner >> axis & 1) ? 1 : -1;
 }
 
+inline std::array<int, 8> mirrored(std::array<int, 8> corners)
+{
+  for(std::size_t k = 0; k < 8; k += 2)
+    std::swap(corners[k], corners[k + 1]);
+  return corners;
+}
+
 struct Cube_edge_3
 {
   int corner; // on the negative side along the axis

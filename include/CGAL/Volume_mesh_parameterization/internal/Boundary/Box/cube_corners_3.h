@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 
 #include <CGAL/number_utils.h>
 
@@ -46,9 +47,7 @@ inline Eigen::Matrix3d rotation_between(const std::vector<Eigen::Vector3d>& imag
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for(std::size_t v = 0; v < points.size(); ++v)
     covariance += points[v] * images[v].transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  return svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  return rotation_and_stretch_3(covariance).rotation;
 }
 
 // The corner with positive coordinates of the box in the sphere whose faces, seen from the centre, have solid

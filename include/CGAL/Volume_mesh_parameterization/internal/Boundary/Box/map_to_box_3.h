@@ -55,11 +55,8 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d
   if(status != OK)
     return status;
 
-  Box_map_3 box(mesh, sphere, half_lengths, budget);
-  status = box.run(corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths));
-  if(status == OK)
-    images = box.images();
-  return status;
+  return map_sphere_to_box_3(mesh, sphere, half_lengths,
+                             corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths), images, budget);
 }
 #endif
 

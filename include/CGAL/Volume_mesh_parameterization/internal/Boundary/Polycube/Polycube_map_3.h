@@ -55,8 +55,10 @@ public:
     Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes, m_budget);
     if(!m_charts.are_valid() || !coordinates.run())
       return ERROR_NO_POLYCUBE;
+    for(const auto v : m_charts.corners())
+      m_images[v] = coordinates.corner(v);
     for(const Polycube_chain_3& chain : m_charts.chains())
-      place_chain(chain, coordinates);
+      map_path_to_segment_3(m_mesh, m_charts.vertices(chain), chain.axis, m_images);
     find_flipped_faces(faces_between_edges());
     for(std::size_t c = 0; c < m_charts.charts().size() && m_flipped_faces.empty() && !m_budget.is_exhausted(); ++c)
       map_chart(c, coordinates[c]);
@@ -91,22 +93,6 @@ public:
   }
 
 private:
-  // Spaces the vertices by their distances on the surface.
-  void place_chain(const Polycube_chain_3& chain, const Polycube_coordinates_3& coordinates)
-  {
-    const std::vector<Polycube_charts_3::Vertex> path = m_charts.vertices(chain);
-    std::vector<double> length(1, 0.);
-    for(std::size_t i = 1; i < path.size(); ++i)
-      length.push_back(length.back() + (eigen_point(m_mesh, path[i]) - eigen_point(m_mesh, path[i - 1])).norm());
-    const Eigen::Vector3d first = coordinates.corner(path.front()), last = coordinates.corner(path.back());
-    for(std::size_t i = 0; i < path.size(); ++i)
-    {
-      const double part = length[i] / length.back();
-      m_images[path[i]] = first;
-      m_images[path[i]][chain.axis] = (1 - part) * first[chain.axis] + part * last[chain.axis];
-    }
-  }
-
   // The faces that have all vertices on edges of the polycube.
   std::vector<Face> faces_between_edges() const
   {

@@ -115,10 +115,11 @@ private:
 // A map of a surface onto a surface around the origin, which sees the image of each triangle from inside.
 //
 // A `Domain` tells where the image of a vertex may move:
-//   Eigen::Matrix<double, 3, 2> tangents(int v, const Eigen::Vector3d& image) const;   // columns may be zero
+//   Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const;   // columns may be zero
 //   Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& tangential_step) const;
 //   static constexpr double curvature;
-//   double height(int a, int b, int c) const;   // the distance of the tangent plane at these vertices from the origin
+//   double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;   // the distance
+//     from the origin of the tangent plane at these images of vertices
 //   double area() const;
 template <typename Domain>
 class Radial_map_3
@@ -131,16 +132,13 @@ public:
     : m_rings(rings), m_points(points), m_images(images), m_domain(domain), m_budget(budget)
   {}
 
-  // Scales the surface, as coarse as it is, to the area of the domain.
-  void fit_area_scale()
+  // Scales the surface, as coarse as it is, to the area of the domain, and relaxes all vertices, several times.
+  void relax(const int number_of_sweeps, const double tolerance)
   {
-    double area = 0;
-    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
-      for_each_triangle(v, [&](const int b, const int c)
-      {
-        area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6; // a third for each vertex
-      });
-    m_area_scale = m_domain.area() / area;
+    fit_area_scale();
+    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+      if(relax_all() < tolerance)
+        break;
   }
 
   // Would all triangles around v be seen positive with this image of v?
@@ -160,7 +158,7 @@ public:
     collect_triangles(v);
     const Eigen::Vector3d image = m_images[v];
     const double before = distortion(image);
-    const Eigen::Vector3d step = newton_step(v, image);
+    const Eigen::Vector3d step = newton_step(image);
     for(double length = 1; length > 1e-4; length /= 2)
     {
       const Eigen::Vector3d candidate = m_domain.move(image, length * step);
@@ -172,16 +170,6 @@ public:
       }
     }
     return 0;
-  }
-
-  // Relaxes each vertex once. Returns by how much the mean distortion falls, which is 4 for an isometry.
-  double relax()
-  {
-    double decrease = 0;
-    for(int v = 0; v < m_rings.number_of_vertices() && !m_budget.is_exhausted(); ++v)
-      if(!m_rings[v].empty())
-        decrease += relax(v);
-    return decrease / m_domain.area();
   }
 
   double distortion_around(const int v)
@@ -199,13 +187,34 @@ private:
       function(ring[i], ring[(i + 1) % ring.size()]);
   }
 
+  void fit_area_scale()
+  {
+    double area = 0;
+    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+      for_each_triangle(v, [&](const int b, const int c)
+      {
+        area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6; // a third for each vertex
+      });
+    m_area_scale = m_domain.area() / area;
+  }
+
+  // Relaxes each vertex once. Returns by how much the mean distortion falls, which is 4 for an isometry.
+  double relax_all()
+  {
+    double decrease = 0;
+    for(int v = 0; v < m_rings.number_of_vertices() && !m_budget.is_exhausted(); ++v)
+      if(!m_rings[v].empty())
+        decrease += relax(v);
+    return decrease / m_domain.area();
+  }
+
   void collect_triangles(const int v)
   {
     m_triangles.clear();
     for_each_triangle(v, [&](const int b, const int c)
     {
-      m_triangles.emplace_back(m_points[v], m_points[b], m_points[c], m_area_scale * m_domain.height(v, b, c),
-                               m_images[b], m_images[c]);
+      const double height = m_domain.height(m_images[v], m_images[b], m_images[c]);
+      m_triangles.emplace_back(m_points[v], m_points[b], m_points[c], m_area_scale * height, m_images[b], m_images[c]);
     });
   }
 
@@ -218,14 +227,14 @@ private:
   }
 
   // The absolute values of the eigenvalues of the Hessian make it a direction of descent.
-  Eigen::Vector3d newton_step(const int v, const Eigen::Vector3d& image) const
+  Eigen::Vector3d newton_step(const Eigen::Vector3d& image) const
   {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
     for(const Radial_distortion_3& triangle : m_triangles)
       triangle.add_derivatives(image, gradient, hessian);
 
-    const Eigen::Matrix<double, 3, 2> tangents = m_domain.tangents(v, image);
+    const Eigen::Matrix<double, 3, 2> tangents = m_domain.tangents(image);
     Eigen::Matrix2d tangential = tangents.transpose() * hessian * tangents;
     tangential -= Domain::curvature * image.dot(gradient) * Eigen::Matrix2d::Identity();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(tangential);

@@ -30,7 +30,7 @@ struct Unit_sphere_3
 {
   static constexpr double curvature = 1;
 
-  Eigen::Matrix<double, 3, 2> tangents(const int, const Eigen::Vector3d& image) const
+  Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
   {
     Eigen::Matrix<double, 3, 2> result;
     result.col(0) = image.unitOrthogonal();
@@ -43,7 +43,7 @@ struct Unit_sphere_3
     return (image + step).normalized();
   }
 
-  double height(int, int, int) const { return 1; }
+  double height(const Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&) const { return 1; }
   double area() const { return 4 * CGAL_PI; }
 };
 
@@ -72,9 +72,9 @@ public:
       for(auto removed = level->rbegin(); removed != level->rend(); ++removed)
         if(m_budget.is_exhausted() || !insert(*removed))
           return false;
-      relax(8, 1e-2);
+      m_map.relax(8, 1e-2);
     }
-    relax(100, 1e-4);
+    m_map.relax(100, 1e-4);
     return true;
   }
 
@@ -90,7 +90,7 @@ private:
     m_images[m_rings[v][0]] = Eigen::Vector3d(1, -1, -1).normalized();
     m_images[m_rings[v][1]] = Eigen::Vector3d(-1, 1, -1).normalized();
     m_images[m_rings[v][2]] = Eigen::Vector3d(-1, -1, 1).normalized();
-    relax(20, 1e-3);
+    m_map.relax(20, 1e-3);
   }
 
   // The vertex onto which the removed one was collapsed sees its whole ring; so do the points close by inside.
@@ -121,14 +121,6 @@ private:
       m_map.relax(w);
     m_map.relax(removed.vertex);
     return true;
-  }
-
-  void relax(const int number_of_sweeps, const double tolerance)
-  {
-    m_map.fit_area_scale();
-    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-      if(m_map.relax() < tolerance)
-        break;
   }
 
   const std::vector<Eigen::Vector3d>& m_points;
