@@ -19,14 +19,21 @@
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Box_map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/cube_corners_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
+#  include <CGAL/Polygon_mesh_processing/connected_components.h>
+#  include <boost/property_map/function_property_map.hpp>
 #endif
 
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -39,6 +46,115 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d
                         const Budget& budget);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+
+// The boundary of a box around the origin, as a domain of `Radial_map_3`: vertices move in their face or along their
+// edge, which they are known to be on by the coordinates that are exactly those of the box.
+struct Box_boundary_3
+{
+  static constexpr double curvature = 0;
+
+  Eigen::Vector3d half_lengths;
+
+  bool is_on_side(const Eigen::Vector3d& image, const int axis) const
+  {
+    return std::abs(image[axis]) == half_lengths[axis];
+  }
+
+  double area() const
+  {
+    return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2]
+                + half_lengths[2] * half_lengths[0]);
+  }
+
+  Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
+  {
+    Eigen::Matrix<double, 3, 2> result = Eigen::Matrix<double, 3, 2>::Zero();
+    int column = 0;
+    for(int axis = 0; axis < 3; ++axis)
+      if(!is_on_side(image, axis))
+        result(axis, column++) = 1;
+    return result;
+  }
+
+  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const
+  {
+    return image + step;
+  }
+
+  // The distance of the face that contains the triangle from the origin.
+  double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+  {
+    for(int axis = 0; axis < 3; ++axis)
+      if(is_on_side(a, axis) && a[axis] == b[axis] && a[axis] == c[axis])
+        return half_lengths[axis];
+    return 1;
+  }
+};
+
+// Maps the patches between the paths to the faces of the box on which their borders are. Returns whether this succeeds.
+inline bool map_patches_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path,
+                               std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  std::vector<std::size_t> patch_of_face(mesh.number_of_faces());
+  const std::size_t number_of_patches = Polygon_mesh_processing::connected_components(
+    mesh, boost::make_iterator_property_map(patch_of_face.begin(), get(boost::face_index, mesh)),
+    parameters::edge_is_constrained_map(boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
+      [&](const Boundary_mesh_3::Edge_index e) -> bool { return is_on_path[e]; })));
+  for(std::size_t i = 0; i < number_of_patches; ++i)
+  {
+    const Surface_patch_3 patch = extract_patch(mesh, patch_of_face, i);
+    Eigen::AlignedBox3d border;
+    for(const int v : patch.vertices)
+      if(!images[v].isZero(0))
+        border.extend(images[v]);
+    int axis;
+    if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
+      return false;
+    for(const int v : patch.vertices)
+      images[v][axis] = border.min()[axis];
+    if(!map_patch_to_polygon_3(patch, (axis + 1) % 3, (axis + 2) % 3, images))
+      return false;
+  }
+  return true;
+}
+
+// Maps a triangulated topological sphere, of which an image on the unit sphere is known, onto the boundary of a box:
+// twelve paths on the surface become the edges of the box, and the patches between them its faces.
+// Lengths on the sphere guide the paths and the first map of the patches, since they are tame where
+// the surface has long thin parts. The last step lowers the distortion of the map from the surface itself.
+inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere,
+                                      const Eigen::Vector3d& half_lengths, const std::array<int, 8>& corners,
+                                      std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  const Vertex_rings_3 rings(mesh);
+  Cube_edge_router_3 router(rings, sphere, corners, budget);
+  if(!router.run())
+    return Cube_edge_router_3(rings, sphere, mirrored(corners), budget).run() ? ERROR_MIRRORED_CORNERS
+                                                                              : ERROR_BOUNDARY_TOO_COARSE;
+  Boundary_mesh_3 sphere_mesh = mesh;
+  set_points(sphere_mesh, sphere);
+  images.assign(sphere.size(), Eigen::Vector3d::Zero());
+  for(int k = 0; k < 8; ++k)
+    for(int axis = 0; axis < 3; ++axis)
+      images[corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
+  std::vector<bool> is_on_path(mesh.number_of_edges(), false);
+  for(std::size_t i = 0; i < 12; ++i)
+  {
+    const std::vector<int>& path = router.path(i);
+    map_path_to_segment_3(sphere_mesh, path, router.edge(i).axis, images);
+    for(std::size_t k = 1; k < path.size(); ++k)
+      is_on_path[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(path[k - 1]),
+                                         Boundary_mesh_3::Vertex_index(path[k])))] = true;
+  }
+  if(!map_patches_to_box(sphere_mesh, is_on_path, images, budget))
+    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const Box_boundary_3 domain = { half_lengths };
+  Radial_map_3<Box_boundary_3>(rings, points, images, domain, budget).relax(100, 1e-4);
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
                         const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
