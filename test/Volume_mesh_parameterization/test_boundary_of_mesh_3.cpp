@@ -3,6 +3,10 @@
 #include "mesh_body.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+
+#include <CGAL/Real_timer.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -57,4 +61,29 @@ TEST_CASE("the boundary of a ball is mapped to the sphere almost isometrically")
   }
   CHECK(number_of_facets > 100);
   CHECK(2 * sphere.size() == number_of_facets + 4);
+}
+
+TEST_CASE("limits of time are kept on a bumpy body")
+{
+  const Domain domain = Domain::create_implicit_mesh_domain([](const Point_3& p)
+  {
+    const double bumps = std::sin(7 * p.x()) * std::sin(7 * p.y()) * std::sin(7 * p.z());
+    return (p - CGAL::ORIGIN).squared_length() - 1 - 0.4 * bumps;
+  }, K::Sphere_3(CGAL::ORIGIN, 4));
+  const C3t3 c3t3 = mesh_body(domain, CGAL::Mesh_criteria_3<Tr>(
+    params::facet_angle = 25, params::facet_size = 0.04, params::facet_distance = 0.01,
+    params::facet_topology = CGAL::MANIFOLD, params::cell_radius_edge_ratio = 3, params::cell_size = 0.2));
+  std::unordered_map<Vertex_handle, Point_3> image;
+  const auto target = boost::make_assoc_property_map(image);
+  const auto check = [&](const auto& parameterizer)
+  {
+    CGAL::Real_timer timer;
+    timer.start();
+    CHECK(parameterizer.parameterize(c3t3, target, params::maximum_running_time(0.1)) == VMP::ERROR_INTERRUPTED);
+    CHECK(timer.time() < 5);
+    CHECK(image.empty());
+  };
+  check(VMP::Ball_boundary_parameterizer_3());
+  check(VMP::Cube_boundary_parameterizer_3());
+  check(VMP::Polycube_boundary_parameterizer_3()); // takes a minute without a limit
 }

@@ -1,4 +1,5 @@
 // Boundaries mapped to the ball, the cube and the box: one to one by exact predicates, and what cannot be mapped.
+#include "Visitor_that_ends.h"
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
@@ -23,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <unordered_map>
@@ -407,6 +409,30 @@ TEST_CASE("boundaries that are no topological sphere are named")
   const C3t3 empty;
   Point_map image;
   CHECK(Ball().parameterize(empty, VMP::make_vertex_point_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
+}
+
+TEST_CASE("maps to the ball and to the cube can be ended anywhere, with nothing written")
+{
+  Complex complex(bent_rod());
+  const auto target = VMP::make_vertex_point_map(complex.image);
+  check_interruption([&](const auto& np) { return Ball().parameterize(complex.c3t3, target, np); }, complex.image);
+  check_interruption([&](const auto& np) { return Cube(1, 1, 30).parameterize(complex.c3t3, target, np); }, complex.image);
+
+  std::array<Vertex_handle, 8> corners;
+  for(std::size_t k = 0; k < 8; ++k)
+    corners[k] = complex.vertices[(k & 1) * 2 + (k >> 1 & 1) * 6 + (k >> 2 & 1) * 540];
+  check_interruption([&](const auto& np) { return Cube().parameterize(complex.c3t3, corners, target, np); },
+                     complex.image);
+}
+
+TEST_CASE("all loops that move the vertices of a map to the ball ask whether to go on")
+{
+  Complex complex(bent_rod());
+  Visitor_that_ends visitor;
+  REQUIRE(Ball().parameterize(complex.c3t3, VMP::make_vertex_point_map(complex.image),
+                              CGAL::parameters::visitor(std::ref(visitor))) == VMP::OK);
+  // to coarsen and to insert asks once for each vertex, and a sweep over all of them for each once more
+  CHECK(visitor.number_of_questions > 3 * complex.image.size());
 }
 
 TEST_CASE("the derivatives of the radial distortion agree with differences")

@@ -1,5 +1,6 @@
 // Boundaries mapped to polycubes: those that are one already, bent ones, and labels that no polycube has. Boundaries
 // mapped to given surfaces.
+#include "Visitor_that_ends.h"
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
@@ -390,6 +391,19 @@ TEST_CASE("boundaries without a polycube are named")
   CHECK(Polycube().parameterize(empty, boost::make_assoc_property_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
 }
 
+TEST_CASE("maps to polycubes can be ended anywhere, with nothing written")
+{
+  Complex complex(bricks(size, is_stair, bend));
+  const auto target = boost::make_assoc_property_map(complex.image);
+  check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, target, np); }, complex.image);
+  check_interruption([&](const auto& np) { return Polycube(0.5).parameterize(complex.c3t3, target, np); }, complex.image);
+
+  copy_labels(Complex(bricks(size, is_stair, stay)), complex);
+  const auto labels = boost::make_assoc_property_map(complex.labels);
+  check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, labels, target, np); },
+                     complex.image);
+}
+
 namespace {
 
 using Surface = CGAL::Surface_mesh<Point_3>;
@@ -441,4 +455,15 @@ TEST_CASE("the boundary is mapped to a surface with the same connectivity")
   CHECK(parameterize() == VMP::OK);
   boundary.point(*boundary.vertices().begin()) = Point_3(-1, -1, -1);
   CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
+}
+
+TEST_CASE("maps to given surfaces can be ended anywhere, with nothing written")
+{
+  Complex complex(bricks(size, is_ring, bend));
+  const Surface boundary = boundary_surface(complex);
+  const VMP::Surface_boundary_parameterizer_3<Surface> parameterizer(boundary, boundary);
+  check_interruption([&](const auto& np)
+  {
+    return parameterizer.parameterize(complex.c3t3, boost::make_assoc_property_map(complex.image), np);
+  }, complex.image);
 }
