@@ -246,6 +246,36 @@ TEST_CASE("only sets with a cell that is not positive are examined")
   CHECK(VMP::prove_infeasibility_3(good, positions).empty());
 }
 
+TEST_CASE("a search that is ended returns the proofs found by then")
+{
+  std::vector<std::array<int, 4> > cells; // two edges in the same bow tie
+  for(int i = 0; i < 4; ++i)
+  {
+    cells.push_back({0, 1, 4 + i, 4 + (i + 1) % 4});
+    cells.push_back({2, 3, 4 + i, 4 + (i + 1) % 4});
+  }
+  const Mesh m = mesh(4, bow_tie, cells);
+  std::size_t number_of_proofs = 0;
+  for(int last_question = 0; number_of_proofs < 2; ++last_question)
+  {
+    REQUIRE(last_question < 100);
+    int number_of_questions = 0;
+    const VMP::Budget budget(1e9, [&] { return ++number_of_questions < last_question; });
+    const std::vector<Proof> proofs = VMP::prove_infeasibility_3(m, m.target, budget);
+    CHECK(number_of_questions <= (std::max)(1, last_question));
+    CHECK((proofs.size() == number_of_proofs || proofs.size() == number_of_proofs + 1));
+    for(const Proof& proof : proofs)
+      CHECK(VMP::is_valid(proof, m));
+    number_of_proofs = proofs.size();
+
+  }
+
+  VMP::Budget exhausted;
+  exhausted.exhaust();
+  CHECK(VMP::diagnose_3(m, m.target, exhausted).number_of_proofs == 0);
+  CHECK(VMP::diagnose_3(m, m.target, exhausted).inverted_cells.size() == 8);
+}
+
 TEST_CASE("a proof that was tampered with is refused")
 {
   const Mesh m = edge_ring(bow_tie);
@@ -328,6 +358,19 @@ TEST_CASE("two facets intersect if they share more than their common vertices")
   CHECK(!intersects(points, {{0, 1, 2}, {2, 1, 4}}));
   CHECK(intersects(points, {{0, 1, 2}, {0, 2, 1}}));         // three
   CHECK(!intersects(points, {{0, 1, 2}, {3, 7, 4}}));        // a triangle without area is no facet
+}
+
+TEST_CASE("a search for intersections that is ended claims none")
+{
+  Eigen::Matrix3Xd points(3, 6);
+  points << 0, 4, 0, 1, 1, 9,
+            0, 0, 4, 1, 1, 9,
+            0, 0, 0, -1, 1, 9;
+  const std::vector<std::array<int, 3> > facets = { {0, 1, 2}, {3, 4, 5} };
+  VMP::Budget budget;
+  CHECK(VMP::Self_intersection_3(points, facets).find(budget));
+  budget.exhaust();
+  CHECK(!VMP::Self_intersection_3(points, facets).find(budget));
 }
 
 TEST_CASE("icosahedra with moved vertices intersect themselves where Polygon_mesh_processing says so")

@@ -44,7 +44,8 @@ public:
 
   // The surface has diameter about 1, so that lengths and areas compare.
   Normal_labels_3(const Boundary_mesh_3& mesh, const double smoothing, const Budget& budget)
-    : m_mesh(mesh), m_smoothing(smoothing), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
+    : m_mesh(mesh), m_smoothing(smoothing), m_budget(budget),
+      m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
     for(const auto f : mesh.faces())
     {

@@ -26,6 +26,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <numeric>
+#include <set>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -249,11 +250,9 @@ private:
     }
     for(const Vertex v : m_mesh.vertices())
     {
-      std::vector<std::size_t> charts;
+      std::set<std::size_t> charts;
       for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh))
-        charts.push_back(chart(h));
-      std::sort(charts.begin(), charts.end());
-      charts.erase(std::unique(charts.begin(), charts.end()), charts.end());
+        charts.insert(chart(h));
       for(const std::size_t c : charts)
         ++result[c];
     }
