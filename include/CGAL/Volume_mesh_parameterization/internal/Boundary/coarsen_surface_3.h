@@ -133,8 +133,8 @@ inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& ri
                                                         const Budget& budget)
 {
   std::vector<Collapse> collapses;
-  for(int v = 0; v < rings.number_of_vertices() && !budget.is_exhausted(); ++v)
-    if(!rings[v].empty())
+  for(int v = 0; v < rings.number_of_vertices(); ++v)
+    if(!rings[v].empty() && !budget.is_exhausted())
     {
       const Collapse collapse = best_collapse(rings, points, v);
       if(collapse.to >= 0)

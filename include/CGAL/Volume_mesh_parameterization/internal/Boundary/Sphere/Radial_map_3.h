@@ -202,8 +202,8 @@ private:
   double relax_all()
   {
     double decrease = 0;
-    for(int v = 0; v < m_rings.number_of_vertices() && !m_budget.is_exhausted(); ++v)
-      if(!m_rings[v].empty())
+    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+      if(!m_rings[v].empty() && !m_budget.is_exhausted())
         decrease += relax(v);
     return decrease / m_domain.area();
   }
