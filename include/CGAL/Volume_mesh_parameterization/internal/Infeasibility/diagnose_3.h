@@ -75,7 +75,7 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
 }
 
 // Two facets that the prescribed surface intersects itself in, with a space in front; empty if there are none.
-inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const Budget& budget = Budget())
+inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const Budget& budget)
 {
   const std::vector<std::array<int, 3> > facets = boundary_facets_3(mesh.cells);
   const auto found = Self_intersection_3(mesh.target, facets).find(budget);
@@ -92,8 +92,7 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const
 }
 
 // Looks at the best images that were found, in which some cells are not positive.
-inline Diagnosis_3 diagnose_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image,
-                              const Budget& budget = Budget())
+inline Diagnosis_3 diagnose_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image, const Budget& budget)
 {
   Diagnosis_3 result;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)

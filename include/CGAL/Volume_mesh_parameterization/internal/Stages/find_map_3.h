@@ -165,7 +165,7 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
       found.splits = find_splits_3(mesh, solver, found.map.positions, progress);
     }
     else if(found.status == ERROR_NOT_FLIP_FREE && mesh.communicator->is_alone())
-      found.diagnosis = diagnose_3(mesh, found.map.positions);
+      found.diagnosis = diagnose_3(mesh, found.map.positions, progress.budget());
     if(found.status == ERROR_NOT_FLIP_FREE && progress.is_interrupted())
     {
       found.status = ERROR_INTERRUPTED;
