@@ -27,11 +27,11 @@ void check_interruption(const Parameterize& parameterize, Image& image)
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Visitor_that_ends all;
   REQUIRE(parameterize(CGAL::parameters::visitor(std::ref(all))) == VMP::OK);
-  for(std::size_t k = 0; k <= 20; ++k)
+  for(std::size_t k = 0; k <= 8; ++k)
   {
     image.clear();
     Visitor_that_ends some;
-    some.last_question = 1 + k * (all.number_of_questions - 1) / 20;
+    some.last_question = 1 + k * (all.number_of_questions - 1) / 8;
     CHECK(parameterize(CGAL::parameters::visitor(std::ref(some))) == VMP::ERROR_INTERRUPTED);
     CHECK(some.number_of_questions == some.last_question);
     CHECK(image.empty());
