@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <random>
@@ -55,10 +56,11 @@ struct Body
     return (vector(images[cell[0]]) + vector(images[cell[1]]) + vector(images[cell[2]]) + vector(images[cell[3]])) / 4;
   }
 
-  template <typename Tag = CGAL::Sequential_tag>
-  Hexahedral_mesh_result mesh(const double spacing, Hexahedron_soup_3& hexahedra) const
+  template <typename Tag = CGAL::Sequential_tag, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  Hexahedral_mesh_result mesh(const double spacing, Hexahedron_soup_3& hexahedra,
+                              const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    return VMP::hexahedral_mesh<Tag>(soup.points, soup.cells, images, spacing, hexahedra);
+    return VMP::hexahedral_mesh<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
   }
 
   // The smallest distance to a boundary facet, one after the other.
@@ -242,7 +244,7 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
   std::vector<Eigen::Matrix3d> projectors;
   for(const bool is_fixed : is_outer)
     projectors.push_back(Eigen::Matrix3d::Identity() * (is_fixed ? 0 : 1));
-  VMP::internal::improve_hexahedra_3(mesh, projectors, linear_solver, false);
+  VMP::internal::improve_hexahedra_3(mesh, projectors, linear_solver, false, VMP::internal::Budget());
   const Hexahedral_mesh_result result = VMP::internal::judged(mesh, false);
   CHECK(result.status == VMP::OK);
   CHECK(result.minimal_scaled_jacobian > 0.99); // the cubes are the minimum
@@ -251,7 +253,8 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
       CHECK(mesh.points[v] == before[v]);
 }
 
-TEST_CASE("Vertices slide where the map has turned the faces of a box")
+// A box whose faces the map has turned inside.
+Body turned_box()
 {
   Body box(6, 0, same);
   for(std::array<double, 3>& q : box.images)
@@ -261,6 +264,12 @@ TEST_CASE("Vertices slide where the map has turned the faces of a box")
     q[0] = 3 + std::cos(angle) * x - std::sin(angle) * y;
     q[1] = 3 + std::sin(angle) * x + std::cos(angle) * y;
   }
+  return box;
+}
+
+TEST_CASE("Vertices slide where the map has turned the faces of a box")
+{
+  const Body box = turned_box();
   Hexahedron_soup_3 mesh;
   const Hexahedral_mesh_result result = box.mesh(1, mesh);
   REQUIRE(result.status == VMP::OK);
@@ -282,13 +291,15 @@ struct Hexahedra_of_body
   Hexahedron_soup_3 boxes;
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver;
-  VMP::internal::Pulled_back_hexahedra_3<CGAL::Sequential_tag> hexahedra;
+  VMP::internal::Budget budget;
+  VMP::internal::Pulled_back_hexahedra_3 hexahedra;
 
   explicit Hexahedra_of_body(const Body& body)
     : map(body.soup.points, body.soup.cells, body.images),
       boxes(VMP::internal::Box_grid_3(body.soup.cells, body.images, 1).boxes([](const auto& centers)
             { return std::vector<bool>(centers.size(), true); })),
-      linear_solver(solver), hexahedra(map, body.soup.points, body.soup.cells, body.images, boxes, 1, linear_solver)
+      linear_solver(solver),
+      hexahedra(map, boxes, VMP::internal::preimages_3(map, boxes.points, false, budget), 1, linear_solver, false, budget)
   {}
 };
 
@@ -352,6 +363,114 @@ TEST_CASE("Hexahedra do not depend on the number of threads")
   CHECK(sequential.points == parallel.points);
   CHECK(sequential.cells == parallel.cells);
 #endif
+}
+
+namespace {
+
+// Ends a computation when it is asked for the n-th time.
+struct Impatient_visitor
+{
+  std::size_t n, number_of_questions = 0;
+
+  bool after_step(const VMP::Parameterization_step&) { return true; }
+  bool goes_on() { return ++number_of_questions != n; }
+};
+
+} // namespace
+
+TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid ones")
+{
+  for(const Body& body : { Body(8, 0, rounded), turned_box() })
+  {
+    const auto mesh_until = [&](Impatient_visitor& visitor, Hexahedron_soup_3& mesh)
+    {
+      return body.mesh(1, mesh, CGAL::parameters::visitor(std::ref(visitor)));
+    };
+    Impatient_visitor patient = { 0 };
+    Hexahedron_soup_3 whole;
+    const Hexahedral_mesh_result best = mesh_until(patient, whole);
+    REQUIRE(best.status == VMP::OK);
+    CHECK_FALSE(best.is_interrupted);
+    REQUIRE(patient.number_of_questions > 50);
+
+    bool is_valid = false;
+    for(std::size_t n = 1; n <= patient.number_of_questions; n += 1 + n / 5)
+    {
+      CAPTURE(n);
+      Impatient_visitor visitor = { n };
+      Hexahedron_soup_3 mesh;
+      const Hexahedral_mesh_result result = mesh_until(visitor, mesh);
+      CHECK(visitor.number_of_questions == n); // then it is at its end
+      CHECK(result.is_interrupted);
+      CHECK_FALSE(result.message.empty());
+      if(result.status == VMP::OK)
+      {
+        CHECK(smallest_determinant(mesh) > 0);
+        CHECK(result.number_of_cells == mesh.cells.size());
+        is_valid = true;
+      }
+      else
+      {
+        CHECK(result.status == VMP::ERROR_INTERRUPTED);
+        CHECK(mesh.cells.empty());
+        CHECK_FALSE(is_valid); // what is valid once is not lost
+      }
+    }
+    CHECK(is_valid);
+  }
+}
+
+TEST_CASE("Without time there are no hexahedra")
+{
+  Cube_complex<> complex(cube_mesh(2, 0));
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, mesh,
+                                                             CGAL::parameters::maximum_running_time(0.));
+  CHECK(result.status == VMP::ERROR_INTERRUPTED);
+  CHECK(mesh.cells.empty());
+  CHECK(VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, mesh).number_of_cells == 8);
+}
+
+TEST_CASE("A grid that memory has no room for is refused with a spacing that would do")
+{
+  const Body box(2, 0, same);
+  Hexahedron_soup_3 mesh;
+  const auto refused = [&](const double spacing)
+  {
+    const Hexahedral_mesh_result result = box.mesh(spacing, mesh);
+    CHECK(result.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
+    return result.message;
+  };
+  CHECK(refused(2. / 1000).find("1e+09 boxes, which may take 4000 GB of memory") != std::string::npos);
+  for(const double spacing : {2. / 300, 1e-9, std::numeric_limits<double>::denorm_min()})
+  {
+    const std::string message = refused(spacing);
+    const std::size_t place = message.find("a spacing of ");
+    REQUIRE(place != std::string::npos);
+    const double boxes = std::pow(std::round(2 / std::stod(message.substr(place + 13))), 3);
+    CHECK(boxes <= 1e7);
+    CHECK(boxes > 5e6);
+  }
+
+  // cubes in a row along the diagonal, whose faces alone are in too many planes
+  Body steps(1, 0, same);
+  for(int i = 1; i < 250; ++i)
+    for(const std::array<double, 3>& p : Points(steps.images.begin(), steps.images.begin() + 8))
+    {
+      steps.images.push_back({ p[0] + 2 * i, p[1] + 2 * i, p[2] + 2 * i });
+      steps.soup.points.push_back(steps.images.back());
+    }
+  for(std::size_t c = 0; c < 6 * 249; ++c)
+  {
+    steps.soup.cells.push_back(steps.soup.cells[c]);
+    for(std::size_t& v : steps.soup.cells.back())
+      v += 8;
+  }
+  const Hexahedral_mesh_result result = steps.mesh(1e9, mesh);
+  CHECK(result.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
+  CHECK(result.message.find("alone make 1.24251e+08 boxes") != std::string::npos); // 499^3
 }
 
 TEST_CASE("What is no box or polycube is named, and nothing is written")

@@ -22,8 +22,6 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <Eigen/Dense>
 
 #include <array>
@@ -33,6 +31,24 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// The map of a complex as arrays.
+struct Mapped_soup_3 : Tetrahedron_soup_3
+{
+  template <typename C3t3, typename VertexUVWMap>
+  Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
+  {
+    std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
+    mesh_complex_3_to_tetrahedron_soup(c3t3, *this, vertices);
+    images = points_of(vertices, uvw_map);
+  }
+
+  std::vector<std::array<double, 3> > images;
+};
+
+} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -73,7 +89,8 @@ public:
           `C3t3::Triangulation::Geom_traits::Point_3` as value type
   */
   template <typename C3t3, typename VertexUVWMap>
-  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(soup_and_images(c3t3, uvw_map)) {}
+  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map))
+  {}
 
   /// takes the points and cells of a mesh, as in `Tetrahedron_soup_3`, and the image of each point.
   /// Throws `std::out_of_range` if there is a cell without all points, or a point without image.
@@ -111,6 +128,12 @@ public:
       .transpose();
   }
 
+  /// returns the differential of the inverse in a cell, a 3 x 3 matrix; not finite if the image of the cell is flat.
+  Eigen::Matrix3d inverse_differential(const std::size_t cell) const
+  {
+    return edges(m_source, cell) * edges(m_target, cell).inverse();
+  }
+
   /// \name Ranges
   /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
   /// queried in an order in which neighbors follow each other, which takes much less time for large meshes.
@@ -140,23 +163,7 @@ public:
   /// @}
 
 private:
-  struct Soup_and_images
-  {
-    Tetrahedron_soup_3 soup;
-    std::vector<std::array<double, 3> > images;
-  };
-
-  explicit Volume_map_3(const Soup_and_images& map) : Volume_map_3(map.soup.points, map.soup.cells, map.images) {}
-
-  template <typename C3t3, typename VertexUVWMap>
-  static Soup_and_images soup_and_images(const C3t3& c3t3, const VertexUVWMap uvw_map)
-  {
-    Soup_and_images result;
-    std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
-    mesh_complex_3_to_tetrahedron_soup(c3t3, result.soup, vertices);
-    result.images = internal::points_of(vertices, uvw_map);
-    return result;
-  }
+  explicit Volume_map_3(const internal::Mapped_soup_3& map) : Volume_map_3(map.points, map.cells, map.images) {}
 
   static std::optional<Location> carried(const std::optional<internal::Place_3>& place,
                                          const internal::Cell_locator_3& other)
@@ -182,20 +189,19 @@ private:
   template <typename ConcurrencyTag, typename Result, typename PointRange, typename Query>
   static std::vector<std::optional<Result> > for_each_point(const PointRange& points, const Query& query)
   {
-    const auto first = std::begin(points);
-    std::vector<std::optional<Result> > results(static_cast<std::size_t>(std::distance(first, std::end(points))));
-    const auto point = [&](const std::size_t i) -> Point_3 { return *(first + static_cast<std::ptrdiff_t>(i)); };
+    const std::vector<Point_3> queries(std::begin(points), std::end(points));
     // Neighbors, one after the other, find the same part of a tree in the cache. What is not finite is not found.
     std::vector<std::size_t> order;
-    for(std::size_t i = 0; i < results.size(); ++i)
-      if(internal::is_finite_point(point(i)))
+    for(std::size_t i = 0; i < queries.size(); ++i)
+      if(internal::is_finite_point(queries[i]))
         order.push_back(i);
-    const auto point_map = boost::make_function_property_map<std::size_t, Point_3>(point);
-    using Kernel = Exact_predicates_inexact_constructions_kernel;
-    hilbert_sort(order.begin(), order.end(), Spatial_sort_traits_adapter_3<Kernel, decltype(point_map)>(point_map));
+    using Point_map = Pointer_property_map<Point_3>::const_type;
+    using Traits = Spatial_sort_traits_adapter_3<Exact_predicates_inexact_constructions_kernel, Point_map>;
+    hilbert_sort(order.begin(), order.end(), Traits(make_property_map(queries)));
+    std::vector<std::optional<Result> > results(queries.size());
     internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, order.size(), [&](const std::size_t k)
     {
-      results[order[k]] = query(point(order[k]));
+      results[order[k]] = query(queries[order[k]]);
     });
     return results;
   }

@@ -15,10 +15,12 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/to_vector.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -46,58 +48,45 @@ public:
     for(const std::array<int, 3>& facet : boundary_facets_3(numbered))
       if(!add_plane_of(facet, images))
         return;
-    double number_of_boxes = 1;
-    for(int axis = 0; axis < 3; ++axis)
+    for(std::vector<double>& planes : m_planes)
     {
-      std::vector<double>& planes = m_planes[axis];
       std::sort(planes.begin(), planes.end());
       planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
-      double number = 0;
-      for(std::size_t i = 1; i < planes.size(); ++i)
-        number += number_of_parts(planes[i] - planes[i - 1], spacing);
-      number_of_boxes *= number;
     }
-    constexpr double most_boxes = 1e9;
-    if(!(number_of_boxes <= most_boxes))
-      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes,
-                             " boxes; make the spacing larger.");
-    else
+    if(check_number_of_boxes(spacing))
       for(std::vector<double>& planes : m_planes)
         planes = divided(planes, spacing);
   }
 
   const Input_check_3& check() const { return m_check; }
 
-  // The boxes for whose centers, all at once, `are_inside` returns a value that is true.
+  // The boxes for whose centers, all at once, `are_inside` returns a value that is true; none if it returns nothing.
   template <typename Predicate>
   Hexahedron_soup_3 boxes(const Predicate& are_inside) const
   {
-    std::vector<std::array<std::size_t, 3> > boxes;
-    std::vector<Exact_point_3> centers;
+    std::vector<std::array<double, 3> > centers;
     for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
       for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
         for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
-        {
-          boxes.push_back({ x, y, z });
-          centers.emplace_back(middle(0, x), middle(1, y), middle(2, z));
-        }
+          centers.push_back({ middle(0, x), middle(1, y), middle(2, z) });
     const auto is_inside = are_inside(centers);
 
     Hexahedron_soup_3 result;
     constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
     std::vector<std::size_t> number(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none);
-    for(std::size_t i = 0; i < boxes.size(); ++i)
+    for(std::size_t i = 0; i < is_inside.size(); ++i)
     {
       if(!is_inside[i])
         continue;
+      const std::size_t n_y = m_planes[1].size() - 1, n_z = m_planes[2].size() - 1;
       std::array<std::size_t, 8> cell;
       for(std::size_t k = 0; k < 8; ++k)
       {
         constexpr std::size_t offset[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                                {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
-        const auto& [dx, dy, dz] = offset[k];
-        const std::size_t x = boxes[i][0] + dx, y = boxes[i][1] + dy, z = boxes[i][2] + dz;
-        std::size_t& n = number[(x * m_planes[1].size() + y) * m_planes[2].size() + z];
+        const std::size_t x = i / (n_y * n_z) + offset[k][0], y = i / n_z % n_y + offset[k][1],
+                          z = i % n_z + offset[k][2];
+        std::size_t& n = number[(x * (n_y + 1) + y) * (n_z + 1) + z];
         if(n == none)
         {
           n = result.points.size();
@@ -127,6 +116,44 @@ private:
     return false;
   }
 
+  // Refuses more boxes than memory has room for: where all are inside, the improvement of one takes 4 kB.
+  bool check_number_of_boxes(const double spacing)
+  {
+    constexpr double most = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
+    if(number_of_boxes(spacing) <= most)
+      return true;
+    if(number_of_boxes(infinity) > most)
+      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The planes of the faces of the domain alone make ",
+                             number_of_boxes(infinity), " boxes; at most ", most, " are allowed.");
+    else
+    {
+      double coarser = spacing;
+      for(const std::vector<double>& planes : m_planes) // not finer than what one axis allows
+        coarser = (std::max)(coarser, (planes.back() - planes.front()) / most);
+      while(number_of_boxes(coarser) > most)
+        coarser *= 1.1;
+      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes(spacing),
+                             " boxes, which may take ", gigabytes_of_box * number_of_boxes(spacing),
+                             " GB of memory; at most ", most, " are allowed: a spacing of ", coarser, " would do.");
+    }
+    return false;
+  }
+
+  double number_of_boxes(const double spacing) const
+  {
+    double product = 1;
+    for(const std::vector<double>& planes : m_planes)
+    {
+      if(planes.size() < 2)
+        return 0;
+      double sum = 0;
+      for(std::size_t i = 1; i < planes.size(); ++i)
+        sum += number_of_parts(planes[i] - planes[i - 1], spacing);
+      product *= sum;
+    }
+    return product;
+  }
+
   static double number_of_parts(const double length, const double spacing)
   {
     return (std::max)(1., std::round(length / spacing));
@@ -153,6 +180,46 @@ private:
   std::array<std::vector<double>, 3> m_planes; // their coordinates, along each axis
   Input_check_3 m_check;
 };
+
+// Adds a layer along the boundary: each vertex of the boundary stays where it is, and the hexahedra around it get a
+// copy further inside; a hexahedron is put between each quadrangle of the boundary and its copy. So no hexahedron has
+// more than one quadrangle on the boundary, and each of its corners has a vertex inside.
+inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh)
+{
+  constexpr double depth = 0.5; // on the way to the mean center of the hexahedra around the vertex
+  std::vector<Eigen::Vector3d> sum(mesh.points.size(), Eigen::Vector3d::Zero());
+  std::vector<int> number(mesh.points.size(), 0);
+  for(const std::array<std::size_t, 8>& cell : mesh.cells)
+  {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for(const std::size_t v : cell)
+      center += to_vector(mesh.points[v]) / 8;
+    for(const std::size_t v : cell)
+    {
+      sum[v] += center;
+      ++number[v];
+    }
+  }
+
+  Hexahedron_soup_3 result = mesh;
+  std::vector<std::size_t> inner(mesh.points.size());
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    inner[v] = v;
+    if(!is_outer[v])
+      continue;
+    const Eigen::Vector3d p = (1 - depth) * to_vector(mesh.points[v]) + depth * sum[v] / number[v];
+    inner[v] = result.points.size();
+    result.points.push_back({ p[0], p[1], p[2] });
+  }
+  for(std::array<std::size_t, 8>& cell : result.cells)
+    for(std::size_t& v : cell)
+      v = inner[v];
+  for(const auto& [a, b, c, d] : boundary_quadrangles_3(mesh))
+    result.cells.push_back({ inner[a], inner[b], inner[c], inner[d], a, b, c, d });
+  return result;
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -47,9 +47,8 @@ inline double mean_length_of_edges(const Hexahedron_soup_3& mesh, const Corners_
 
 // Moves a vertex to the best one of its 26 neighbors in a grid of that width, relative to the edges. Returns whether
 // one of them is better than its place.
-template <typename ConcurrencyTag>
-bool smooth_vertex_3(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra, const std::size_t v,
-                     const Corners_of_vertex& corners, const double target, const double width)
+inline bool smooth_vertex_3(Pulled_back_hexahedra_3& hexahedra, const std::size_t v, const Corners_of_vertex& corners,
+                            const double target, const double width)
 {
   const double step = width * (hexahedra.is_on_boundary(v) ? hexahedra.spacing()
                                                            : mean_length_of_edges(hexahedra.mesh(), corners));
@@ -74,8 +73,7 @@ bool smooth_vertex_3(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra, const s
 // target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern search (Hooke and Jeeves 1961). Where the
 // boundary bends within one quadrangle, tangent planes mean little; here, vertices on it move in the domain, where it
 // is plane.
-template <typename ConcurrencyTag>
-void smooth_hexahedra_3(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra, const double target)
+inline void smooth_hexahedra_3(Pulled_back_hexahedra_3& hexahedra, const double target)
 {
   constexpr int number_of_sweeps = 10;
   constexpr double first_width = 0.25, smallest_width = 0.004;
@@ -88,7 +86,7 @@ void smooth_hexahedra_3(Pulled_back_hexahedra_3<ConcurrencyTag>& hexahedra, cons
   });
   std::vector<double> widths(number_of_vertices, first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-    for(std::size_t v = 0; v < number_of_vertices; ++v)
+    for(std::size_t v = 0; v < number_of_vertices && !hexahedra.budget().is_exhausted(); ++v)
       if(widths[v] > smallest_width && shortage(hexahedra.mesh(), corners[v], target) > 0
          && !smooth_vertex_3(hexahedra, v, corners[v], target, widths[v]))
         widths[v] /= 2;
