@@ -39,8 +39,9 @@ Exit status:
   1  no inverted cell, but the boundary is missed by the distance that is printed; try --refine
   2  bad input: the message names the file, line or vertex; no output is written
   3  no map without inverted cells was found; no output is written; try --refine
-Ctrl-C and the time limit end the computation, and the map is written if it has no inverted cell yet; so this is
-0, 1 or 3. Ctrl-C once more ends the program.
+  2 or 3 after the map is written: it has no hexahedra (--hexahedra), as the message says
+Ctrl-C and the time limit end the program in each of its parts. What is valid by then is written: this is 0, 1 or 3.
+Ctrl-C once more ends the program at once.
 
 Examples:
   parameterize_mesh_file cube.mesh --to ball --refine -o ball.vtu
@@ -101,7 +102,7 @@ inline boost::program_options::options_description describe(Options& options)
      "largest number of Newton steps of each stage")
     ("time-limit", po::value(&options.time_limit)->value_name("SECONDS")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
-     "when the computation ends, at the next Newton step; what is reached is written")
+     "when the program ends, counted from its start; what is valid by then is written")
     ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
     ("version", "print the version")
     ("help", "print this text");

@@ -3,6 +3,7 @@
 #define HEXAHEDRA_FILE_H
 
 #include "Output_file.h"
+#include "Progress_line.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
@@ -12,6 +13,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -38,12 +40,12 @@ public:
   // Writes the file only if the status is `OK`.
   CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
   write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
-        const std::vector<std::array<double, 3> >& uvw) const
+        const std::vector<std::array<double, 3> >& uvw, Progress_line& progress) const
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
     VMP::Hexahedron_soup_3 mesh;
-    const VMP::Hexahedral_mesh_result result
-      = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(source.points, source.cells, uvw, m_spacing, mesh);
+    const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
+      source.points, source.cells, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
     if(result.status == VMP::OK)
     {
       Output_file file(m_name);

@@ -2,6 +2,9 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MESH_FILE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MESH_FILE_H
 
+#include "Progress_line.h"
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
@@ -17,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -33,12 +37,14 @@ using Index_map = std::unordered_map<Vertex_handle, std::size_t>; // to the orde
 class Mesh_file
 {
 public:
-  explicit Mesh_file(const std::string& filename)
+  Mesh_file(const std::string& filename, Progress_line& progress)
     : m_filename(filename)
   {
+    namespace VMP = CGAL::Volume_mesh_parameterization;
     try
     {
-      CGAL::Volume_mesh_parameterization::IO::read_MEDIT(filename, soup);
+      if(VMP::IO::read_MEDIT(filename, soup, CGAL::parameters::visitor(std::ref(progress))) == VMP::ERROR_INTERRUPTED)
+        throw Interruption();
     }
     catch(const Input_error& error)
     {

@@ -17,7 +17,7 @@ class Output_file
 {
 public:
   explicit Output_file(const std::string& name)
-    : m_path(std::filesystem::weakly_canonical(name)),   // behind symbolic links
+    : m_path(path(name)),
       m_temporary(m_path.string() + "." + std::to_string(getpid()) + ".tmp")
   {
     if(std::filesystem::exists(m_path) && !std::filesystem::is_regular_file(m_path))
@@ -36,6 +36,20 @@ public:
     std::error_code ignored;
     std::filesystem::remove(m_temporary, ignored);
     unfinished = nullptr;
+  }
+
+  // The place of a file behind symbolic links, also if nothing is there yet: the link stays.
+  static std::filesystem::path path(const std::string& name)
+  {
+    namespace fs = std::filesystem;
+    fs::path result = fs::absolute(name);
+    for(int number = 0; fs::is_symlink(result); ++number)
+    {
+      if(number == 40) // as many as Linux follows
+        throw std::runtime_error(name + ": there are too many symbolic links");
+      result = result.parent_path() / fs::read_symlink(result);
+    }
+    return fs::weakly_canonical(result);
   }
 
   // For handlers of signals, before they end the program.

@@ -14,8 +14,11 @@
 #include <string>
 #include <vector>
 
-// Keeps one line of a terminal up to date, and ends the computation when the time is over, or when the user (Ctrl-C) or
-// the system (SIGTERM) asks for it. Who asks twice ends the program.
+// What ends the program before there is a map.
+struct Interruption {};
+
+// Keeps one line of a terminal up to date, and ends all that takes it as a visitor when the time since its construction is
+// over, or when the user (Ctrl-C) or the system (SIGTERM) asks for it. Who asks twice ends the program.
 class Progress_line
 {
 public:
@@ -25,31 +28,38 @@ public:
     m_timer.start();
     struct sigaction action = {};
     action.sa_handler = request_end;
-    action.sa_flags = SA_RESTART;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
   }
 
   // Says what comes next, unless it should not be begun.
-  bool begin(const std::string& text) const
+  void begin(const std::string& text) const
   {
-    if(is_end_requested != 0)
-      return false;
+    if(!goes_on())
+      throw Interruption();
     show(text);
-    return true;
   }
 
-  // The visitor of the computation.
+  void show(const std::string& text) const
+  {
+    if(m_is_shown)
+      std::cerr << "\r\033[K" << text << std::flush;
+  }
+
+  bool goes_on() const { return is_end_requested == 0 && m_timer.time() < m_time_limit; }
+
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
     m_steps.push_back(step);
     std::ostringstream text;
-    text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing")
-         << ", step " << step.iteration << ", " << step.number_of_inverted_cells << " inverted cells, energy "
-         << step.energy << ", " << m_timer.time() << " s";
+    text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing") << " (" << step.attempt << "), step "
+         << step.iteration << ", " << step.number_of_inverted_cells << " inverted cells";
+    if(step.kind == VMP::Step_kind::NEWTON)
+      text << ", energy " << step.energy;
+    text << ", " << m_timer.time() << " s";
     show(text.str());
-    return is_end_requested == 0 && m_timer.time() < m_time_limit;
+    return goes_on();
   }
 
   // Why the computation was ended.
@@ -73,12 +83,6 @@ private:
       raise(number);
     }
     is_end_requested = 1;
-  }
-
-  void show(const std::string& text) const
-  {
-    if(m_is_shown)
-      std::cerr << "\r\033[K" << text << std::flush;
   }
 
   static inline volatile sig_atomic_t is_end_requested = 0;

@@ -67,7 +67,7 @@ inline JSON_object json(const Options& options)
                       .add("time_limit", options.time_limit);
 }
 
-// Of bad input there is nothing to tell but the message and the options.
+// Without a map, there is nothing to tell of bad input but the message and the options.
 inline void write_report(const Options& options, const Outcome& outcome,
                          const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps)
 {
@@ -78,7 +78,7 @@ inline void write_report(const Options& options, const Outcome& outcome,
         .add("has_valid_map", result.has_valid_map)
         .add("version", VOLUME_MESH_PARAMETERIZATION_VERSION)
         .add("options", json(options));
-  if(outcome.exit_code != BAD_INPUT)
+  if(outcome.exit_code != BAD_INPUT || result.has_valid_map)
   {
     add(report, result);
     report.add("steps", json(steps)).add("peak_memory_bytes", peak_memory_bytes());

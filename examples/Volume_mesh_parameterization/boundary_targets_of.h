@@ -3,6 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 
 #include "Mesh_file.h"
+#include "Progress_line.h"
 #include "find_name.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
@@ -33,14 +34,14 @@ struct Boundary_error : CGAL::Volume_mesh_parameterization::Input_error
 };
 
 using Boundary_parameterizer
-  = std::function<CGAL::Volume_mesh_parameterization::Error_code(const C3t3&, const Point_map&)>;
+  = std::function<CGAL::Volume_mesh_parameterization::Error_code(const C3t3&, const Point_map&, Progress_line&)>;
 
 template <typename Parameterizer>
 Boundary_parameterizer boundary_parameterizer(const Parameterizer& parameterizer)
 {
-  return [parameterizer](const C3t3& c3t3, const Point_map& target)
+  return [parameterizer](const C3t3& c3t3, const Point_map& target, Progress_line& progress)
   {
-    return parameterizer.parameterize(c3t3, target);
+    return parameterizer.parameterize(c3t3, target, CGAL::parameters::visitor(std::ref(progress)));
   };
 }
 
@@ -70,11 +71,13 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
 }
 
 // Of each point of the file; not numbers where there is none.
-inline Points targets_of_file(const std::string& filename, const Mesh_file& mesh)
+inline Points targets_of_file(const std::string& filename, const Mesh_file& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Points targets;
-  VMP::IO::read_boundary_targets(filename, mesh.soup, targets);
+  if(VMP::IO::read_boundary_targets(filename, mesh.soup, targets, CGAL::parameters::visitor(std::ref(progress)))
+     == VMP::ERROR_INTERRUPTED)
+    throw Interruption();
 
   // The library would find a missing target too, but it does not know the index in the file.
   std::vector<Vertex_handle> vertices;
@@ -86,14 +89,17 @@ inline Points targets_of_file(const std::string& filename, const Mesh_file& mesh
   return targets;
 }
 
-inline Points targets_on_domain(const std::string& domain, Mesh_file& mesh)
+inline Points targets_on_domain(const std::string& domain, Mesh_file& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   const double none = std::numeric_limits<double>::quiet_NaN();
   Points targets(mesh.soup.points.size(), {none, none, none});
-  const VMP::Error_code status = named_boundary_parameterizer(domain)(mesh.c3t3, Point_map{&mesh.indices, &targets});
+  const VMP::Error_code status
+    = named_boundary_parameterizer(domain)(mesh.c3t3, Point_map{&mesh.indices, &targets}, progress);
   if(status == VMP::OK)
     return targets;
+  if(status == VMP::ERROR_INTERRUPTED)
+    throw Interruption();
 
   std::string message = VMP::get_error_message(status);
   std::vector<Vertex_handle> vertices;

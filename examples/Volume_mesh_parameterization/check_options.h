@@ -39,16 +39,15 @@ inline void check_files(const Options& options)
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu; "
                              "other formats can be made of both: meshio convert map.vtu map.OTHER");
 
-  const auto canonical = [](const std::string& name) { return fs::weakly_canonical(fs::absolute(name)); };
-  std::vector<fs::path> others = {canonical(options.source)};
+  std::vector<fs::path> others = {Output_file::path(options.source)};
   if(!options.target.empty())
-    others.push_back(canonical(options.target));
+    others.push_back(Output_file::path(options.target));
   const std::string hexahedra = options.hexahedra.empty() ? "" : Hexahedra_file(options.hexahedra).name();
   for(const std::string& name : {options.output, options.refined_source, options.report, hexahedra})
   {
     if(name.empty())
       continue;
-    const fs::path path = canonical(name);
+    const fs::path path = Output_file::path(name);
     if(std::find(others.begin(), others.end(), path) != others.end())
       throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
     others.push_back(path);

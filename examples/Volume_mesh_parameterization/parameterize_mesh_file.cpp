@@ -33,15 +33,6 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
-// The user ended the program before there was a map.
-struct Interruption {};
-
-void begin(const Progress_line& progress, const std::string& text)
-{
-  if(!progress.begin(text))
-    throw Interruption();
-}
-
 Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Progress_line& progress,
                     Points& uvw)
 {
@@ -103,52 +94,65 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
   }
 }
 
-Outcome failed(const VMP::Hexahedral_mesh_result& hexahedra)
+// Makes hexahedra of a map that has been written, and adds to its outcome what became of them.
+void make_hexahedra(const Options& options, const Mesh_file& mesh, const Points& uvw, Progress_line& progress,
+                    Outcome& outcome)
 {
-  Result result;
-  result.status = hexahedra.status;
-  result.message = hexahedra.message;
-  return { hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE : BAD_INPUT,
-           error_code_name(hexahedra.status), result };
-}
-
-std::string describe(const VMP::Hexahedral_mesh_result& hexahedra)
-{
-  std::ostringstream out;
-  out << hexahedra.number_of_cells << " hexahedra, scaled Jacobian: minimal " << hexahedra.minimal_scaled_jacobian
-      << ", mean " << hexahedra.mean_scaled_jacobian << "\n";
-  return out.str();
+  progress.show("making hexahedra");
+  const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh.soup, uvw, progress);
+  if(hexahedra.status == VMP::OK)
+  {
+    std::ostringstream out;
+    out << hexahedra.number_of_cells << " hexahedra, scaled Jacobian: minimal " << hexahedra.minimal_scaled_jacobian
+        << ", mean " << hexahedra.mean_scaled_jacobian << "\n";
+    outcome.remark = out.str();
+    if(!hexahedra.is_interrupted)
+      return;
+  }
+  else
+    outcome.exit_code = hexahedra.is_interrupted || hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE
+                                                                                                       : BAD_INPUT;
+  Result& result = outcome.result;
+  const std::string of_map = result.status == VMP::OK ? "The map is complete. " : result.message + " ";
+  result.status = hexahedra.is_interrupted ? VMP::ERROR_INTERRUPTED : hexahedra.status;
+  outcome.status_code = error_code_name(result.status);
+  result.message = of_map + (!hexahedra.is_interrupted ? "There are no hexahedra: " + hexahedra.message
+    : progress.reason() + std::string(hexahedra.status == VMP::OK
+      ? " The hexahedra are valid, but better ones might have been found." : " There are no valid hexahedra yet."));
 }
 
 Outcome run(const Options& options, Progress_line& progress)
 {
-  begin(progress, "reading " + options.source);
-  Mesh_file mesh(options.source);
-  begin(progress, "building a complex of " + std::to_string(mesh.soup.cells.size()) + " cells");
+  progress.begin("reading " + options.source);
+  Mesh_file mesh(options.source, progress);
+  progress.begin("building a complex of " + std::to_string(mesh.soup.cells.size()) + " cells");
   mesh.make_complex();
   const bool has_file = !options.target.empty();
-  begin(progress, has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
-  Points targets = has_file ? targets_of_file(options.target, mesh) : targets_on_domain(options.domain, mesh);
+  progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
+  Points targets = has_file ? targets_of_file(options.target, mesh, progress)
+                            : targets_on_domain(options.domain, mesh, progress);
 
-  begin(progress, "numbering cells and vertices, solving for a start");
+  progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
   const Result result = parameterize(mesh, targets, options, progress, uvw);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
-  if(outcome.exit_code == SUCCESS && !options.hexahedra.empty())
+  if(!result.has_valid_map)
+    return outcome;
+  progress.show("writing"); // also if the computation was interrupted
+  if(!options.output.empty())
+    write_map(options.output, mesh.soup, uvw);
+  if(!options.refined_source.empty())
+    write_mesh(options.refined_source, mesh.soup);
+  try
   {
-    begin(progress, "making hexahedra");
-    const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh.soup, uvw);
-    if(hexahedra.status != VMP::OK)
-      return failed(hexahedra);
-    outcome.remark = describe(hexahedra);
+    if(outcome.exit_code == SUCCESS && !options.hexahedra.empty())
+      make_hexahedra(options, mesh, uvw, progress, outcome);
   }
-  if(result.has_valid_map)
+  catch(const std::bad_alloc&)
   {
-    progress.begin("writing"); // also if the computation was interrupted
-    if(!options.output.empty())
-      write_map(options.output, mesh.soup, uvw);
-    if(!options.refined_source.empty())
-      write_mesh(options.refined_source, mesh.soup);
+    outcome.exit_code = NOT_FLIP_FREE;
+    outcome.status_code = "ERROR_OUT_OF_MEMORY";
+    outcome.result.message = "The map is complete. There is not enough memory for the hexahedra.";
   }
   return outcome;
 }

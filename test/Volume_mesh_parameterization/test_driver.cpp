@@ -139,19 +139,6 @@ public:
     kill(m_process, SIGCONT);
   }
 
-  // Two signals at once can be taken for one. Returns 0 if the program has not been ended by a signal.
-  std::size_t interrupt_until_it_ends() const
-  {
-    int status = 0;
-    std::size_t number = 0;
-    for(; waitpid(m_process, &status, WNOHANG) == 0; ++number)
-    {
-      interrupt();
-      usleep(10000);
-    }
-    return WIFSIGNALED(status) ? number : 0;
-  }
-
   int exit_code()
   {
     waits_for("never said");
@@ -459,34 +446,53 @@ TEST_CASE("At the time limit, or interrupted, the valid map reached so far is wr
     CHECK(number(report, "inverted_cells") == 0);
     CHECK(folder.soup("map.mesh").cells == source.cells);
   };
-  CHECK(folder.run(command + " --time-limit 0") == 0);
-  check_files("The time limit was reached.");
-  CHECK(number(folder.text("report.json"), "iterations") == 1);
-
   Terminal terminal(folder, command);
   CHECK(terminal.waits_for("reading source.mesh"));
-  CHECK(terminal.waits_for("numbering"));
+  CHECK(terminal.waits_for("minimizing (minimization), step 1"));
   terminal.interrupt();
   CHECK(terminal.exit_code() == 0);
   check_files("Interrupted.");
+
+  bool has_interrupted_map = false;
+  int code = 3;
+  for(double limit = 0; code == 3 || (code == 0 && folder.text("stderr") != ""); limit = 1.2 * limit + 0.05)
+  {
+    CAPTURE(limit);
+    fs::remove(folder.path("map.mesh"));
+    code = folder.run(command + " --time-limit " + std::to_string(limit));
+    if(code == 3)
+    {
+      CHECK(folder.text("stderr").find("The time limit was reached. There is no map ") == 0);
+      CHECK(folder.names() == Names{"source.mesh", "target.txt", "report.json"});
+    }
+    else if(folder.text("stderr") != "")
+    {
+      has_interrupted_map = true;
+      check_files("The time limit was reached.");
+    }
+  }
+  CHECK(code == 0);
+  CHECK(has_interrupted_map);
 }
 
-TEST_CASE("The second interruption ends the program, also while it reads")
+TEST_CASE("An interruption ends the program while it reads, too")
 {
   const Folder folder;
   REQUIRE(mkfifo(folder.path("source.mesh").c_str(), 0600) == 0); // nobody writes
-  Terminal terminal(folder, "source.mesh --to ball -o map.vtu");
+  Terminal terminal(folder, "source.mesh --to ball -o map.vtu --report report.json");
   CHECK(terminal.waits_for("reading source.mesh"));
-  const std::size_t number_of_interruptions = terminal.interrupt_until_it_ends();
-  CHECK(number_of_interruptions >= 2);
-  CHECK(folder.names() == Names{"source.mesh"});
+  usleep(100000);
+  terminal.interrupt();
+  CHECK(terminal.waits_for("Interrupted. There is no map yet."));
+  CHECK(terminal.exit_code() == 3);
+  CHECK(folder.names() == Names{"source.mesh", "report.json"});
 }
 
 TEST_CASE("The second interruption leaves no unfinished file")
 {
   const Folder folder;
   folder.write("source.mesh", cube(20));
-  Terminal terminal(folder, "source.mesh source.mesh --time-limit 0 -o map.mesh");
+  Terminal terminal(folder, "source.mesh source.mesh -o map.mesh");
   CHECK(terminal.waits_for("writing"));
   while(folder.names().size() == 1)
     usleep(100);
@@ -524,9 +530,14 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   for(Point& p : sheared.points)
     p[0] += 0.1 * p[1];
   folder.write("target.mesh", sheared);
-  CHECK(folder.run("source.mesh target.mesh --output no.mesh --hexahedra 1 no.vtu") == 2);
+  CHECK(folder.run("source.mesh target.mesh --output map.mesh --report report.json --hexahedra 1 no.vtu") == 2);
+  CHECK(folder.text("stderr").find("The map is complete. There are no hexahedra: The facet at (") == 0);
   CHECK(folder.text("stderr").find("not orthogonal to an axis") != std::string::npos);
-  CHECK(folder.names() == Names({"source.mesh", "target.mesh", "hexahedra.mesh", "hexahedra.vtu"}));
+  CHECK(folder.names()
+        == Names({"source.mesh", "target.mesh", "hexahedra.mesh", "hexahedra.vtu", "map.mesh", "report.json"}));
+  CHECK(folder.soup("map.mesh").cells == source.cells); // the map is written all the same
+  CHECK(keys(folder.text("report.json")) == report_keys);
+  CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_DOMAIN_NOT_AXIS_PARALLEL\"") != std::string::npos);
 }
 
 TEST_CASE("Vertices without a cell keep their place in the output")
@@ -686,6 +697,36 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(refined.points.size() > source.points.size());
   CHECK(std::equal(source.points.begin(), source.points.end(), refined.points.begin()));
   CHECK(refined.cells == folder.soup("map.mesh").cells);
+}
+
+TEST_CASE("An output behind symbolic links is written where they lead, and the links stay")
+{
+  const Folder folder;
+  const Soup source = cube(1);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 1, affine));
+  fs::create_directory(folder.path("there"));
+  fs::create_symlink("there/map.mesh", folder.path("second.mesh")); // nothing is there yet
+  fs::create_symlink("second.mesh", folder.path("first.mesh"));
+  for(int run = 0; run < 2; ++run)
+  {
+    CHECK(folder.run("source.mesh target.txt -o first.mesh") == 0);
+    CHECK(fs::is_symlink(folder.path("first.mesh")));
+    CHECK(fs::is_symlink(folder.path("second.mesh")));
+    CHECK(fs::is_regular_file(fs::symlink_status(folder.path("there/map.mesh"))));
+    CHECK(folder.soup("first.mesh").cells == source.cells);
+  }
+  fs::create_symlink("nowhere/map.mesh", folder.path("lost.mesh"));
+  fs::create_symlink("ring.mesh", folder.path("ring.mesh"));
+  fs::create_symlink("twin.mesh", folder.path("report.json"));
+  for(const std::string names : {"lost.mesh", "ring.mesh", "twin.mesh --report report.json"})
+  {
+    CAPTURE(names);
+    CHECK(folder.run("source.mesh target.txt -o " + names) == 2);
+    CHECK(folder.text("stderr") != "");
+  }
+  CHECK(fs::is_symlink(folder.path("lost.mesh")));
+  CHECK(fs::is_symlink(folder.path("report.json")));
 }
 
 TEST_CASE("The report never replaces what is not a regular file")

@@ -29,6 +29,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -55,7 +56,8 @@ inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Ei
   if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0 || budget.is_exhausted())
     return map;
 
-  Progress_3 progress(budget, maximal_number_of_steps);
+  const auto goes_on = [&] { return !budget.is_exhausted(); }; // so that it is the budget of the caller that remembers
+  Progress_3 progress(Budget((std::numeric_limits<double>::infinity)(), goes_on), maximal_number_of_steps);
   Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
   map = judged(mesh, snapped(mesh, untangle_cells_3(system, mesh.target, theta, progress).positions));
   if(!map.is_valid())
