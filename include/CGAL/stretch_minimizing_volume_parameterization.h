@@ -205,7 +205,7 @@ predicates on the coordinates that are written.
     \cgalParamExtra{Results that depend on it are not reproducible.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each Newton step, and may end the computation}
+    \cgalParamDescription{is told of each step, and may end the computation}
     \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd
