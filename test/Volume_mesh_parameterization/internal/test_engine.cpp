@@ -868,7 +868,7 @@ TEST_CASE("A search crawls where a few cells hold most of the energy, and it fal
       image.row(2) *= 0.1 * std::pow(rate, rounds);
       const double falling = is_stagnating ? 1 : std::pow(0.999, step);
       const VMP::internal::Newton_iterate_3 iterate = iterate_of(2 * VMP::internal::Gain_3::large_energy * falling, 1);
-      if(gain.is_for_dominant_cells_alone(iterate, 0, image))
+      if(gain.is_for_dominant_cells_alone(iterate, image))
         return step;
     }
     return 0;

@@ -83,7 +83,7 @@ private:
   // One Newton step. Returns whether there was an acceptable one.
   bool move(const double negative_curvature, const bool must_decrease_gradient)
   {
-    auto& [u, evaluation, direction, length] = m_iterate;
+    auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
     length = 0;
     direction = m_system.direction(m_energy, u, negative_curvature, solver_tolerance());
     if(!direction.is_usable())

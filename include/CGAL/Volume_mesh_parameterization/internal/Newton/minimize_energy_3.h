@@ -61,9 +61,12 @@ public:
   Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
               const Negative_curvature& negative_curvature)
     : m_system(system), m_energy(energy), m_scale(scale_of(energy)),
-      m_iterate{ system.unit() * positions, system.evaluate(energy, system.unit() * positions) },
+      m_iterate{ system.unit() * positions, {} },
       m_negative_curvature(negative_curvature)
-  {}
+  {
+    m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
+    m_iterate.energy_of_other_cells = system.energy_of_other_cells(energy, m_iterate.u);
+  }
 
   const Newton_iterate_3& iterate() const { return m_iterate; }
 
@@ -91,7 +94,7 @@ private:
 
   Line_search_step_3 search() const
   {
-    const auto& [u, evaluation, direction, length] = m_iterate;
+    const auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
     Line_search_step_3 step = safe_line_search_3(m_system, m_energy, u, evaluation.energy, direction);
     // A gain above half of the slope shows less curvature than the Hessian had.
     if(step.length == 1 && step.evaluation.energy < evaluation.energy + 0.6 * direction.slope)
@@ -131,18 +134,16 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
 {
   Minimizer_3 minimizer(system, energy, positions, negative_curvature);
   const Newton_iterate_3& iterate = minimizer.iterate();
-  const double energy_of_other_cells = system.energy_of_other_cells(energy, iterate.u);
   const auto current_positions = [&]() -> Eigen::Matrix3Xd { return iterate.u / system.unit(); };
   const auto result = [&](const Error_code status, const char* const reason = "")
   {
-    const Energy_evaluation& e = iterate.evaluation;
-    return Newton_result_3{ current_positions(), e.number_of_inverted_cells, e.energy + energy_of_other_cells, status, reason };
+    return Newton_result_3{ current_positions(), iterate.evaluation.number_of_inverted_cells, iterate.energy(), status, reason };
   };
   progress.end_start();
   while(progress.goes_on())
   {
     minimizer.step();
-    progress.after_step(step_of(iterate, Phase::MINIMIZATION, energy_of_other_cells));
+    progress.after_step(step_of(iterate, Phase::MINIMIZATION));
     if(!iterate.direction.is_usable())
       return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
     if(minimizer.is_converged())

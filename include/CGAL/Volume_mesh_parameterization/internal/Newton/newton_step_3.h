@@ -120,8 +120,11 @@ struct Newton_iterate_3
 {
   Eigen::Matrix3Xd u;
   Energy_evaluation evaluation;  // of the energy that is minimized
+  double energy_of_other_cells = 0; // that no unknown vertex belongs to
   Newton_direction_3 direction = {};
   double step_length = 0;
+
+  double energy() const { return evaluation.energy + energy_of_other_cells; }
 
   void take(Line_search_step_3 step)
   {
@@ -147,12 +150,11 @@ bool step_with_some_curvature(Negative_curvature& negative_curvature, const Newt
 }
 
 // What a visitor is told of it.
-inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phase phase,
-                                     const double energy_of_other_cells = 0)
+inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phase phase)
 {
   Parameterization_step step;
   step.phase = phase;
-  step.energy = iterate.evaluation.energy + energy_of_other_cells;
+  step.energy = iterate.energy();
   step.number_of_inverted_cells = iterate.evaluation.number_of_inverted_cells;
   step.gradient_norm = iterate.direction.gradient_norm;
   step.decrement = std::sqrt((std::max)(0., -iterate.direction.slope));

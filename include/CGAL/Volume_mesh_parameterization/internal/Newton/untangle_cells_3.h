@@ -48,7 +48,7 @@ public:
   {
     constexpr double solver_tolerance = 1e-2;
     const Cell_energy_of<Untangling_energy_3> energy{Untangling_energy_3(m_epsilon, m_theta)};
-    auto& [u, evaluation, direction, length] = m_iterate;
+    auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
     length = 0;
     direction = m_system.direction(energy, u, 0., solver_tolerance);
     if(!direction.is_usable())

@@ -91,7 +91,6 @@ public:
                     "then moved alone, to where they hardly improve either.");
   }
 
-  // The energies are of the vertices that move, and of all cells.
   bool is_stagnating(const Newton_iterate_3& iterate)
   {
     const double energy = iterate.evaluation.energy;
@@ -106,15 +105,14 @@ public:
   }
 
   // Is what is gained, if anything, gained for dominant cells alone?
-  bool is_for_dominant_cells_alone(const Newton_iterate_3& iterate, const double energy_of_other_cells,
-                                   const Eigen::Matrix3Xd& image)
+  bool is_for_dominant_cells_alone(const Newton_iterate_3& iterate, const Eigen::Matrix3Xd& image)
   {
     constexpr std::size_t patience = 100;
     constexpr double notable = 1e-3;
     const bool stagnates = is_stagnating(iterate);
     if(m_number_of_steps % interval != 0)
       return false;
-    if(!(stagnates || iterate.evaluation.energy + energy_of_other_cells > large_energy) || !is_dominated(image))
+    if(!(stagnates || iterate.energy() > large_energy) || !is_dominated(image))
       return false;
     if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
     {

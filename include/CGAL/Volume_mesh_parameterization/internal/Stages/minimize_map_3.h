@@ -60,12 +60,11 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   };
   Gain_3 gain(mesh, energy);
   bool has_crawled = false;
-  const double energy_of_other_cells = system.energy_of_other_cells(energy, system.unit() * found.map.positions);
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
     system, energy, found.map.positions, progress, negative_curvature,
     [&](const Newton_iterate_3& iterate, const Eigen::Matrix3Xd& image)
-    { return has_crawled = gain.is_for_dominant_cells_alone(iterate, energy_of_other_cells, image); });
+    { return has_crawled = gain.is_for_dominant_cells_alone(iterate, image); });
   take(whole);
   const bool is_minimum
     = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
@@ -120,6 +121,13 @@ public:
     if(m_penalty != nullptr)
       evaluation.energy += m_penalty->value(u);
     return evaluation;
+  }
+
+  // The smallest volume of a cell, with inverted ones below 0, relative to the mean one; of positions in the user's units.
+  double smallest_relative_volume(const Eigen::Matrix3Xd& positions) const
+  {
+    const Dirichlet_energy_3 any;
+    return evaluate(Cell_energy_of<Dirichlet_energy_3>(any), m_unit * positions).smallest_determinant;
   }
 
   // The energy of the cells that no unknown vertex belongs to.

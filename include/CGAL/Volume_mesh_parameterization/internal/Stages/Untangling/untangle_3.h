@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
@@ -102,10 +100,8 @@ private:
   // cells exponentially, and only the search over the whole mesh spreads them.
   void go_on_if_flat()
   {
-    constexpr double flat = 1e-12; // relative to the mean volume
-    const Dirichlet_energy_3 any;
-    if(m_best.status == OK && m_system.evaluate(Cell_energy_of<Dirichlet_energy_3>(any),
-                                                m_system.unit() * m_best.positions).smallest_determinant < flat)
+    constexpr double flat = 1e-12;
+    if(m_best.status == OK && m_system.smallest_relative_volume(m_best.positions) < flat)
       m_best.status = ERROR_NOT_FLIP_FREE;
   }
 
