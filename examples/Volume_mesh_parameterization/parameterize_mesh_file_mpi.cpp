@@ -6,7 +6,7 @@
 #include "Progress_line.h"
 #include "Result_report.h"
 
-#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>

@@ -3,7 +3,7 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>

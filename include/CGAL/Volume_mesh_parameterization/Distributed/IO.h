@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>

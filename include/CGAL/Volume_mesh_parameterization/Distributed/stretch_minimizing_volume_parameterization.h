@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
-#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
@@ -66,7 +66,7 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
   else
     result = refused_result(check, problem.progress);
   result.number_of_vertices = distributed.number_of_vertices();
-  result.number_of_cells = static_cast<std::size_t>(mesh.number_of_all_cells());
+  result.number_of_cells = static_cast<std::size_t>(mesh.global_number_of_cells());
   result.number_of_boundary_vertices = distributed.number_of_boundary_vertices();
   return result;
 }

@@ -76,7 +76,7 @@ public:
   {
     Untangling_start_3 result;
     if(may_split && !m_untangling.has_given_up)
-      result.most_inverted_cells_to_split = most_exceptions(complex.mesh().number_of_all_cells());
+      result.most_inverted_cells_to_split = most_exceptions(complex.mesh().global_number_of_cells());
     if(m_untangling.goes_on)
       result.positions = positions(complex);
     return result;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/Facet_matching_3.h>
@@ -192,7 +192,7 @@ private:
     m_mesh.number_of_copied_vertices = number_of_free_vertices - m_mesh.number_of_free_vertices;
     m_mesh.number_of_free_vertices = number_of_free_vertices;
     move_copies_to_end(is_copy, numbers);
-    if(static_cast<double>(inverted_cells(m_mesh, m_mesh.source).number) == m_mesh.number_of_all_cells())
+    if(static_cast<double>(inverted_cells(m_mesh, m_mesh.source).number) == m_mesh.global_number_of_cells())
       for(std::array<int, 4>& cell : m_mesh.cells) // the cells of many files are all negative
         std::swap(cell[0], cell[1]);
 

@@ -42,7 +42,8 @@ struct Numbered_mesh_3
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
   std::size_t number_of_own_cells() const { return cells.size() - number_of_copied_cells; }
-  double number_of_all_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
+  bool is_whole() const { return communicator->is_alone(); } // what needs all cells asks for it
+  double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
@@ -135,7 +136,7 @@ double volume(const Numbered_mesh_3& mesh, const Positions& positions)
 // How much each cell counts; the sum is 1.
 inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
 {
-  std::vector<double> result(mesh.cells.size(), 1. / mesh.number_of_all_cells());
+  std::vector<double> result(mesh.cells.size(), 1. / mesh.global_number_of_cells());
   if(mesh.has_volume_weights)
   {
     const double total = volume(mesh, mesh.source);

@@ -40,7 +40,7 @@ inline double unit_of_cells(const double mean_volume)
 inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
   const double target_volume = volume(mesh, mesh.target);
-  const double unit = unit_of_cells(target_volume / mesh.number_of_all_cells());
+  const double unit = unit_of_cells(target_volume / mesh.global_number_of_cells());
   const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
@@ -49,7 +49,7 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 // for, slivers of the source must not stiffen it.
 inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
-  const double mean_volume = volume(mesh, mesh.target) / mesh.number_of_all_cells();
+  const double mean_volume = volume(mesh, mesh.target) / mesh.global_number_of_cells();
   const double unit = unit_of_cells(mean_volume);
   Eigen::Matrix3d edges; // of a cell with volume 1/3
   edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;

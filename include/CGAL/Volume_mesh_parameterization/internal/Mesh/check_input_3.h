@@ -74,7 +74,7 @@ inline Input_check_3 check_sizes(const Numbered_mesh_3& mesh)
 inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 {
   const Found_cells inverted = inverted_cells(mesh, mesh.source);
-  const double number_of_cells = mesh.number_of_all_cells();
+  const double number_of_cells = mesh.global_number_of_cells();
   if(!inverted.has_first)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
@@ -105,7 +105,7 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
   Disjoint_sets components(mesh.number_of_vertices());
   std::vector<double> volumes(mesh.number_of_vertices(), volume(mesh, mesh.target));
-  if(mesh.communicator->is_alone())
+  if(mesh.is_whole())
   {
     for(const std::array<int, 4>& cell : mesh.cells)
       for(int i = 1; i < 4; ++i)
@@ -147,7 +147,7 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
   Input_check_3 result
     = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat.number, " cells have a facet whose three vertices are prescribed"
                    " on a line; the first one is cell ", mesh.user_number(flat.first), ".");
-  if(!mesh.communicator->is_alone())
+  if(!mesh.is_whole())
     return result; // which facets are on the boundary is known to all processes together only
   for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells))
     if(is_flat_facet(mesh, facet))
@@ -174,7 +174,7 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 // Can there be a map? Names the first reason against it.
 inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
-  if(mesh.number_of_all_cells() == 0)
+  if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   for(const auto check : { check_coordinates, check_sizes, check_source_cells, check_source_determinants,
                            check_target_volume, check_prescribed_facets, check_prescribed_cells })

@@ -125,7 +125,7 @@ public:
   // Do a few cells hold most of the energy?
   bool is_dominated(const Eigen::Matrix3Xd& image)
   {
-    if(m_mesh.communicator->is_alone()) // the median of a part is not that of all
+    if(m_mesh.is_whole()) // the median of a part is not that of all
       m_dominant = dominant_cells_3(m_mesh, m_energy, image);
     return m_dominant.hold_most();
   }

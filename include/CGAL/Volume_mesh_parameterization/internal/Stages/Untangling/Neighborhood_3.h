@@ -59,17 +59,17 @@ public:
                  const int number_of_rings)
     : m_whole(whole), m_image(image), m_communicator(*whole.communicator)
   {
-    if(!m_communicator.is_alone())
+    if(!m_whole.is_whole())
       gather(free_vertices_around(whole, image, is_chosen, number_of_rings));
   }
 
-  const Numbered_mesh_3& mesh() const { return m_communicator.is_alone() ? m_whole : m_mesh; }
-  const Eigen::Matrix3Xd& positions() const { return m_communicator.is_alone() ? m_image : m_positions; }
+  const Numbered_mesh_3& mesh() const { return m_whole.is_whole() ? m_whole : m_mesh; }
+  const Eigen::Matrix3Xd& positions() const { return m_whole.is_whole() ? m_image : m_positions; }
 
   // The image of the whole mesh with these positions of the free vertices.
   Eigen::Matrix3Xd in_whole(const Eigen::Matrix3Xd& positions) const
   {
-    if(m_communicator.is_alone())
+    if(m_whole.is_whole())
       return positions;
     Eigen::Matrix3Xd result = m_image;
     for(const auto& [v, place] : m_places)

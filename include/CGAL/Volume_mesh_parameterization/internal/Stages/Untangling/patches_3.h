@@ -52,7 +52,7 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
       for(const int v : cell)
         if(mesh.is_free(v))
           result[v] = true;
-  if(mesh.communicator->is_alone())
+  if(mesh.is_whole())
     return result;
   std::vector<double> numbers;
   for(int v = 0; v < mesh.number_of_free_vertices; ++v)

@@ -77,7 +77,7 @@ public:
   // Unless so many cells are inverted that they are no exceptions.
   void untangle_patches(const Eigen::Matrix3Xd& start, const std::string& method)
   {
-    if(inverted_cells(m_mesh, start).number > most_exceptions(m_mesh.number_of_all_cells()))
+    if(inverted_cells(m_mesh, start).number > most_exceptions(m_mesh.global_number_of_cells()))
       return;
     m_progress.begin_attempt(method);
     const std::size_t steps_before = m_progress.number_of_steps();

@@ -133,7 +133,7 @@ inline Eigen::Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linea
                                              const Eigen::Matrix3Xd& image, const Budget& budget)
 {
   constexpr double flat_part = 0.01; // of the mean volume
-  const double flat = flat_part * 6 * volume(whole, image) / whole.number_of_all_cells();
+  const double flat = flat_part * 6 * volume(whole, image) / whole.global_number_of_cells();
   const auto is_flat = [&](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return edge_matrix(positions, cell).determinant() < flat; };
   const Neighborhood_3 neighborhood(whole, image, is_flat, 1);
