@@ -164,13 +164,8 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
       progress.begin_attempt("splits");
       found.splits = find_splits_3(mesh, solver, found.map.positions, progress);
     }
-<<<<<<< HEAD
-    else if(found.status == ERROR_NOT_FLIP_FREE && mesh.communicator->is_alone())
-      found.diagnosis = diagnose_3(mesh, found.map.positions, progress.budget());
-=======
     else if(found.status == ERROR_NOT_FLIP_FREE && mesh.is_whole())
-      found.diagnosis = diagnose_3(mesh, found.map.positions);
->>>>>>> 78603ac (What needs the whole mesh asks whether it is there, and numbers of all processes are called global)
+      found.diagnosis = diagnose_3(mesh, found.map.positions, progress.budget());
     if(found.status == ERROR_NOT_FLIP_FREE && progress.is_interrupted())
     {
       found.status = ERROR_INTERRUPTED;

@@ -85,13 +85,8 @@ inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const 
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
     result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
   if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
-<<<<<<< HEAD
-     && mesh.communicator->is_alone()) // otherwise facets between processes would seem to be on the boundary
-    result.message += describe_self_intersection(mesh, progress.budget());
-=======
      && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
-    result.message += describe_self_intersection(mesh);
->>>>>>> 78603ac (What needs the whole mesh asks whether it is there, and numbers of all processes are called global)
+    result.message += describe_self_intersection(mesh, progress.budget());
   result.has_valid_map = found.map.is_valid();
   result.number_of_sliding_vertices = found.number_of_sliding_vertices;
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
