@@ -13,7 +13,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Gain_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>

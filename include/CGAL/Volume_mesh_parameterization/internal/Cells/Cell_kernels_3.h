@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
 
 #include <algorithm>
 #include <array>

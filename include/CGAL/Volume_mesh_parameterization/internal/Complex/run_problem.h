@@ -12,22 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
-#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -11,7 +11,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 

@@ -12,12 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 
 #include <CGAL/tags.h>
 

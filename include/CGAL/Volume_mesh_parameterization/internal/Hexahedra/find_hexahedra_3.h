@@ -12,19 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
-#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Box_grid_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Pulled_back_hexahedra_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/tags.h>
 

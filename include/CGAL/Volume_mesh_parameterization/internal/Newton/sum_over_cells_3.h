@@ -12,12 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
 
 #include <Eigen/Core>

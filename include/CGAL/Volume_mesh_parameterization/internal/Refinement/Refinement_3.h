@@ -13,8 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
 #include <boost/functional/hash.hpp>

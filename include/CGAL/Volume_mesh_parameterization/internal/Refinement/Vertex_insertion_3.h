@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_3.h>
 
 #include <boost/container/static_vector.hpp>

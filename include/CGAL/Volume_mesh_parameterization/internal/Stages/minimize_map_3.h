@@ -12,26 +12,136 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Gain_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The cells far above both the median and the mean of the energy.
+struct Dominant_cells_3
+{
+  std::vector<std::size_t> cells; // the first one holds most
+  double part_of_energy = 0;      // that all of them hold
+  double logarithmic_mean = 0;    // of 1 + the energy of all cells, where those far above the median count as not so far
+
+  bool hold_most() const { return part_of_energy > 0.5; }
+};
+
+inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
+                                         const Eigen::Matrix3Xd& image)
+{
+  constexpr double far_above = 100;
+  const std::vector<double> psi
+    = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, factor_to_source_volume(mesh, image));
+  const std::vector<double> weights = cell_weights(mesh);
+  const double mean = std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.);
+  std::vector<double> sorted = psi;
+  const auto median = sorted.begin() + sorted.size() / 2;
+  std::nth_element(sorted.begin(), median, sorted.end());
+  const double high = far_above * *median, bound = (std::max)(high, mean);
+  Dominant_cells_3 result;
+  for(std::size_t c = 0; c < psi.size(); ++c)
+  {
+    result.logarithmic_mean += weights[c] * std::log1p((std::min)(psi[c], high));
+    if(!(psi[c] > bound))
+      continue;
+    result.part_of_energy += weights[c] * psi[c] / mean;
+    result.cells.push_back(c);
+    if(psi[c] > psi[result.cells.front()])
+      std::swap(result.cells.front(), result.cells.back());
+  }
+  return result;
+}
+
+// Judges, every ten steps, whether a minimization still gains. The energy stagnates if it has fallen by less than 0.1 %,
+// and the squared Newton decrement, which falls fast near a minimum, hardly at all. Where a few cells hold most of the
+// energy, it may also fall for these cells alone: then the mean of the logarithms, in which these cells count as little as
+// others, has not become notably lower for a hundred steps.
+class Gain_3
+{
+public:
+  static constexpr double large_energy = 100; // a mean that hints at dominant cells
+
+  Gain_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy) : m_mesh(mesh), m_energy(energy) {}
+
+  const std::vector<std::size_t>& dominant_cells() const { return m_dominant.cells; } // of the last image looked at
+
+  // Why the minimization over all vertices was ended.
+  std::string describe_dominant_cells() const
+  {
+    return sentence(m_dominant.cells.size(), " of ", m_mesh.cells.size(), " cells, which the prescribed vertices make flat, "
+                    "hold ", std::floor(100 * m_dominant.part_of_energy), " % of the energy, and further steps would hardly "
+                    "lower it, or for them alone; most of it holds the cell at ",
+                    describe(m_mesh.source.col(m_mesh.cells[m_dominant.cells.front()][0])),
+                    ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were "
+                    "then moved alone, to where they hardly improve either.");
+  }
+
+  bool is_stagnating(const Newton_iterate_3& iterate)
+  {
+    const double energy = iterate.evaluation.energy;
+    m_smallest_decrement = (std::min)(m_smallest_decrement, -iterate.direction.slope);
+    if(++m_number_of_steps % interval != 0)
+      return false;
+    const bool result = m_last_energy - energy < 1e-3 * energy && m_smallest_decrement > 0.1 * m_last_decrement;
+    m_last_energy = energy;
+    m_last_decrement = m_smallest_decrement;
+    m_smallest_decrement = std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  // Is what is gained, if anything, gained for dominant cells alone?
+  bool is_for_dominant_cells_alone(const Newton_iterate_3& iterate, const Eigen::Matrix3Xd& image)
+  {
+    constexpr std::size_t patience = 100;
+    constexpr double notable = 1e-3;
+    const bool stagnates = is_stagnating(iterate);
+    if(m_number_of_steps % interval != 0)
+      return false;
+    if(!(stagnates || iterate.energy() > large_energy) || !is_dominated(image))
+      return false;
+    if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
+    {
+      m_lowest_mean = m_dominant.logarithmic_mean;
+      m_step_of_lowest_mean = m_number_of_steps;
+    }
+    return stagnates || m_number_of_steps >= m_step_of_lowest_mean + patience;
+  }
+
+  // Do a few cells hold most of the energy?
+  bool is_dominated(const Eigen::Matrix3Xd& image)
+  {
+    if(m_mesh.is_whole()) // the median of a part is not that of all
+      m_dominant = dominant_cells_3(m_mesh, m_energy, image);
+    return m_dominant.hold_most();
+  }
+
+private:
+  static constexpr std::size_t interval = 10;
+
+  const Numbered_mesh_3& m_mesh;
+  const Cell_energy_3& m_energy;
+  std::size_t m_number_of_steps = 0;
+  double m_last_energy = std::numeric_limits<double>::infinity();
+  double m_smallest_decrement = std::numeric_limits<double>::infinity();
+  double m_last_decrement = std::numeric_limits<double>::infinity();
+  Dominant_cells_3 m_dominant;
+  double m_lowest_mean = std::numeric_limits<double>::infinity();
+  std::size_t m_step_of_lowest_mean = 0;
+};
 
 // The images of the vertices that no chosen cell has are unknown.
 inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,

@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <Eigen/Dense>
 

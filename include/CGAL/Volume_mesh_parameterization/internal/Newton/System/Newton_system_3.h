@@ -12,21 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
 #include <Eigen/Core>
 
