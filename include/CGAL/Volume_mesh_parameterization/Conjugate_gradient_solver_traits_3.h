@@ -21,6 +21,8 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
@@ -65,9 +67,12 @@ public:
   ///
   /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or `NOT_POSITIVE_DEFINITE` where
   ///         a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once; `FAILED` if a number is not finite
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
+  ///
+  /// \param goes_on is asked every few iterations; where it returns `false`, the iteration ends as at its limit
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+                             const std::function<bool()>& goes_on = nullptr)
   {
-    return m_solver.solve(b, x, tolerance);
+    return m_solver.solve(b, x, tolerance, goes_on);
   }
 
   /// returns the number of iterations of the last call of `solve()`.

@@ -127,7 +127,8 @@ private:
     Newton_matrix_3& matrix() override { return m_matrix; }
     Linear_solver_status factorize() override { return m_solver.factorize(std::get<Matrix>(m_matrix)); }
 
-    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
+    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+                               const Budget&) override // which processes may see differently
     {
       return m_solver.solve(b, x, tolerance);
     }

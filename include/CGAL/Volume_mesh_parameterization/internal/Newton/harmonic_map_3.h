@@ -34,7 +34,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;
   Eigen::Matrix3Xd u = system.unit() * positions;
-  Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance);
+  Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance, progress.budget());
   for(int i = 1; direction.is_usable(); ++i)
   {
     u += direction.vectors;
@@ -43,7 +43,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3
     if(left <= allowed || i == maximal_number_of_steps || progress.is_interrupted())
       break;
     tolerance = std::clamp(0.5 * std::sqrt(allowed / left), 1e-3, 1e-1);
-    direction = system.next_direction(dirichlet, u, tolerance);
+    direction = system.next_direction(dirichlet, u, tolerance, progress.budget());
   }
   positions = u / system.unit();
   return direction;

@@ -67,9 +67,9 @@ public:
   const Newton_iterate_3& iterate() const { return m_iterate; }
 
   // The full Hessian is tried, or a part of its negative curvature; less of it where that fails.
-  void step()
+  void step(const Budget& budget)
   {
-    step_with_some_curvature(m_negative_curvature, m_iterate, [this](const double part) { return move(part); });
+    step_with_some_curvature(m_negative_curvature, m_iterate, [&](const double part) { return move(part, budget); });
     // far from the minimum, the semi-definite Hessian does as well, and the full one mostly proves indefinite
     if(m_iterate.step_length >= 1 && -m_iterate.direction.slope < 0.1 * m_iterate.evaluation.energy)
       m_negative_curvature.raise();
@@ -78,10 +78,10 @@ public:
   bool is_converged() const { return m_iterate.direction.is_exact() && relative_gain() <= 1e-8; }
 
 private:
-  bool move(const double negative_curvature)
+  bool move(const double negative_curvature, const Budget& budget)
   {
     m_iterate.step_length = 0;
-    m_iterate.direction = m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance());
+    m_iterate.direction = m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget);
     if(!m_iterate.direction.is_usable())
       return false;
     m_iterate.take(search());
@@ -138,7 +138,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
   progress.end_start();
   while(progress.goes_on())
   {
-    minimizer.step();
+    minimizer.step(progress.budget());
     progress.after_step(step_of(iterate, Phase::MINIMIZATION));
     if(!iterate.direction.is_usable())
       return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));

@@ -38,13 +38,13 @@ public:
   const Eigen::Matrix3Xd& best() const { return m_best; } // with the fewest inverted cells so far
   std::size_t fewest_inverted_cells() const { return m_fewest_inverted_cells; }
 
-  void step()
+  void step(const Budget& budget)
   {
     constexpr double solver_tolerance = 1e-2;
     const Cell_energy_of<Untangling_energy_3> energy{Untangling_energy_3(m_epsilon, m_theta)};
     auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
     length = 0;
-    direction = m_system.direction(energy, u, 0., solver_tolerance);
+    direction = m_system.direction(energy, u, 0., solver_tolerance, budget);
     if(!direction.is_usable())
       return;
     const Energy_evaluation before = evaluation;
@@ -107,7 +107,7 @@ inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Ma
   {
     if(!progress.goes_on())
       return result(progress.status_of_end(false));
-    untangler.step();
+    untangler.step(progress.budget());
     progress.after_step(step_of(iterate, Phase::UNTANGLING));
     if(!iterate.direction.is_usable())
       return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -62,7 +63,9 @@ public:
     return Linear_solver_status::SUCCESS;
   }
 
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
+  // Ends as at the limit of iterations where `goes_on()` says no, which it is asked now and then.
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+                             const std::function<bool()>& goes_on)
   {
     m_number_of_iterations = 0;
     m_solution.setZero();
@@ -74,6 +77,8 @@ public:
 
     while(rz > target && m_number_of_iterations < m_maximal_number_of_iterations)
     {
+      if(m_number_of_iterations % 16 == 15 && goes_on && !goes_on())
+        break;
       const double curvature = multiply();
       if(!(curvature > 0))
       {

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
 
 #include <Eigen/Core>
@@ -20,6 +21,7 @@
 #include <boost/type_index.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -38,7 +40,8 @@ public:
   virtual ~Linear_system_3() = default;
   virtual Newton_matrix_3& matrix() = 0;
   virtual Linear_solver_status factorize() = 0; // the matrix as it is now
-  virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance) = 0;
+  virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance,
+                                     const Budget& budget) = 0;
 };
 
 // A linear solver as the engine knows it: the seam between solvers of any type and an engine that is compiled once.
@@ -52,6 +55,14 @@ public:
   virtual std::size_t number_of_iterations() const { return 0; }      // in all systems; 0 if it does not iterate
   virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
 };
+
+template <typename Solver, typename = void>
+struct Asks_to_go_on : std::false_type {};
+
+template <typename Solver>
+struct Asks_to_go_on<Solver, std::void_t<decltype(std::declval<Solver&>().solve(
+  std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>(), 0., std::declval<std::function<bool()> >()))> >
+  : std::true_type {};
 
 template <typename Solver, typename = void>
 struct Counts_iterations : std::false_type {};
@@ -100,9 +111,10 @@ private:
       return m_owner.m_solver.factorize(A);
     }
 
-    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance) override
+    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+                               const Budget& budget) override
     {
-      return m_owner.solve(b, x, tolerance);
+      return m_owner.solve(b, x, tolerance, budget);
     }
 
   private:
@@ -111,12 +123,16 @@ private:
     Newton_matrix_3 m_matrix;
   };
 
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance, const Budget& budget)
   {
-    const Linear_solver_status status = m_solver.solve(b, x, tolerance);
+    Linear_solver_status status;
+    if constexpr(Asks_to_go_on<Solver>::value)
+      status = m_solver.solve(b, x, tolerance, [&] { return !budget.is_exhausted(); });
+    else
+      status = m_solver.solve(b, x, tolerance);
     if constexpr(Counts_iterations<Solver>::value)
       m_number_of_iterations += m_solver.number_of_iterations();
-    m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT;
+    m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT && !budget.is_exhausted();
     return status;
   }
 

@@ -138,21 +138,22 @@ public:
     return result;
   }
 
-  // Solves H d = -g, where H keeps the part `negative_curvature` of negative eigenvalues of each cell.
+  // Solves H d = -g, where H keeps the part `negative_curvature` of negative eigenvalues of each cell. An iterative solver
+  // may end early where the budget is exhausted.
   Newton_direction_3 direction(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
-                               const double tolerance)
+                               const double tolerance, const Budget& budget = Budget())
   {
     return std::visit([&](auto& hessian)
     {
       Positions gradient;
       assemble(energy, u, negative_curvature, gradient, hessian);
-      Newton_direction_3 direction = solve(gradient, tolerance);
+      Newton_direction_3 direction = solve(gradient, tolerance, budget);
       // a semi-definite matrix may fail to be definite by rounding
       for(double shift = 1e-8; shift < 1e-2 && negative_curvature == 0
                                && direction.status == Linear_solver_status::NOT_POSITIVE_DEFINITE; shift *= 100)
       {
         hessian.scale_diagonal(static_cast<typename std::decay_t<decltype(hessian)>::NT>(shift));
-        direction = solve(gradient, tolerance);
+        direction = solve(gradient, tolerance, budget);
       }
       direction.is_of_semidefinite_matrix = negative_curvature == 0;
       return direction;
@@ -160,9 +161,10 @@ public:
   }
 
   // The same with the matrix of the last direction, which a convex quadratic energy has everywhere.
-  Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance)
+  Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance,
+                                    const Budget& budget)
   {
-    Newton_direction_3 direction = solve(gradient(energy, u), tolerance, true);
+    Newton_direction_3 direction = solve(gradient(energy, u), tolerance, budget, true);
     direction.is_of_semidefinite_matrix = true;
     return direction;
   }
@@ -188,7 +190,8 @@ private:
     m_unknowns.project(hessian);
   }
 
-  Newton_direction_3 solve(const Positions& columns, const double tolerance, const bool is_factorized = false)
+  Newton_direction_3 solve(const Positions& columns, const double tolerance, const Budget& budget,
+                           const bool is_factorized = false)
   {
     const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
     Newton_direction_3 result;
@@ -197,7 +200,7 @@ private:
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
     Eigen::VectorXd solution;
-    result.status = m_system->solve(-gradient, solution, tolerance);
+    result.status = m_system->solve(-gradient, solution, tolerance, budget);
     if(result.is_exact() || result.status == Linear_solver_status::ITERATION_LIMIT)
     {
       result.slope = dot(gradient, solution);
