@@ -4,6 +4,8 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
+#include <CGAL/Real_timer.h>
+
 #include <pty.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -473,6 +475,63 @@ TEST_CASE("At the time limit, or interrupted, the valid map reached so far is wr
   }
   CHECK(code == 0);
   CHECK(has_interrupted_map);
+}
+
+TEST_CASE("An interruption, or the time limit, ends each part of the program")
+{
+  const Folder folder;
+  const Soup source = cube(16);
+  Soup bent = fan_in_prism(400), target = bent; // no map, and a search that goes on
+  for(Point& p : target.points)
+  {
+    const double angle = 3.14159265358979 * p[2] / 400;
+    p = {(100 + p[0]) * std::cos(angle), p[1], (100 + p[0]) * std::sin(angle)};
+  }
+  folder.write("source.mesh", source);
+  folder.write("bent.mesh", bent);
+  folder.write("target.mesh", target);
+  struct Part
+  {
+    std::string arguments, text;
+    std::set<int> exit_codes;
+  };
+  const auto check_files = [&](const int code)
+  {
+    CHECK(fs::exists(folder.path("map.mesh")) == (code < 2 || folder.text("report.json").find("The map is") == 12));
+    CHECK(!fs::exists(folder.path("hexahedra.mesh")));
+    CHECK((code == 0 || folder.text("report.json").find("\"ERROR_INTERRUPTED\"") != std::string::npos));
+    fs::remove(folder.path("map.mesh"));
+  };
+  for(const Part& part : {
+        Part{"source.mesh --to ball", "building a complex", {3}},
+        Part{"source.mesh --to polycube", "mapping the boundary to polycube", {3}},
+        Part{"source.mesh --to ball", "numbering cells and vertices", {3}},
+        Part{"bent.mesh target.mesh", "untangling", {1, 3}},
+        Part{"bent.mesh target.mesh --refine", "untangling", {0, 1, 3}},
+        Part{"source.mesh --to ball --refine", "minimizing", {0}},
+        Part{"source.mesh source.mesh --hexahedra 0.25 hexahedra.mesh", "making hexahedra", {3}}})
+  {
+    CAPTURE(part.arguments, part.text);
+    const std::string arguments = part.arguments + " -o map.mesh --report report.json";
+    Terminal terminal(folder, arguments);
+    REQUIRE(terminal.waits_for(part.text));
+    CGAL::Real_timer timer;
+    timer.start();
+    terminal.interrupt();
+    const int code = terminal.exit_code();
+    CHECK(timer.time() < 3);
+    CHECK(part.exit_codes.count(code) == 1);
+    check_files(code);
+
+    timer.reset();
+    const int code_at_limit = folder.run(arguments + " --time-limit 1");
+    CHECK(timer.time() < 4);
+    CHECK((code_at_limit == 0 || code_at_limit == 1 || code_at_limit == 3));
+    if(code_at_limit != 0) // a fast machine may be ready
+      check_files(code_at_limit);
+    fs::remove(folder.path("map.mesh"));
+    fs::remove(folder.path("hexahedra.mesh"));
+  }
 }
 
 TEST_CASE("An interruption ends the program while it reads, too")

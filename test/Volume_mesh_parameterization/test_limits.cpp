@@ -1,0 +1,141 @@
+// Public functions that a visitor ends in the middle of each of their stages.
+#include "catch.h"
+#include "cube_complex.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+namespace {
+
+// Ends a computation when it is asked for the n-th time, and measures how long it goes on.
+struct Impatient_visitor
+{
+  std::size_t n, number_of_questions = 0, number_of_later_steps = 0;
+  CGAL::Real_timer since_the_end = {};
+
+  bool after_step(const VMP::Parameterization_step&)
+  {
+    number_of_later_steps += since_the_end.is_running();
+    return true;
+  }
+
+  bool goes_on()
+  {
+    if(++number_of_questions == n)
+      since_the_end.start();
+    return number_of_questions < n;
+  }
+};
+
+// Runs a function with a visitor to its end, and then ends it at questions spread over the whole run. It tells whether it
+// was interrupted, and itself checks what it has written.
+void check_ends(const std::function<bool(Impatient_visitor&)>& is_interrupted)
+{
+  Impatient_visitor patient = { (std::numeric_limits<std::size_t>::max)() };
+  REQUIRE_FALSE(is_interrupted(patient));
+  REQUIRE(patient.number_of_questions > 10);
+  for(std::size_t k = 0; k < 12; ++k)
+  {
+    Impatient_visitor visitor = { 1 + k * (patient.number_of_questions - 1) / 12 };
+    CAPTURE(visitor.n, patient.number_of_questions);
+    CHECK(is_interrupted(visitor));
+    CHECK(visitor.number_of_questions == visitor.n); // what has said no is not asked again
+    CHECK(visitor.number_of_later_steps <= 1);
+    CHECK(visitor.since_the_end.time() < 3);
+  }
+}
+
+// Of a cube of 384 or more cells to a domain, with further parameters of the map.
+template <typename Parameterizer, typename Parameters>
+bool is_map_interrupted(const Parameterizer& parameterizer, const Parameters& parameters)
+{
+  Cube_complex<> complex(cube_mesh(5));
+  Cube_complex<>::Point_map target;
+  REQUIRE(parameterizer.parameterize(complex.c3t3, VMP::make_vertex_point_map(target)) == VMP::OK);
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    complex.c3t3, complex.uvw_map(), parameters.boundary_map(VMP::make_vertex_point_map(target)));
+  CHECK((result.status == VMP::OK || result.status == VMP::ERROR_INTERRUPTED
+         || result.status == VMP::ERROR_BOUNDARY_NOT_REACHED));
+  CHECK(complex.uvw.empty() == !result.has_valid_map);
+  if(result.has_valid_map)
+    for(auto c = complex.c3t3.cells_in_complex_begin(); c != complex.c3t3.cells_in_complex_end(); ++c)
+      REQUIRE(CGAL::orientation(complex.uvw.at(c->vertex(0)), complex.uvw.at(c->vertex(1)),
+                                complex.uvw.at(c->vertex(2)), complex.uvw.at(c->vertex(3))) == CGAL::POSITIVE);
+  return result.status == VMP::ERROR_INTERRUPTED;
+}
+
+} // namespace
+
+TEST_CASE("A map with fixed boundary and refinement")
+{
+  check_ends([](Impatient_visitor& visitor)
+  {
+    return is_map_interrupted(VMP::Ball_boundary_parameterizer_3(), params::visitor(std::ref(visitor)).do_refine(true));
+  });
+}
+
+TEST_CASE("A map whose boundary slides, and with a bound of angles")
+{
+  check_ends([](Impatient_visitor& visitor)
+  {
+    return is_map_interrupted(VMP::Cube_boundary_parameterizer_3(1, 1, 3), params::visitor(std::ref(visitor))
+      .do_refine(true).do_slide_boundary(true).minimize_maximal_angle_distortion(true));
+  });
+}
+
+TEST_CASE("A map with soft boundary")
+{
+  check_ends([](Impatient_visitor& visitor)
+  {
+    return is_map_interrupted(VMP::Ball_boundary_parameterizer_3(),
+                              params::visitor(std::ref(visitor)).boundary_mode(VMP::Boundary_mode::SOFT));
+  });
+}
+
+TEST_CASE("Maps of boundaries")
+{
+  const auto check = [](const auto& parameterizer)
+  {
+    check_ends([&](Impatient_visitor& visitor)
+    {
+      const Cube_complex<> complex(cube_mesh(8));
+      Cube_complex<>::Point_map target;
+      const VMP::Error_code status = parameterizer.parameterize(complex.c3t3, VMP::make_vertex_point_map(target),
+                                                                params::visitor(std::ref(visitor)));
+      CHECK((status == VMP::OK || (status == VMP::ERROR_INTERRUPTED && target.empty())));
+      return status == VMP::ERROR_INTERRUPTED;
+    });
+  };
+  check(VMP::Ball_boundary_parameterizer_3());
+  check(VMP::Cube_boundary_parameterizer_3());
+  check(VMP::Polycube_boundary_parameterizer_3());
+}
+
+TEST_CASE("A mesh that is read")
+{
+  std::ostringstream out;
+  VMP::IO::write_MEDIT(out, source_soup(cube_mesh(20)));
+  check_ends([&](Impatient_visitor& visitor)
+  {
+    std::istringstream in(out.str());
+    VMP::Tetrahedron_soup_3 soup;
+    const VMP::Error_code status = VMP::IO::read_MEDIT(in, soup, params::visitor(std::ref(visitor)));
+    CHECK(soup.cells.empty() == (status == VMP::ERROR_INTERRUPTED));
+    return status == VMP::ERROR_INTERRUPTED;
+  });
+}
