@@ -27,6 +27,7 @@ package_of()
     QP_functions.h | QP_models.h) echo QP_solver ;;
     Random.h) echo Random_numbers ;;
     Real_timer.h) echo Profiling_tools ;;
+    Simple_cartesian.h) echo Cartesian_kernel ;;
     Spatial_sort_traits_adapter_3.h | hilbert_sort.h) echo Spatial_sorting ;;
     Surface_mesh.h) echo Surface_mesh ;;
     Union_find.h) echo Union_find ;;

@@ -48,7 +48,7 @@ void check_ends(const std::function<bool(Impatient_visitor&)>& is_interrupted)
 {
   Impatient_visitor patient = { (std::numeric_limits<std::size_t>::max)() };
   REQUIRE_FALSE(is_interrupted(patient));
-  REQUIRE(patient.number_of_questions > 10);
+  REQUIRE(patient.number_of_questions > 5);
   for(std::size_t k = 0; k < 12; ++k)
   {
     Impatient_visitor visitor = { 1 + k * (patient.number_of_questions - 1) / 12 };

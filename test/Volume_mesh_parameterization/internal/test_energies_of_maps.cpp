@@ -45,13 +45,11 @@ Map minimize(const Numbered_mesh_3& mesh, const Energy& energy)
 {
   using Solver = VMP::Conjugate_gradient_solver_traits_3<>;
   Solver solver;
-  fixed_boundary::Search<Energy, Solver> search(mesh, energy, solver);
-  while(search.is_running() && search.number_of_steps() < 300)
-    search.step();
+  const fixed_boundary::Outcome outcome = fixed_boundary::run(mesh, energy, solver, false, 300);
 
   Map map;
-  map.status = search.status();
-  const Matrix3Xd u = search.positions();
+  map.status = outcome.status;
+  const Matrix3Xd& u = outcome.positions;
   const double scale = std::cbrt(VMP::internal::volume(mesh, mesh.source) / VMP::internal::volume(mesh, u));
   for(const std::array<int, 4>& cell : mesh.cells)
   {

@@ -114,7 +114,7 @@ private:
     result.reserve(soup.cells.size());
     for(const std::array<std::size_t, 4>& cell : soup.cells)
     {
-      check_simplex(cell, number_of_points, "cell", number);
+      check_simplex(cell, number_of_points, "cell ", number);
       result.push_back({ {}, number++ });
       std::copy(cell.begin(), cell.end(), result.back().vertices.begin());
     }

@@ -163,8 +163,7 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
   if(check.allows_soft_boundary() && options.mode != Boundary_mode::FIXED && !found.map.is_valid()
      && !progress.is_interrupted())
     find_map_with_soft_boundary_3(mesh, energy, solver, options, progress, found);
-  if(found.map.is_solution() && found.status != ERROR_LINEAR_SOLVER_FAILED && !progress.is_interrupted()
-     && options.improve != nullptr)
+  if(found.map.is_solution() && found.status != ERROR_LINEAR_SOLVER_FAILED && options.improve != nullptr)
     options.improve(mesh, energy, solver, options, progress, found);
   return found;
 }

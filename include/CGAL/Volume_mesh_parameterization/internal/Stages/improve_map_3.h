@@ -110,6 +110,12 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
   };
   if(!options.do_slide && !options.minimize_maximal_angle_distortion && !exceeds_bound())
     return;
+  const bool is_bounded = std::isfinite(bound) || options.minimize_maximal_angle_distortion;
+  if(progress.is_interrupted())
+  {
+    found.status = ERROR_INTERRUPTED;
+    return;
+  }
   std::optional<Sliding_boundary_3> sliding;
   if(options.do_slide)
   {
@@ -133,6 +139,8 @@ inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& ener
     bound_angle_distortion_3(mesh, energy, bound, sliding.has_value(), minimize, progress, found);
   if(found.map.is_solution() && !progress.is_interrupted() && options.minimize_maximal_angle_distortion)
     minimize_angle_distortion_3(mesh, energy, sliding.has_value(), minimize, progress, found);
+  if(is_bounded && found.status == OK && progress.is_interrupted())
+    found.status = ERROR_INTERRUPTED;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
