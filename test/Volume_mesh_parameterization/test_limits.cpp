@@ -69,6 +69,7 @@ bool is_map_interrupted(const Parameterizer& parameterizer, const Parameters& pa
   REQUIRE(parameterizer.parameterize(complex.c3t3, VMP::make_vertex_point_map(target)) == VMP::OK);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     complex.c3t3, complex.uvw_map(), parameters.boundary_map(VMP::make_vertex_point_map(target)));
+  CAPTURE(result.status, result.message);
   CHECK((result.status == VMP::OK || result.status == VMP::ERROR_INTERRUPTED
          || result.status == VMP::ERROR_BOUNDARY_NOT_REACHED));
   CHECK(complex.uvw.empty() == !result.has_valid_map);

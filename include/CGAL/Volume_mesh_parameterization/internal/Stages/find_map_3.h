@@ -124,7 +124,9 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
     found.take(status, approach.reason(), judged(mesh, approach.positions()));
     found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();
-    if(approach.can_snap() && !progress.is_interrupted())
+    if(approach.can_snap() && progress.is_interrupted())
+      found.status = ERROR_INTERRUPTED;
+    else if(approach.can_snap())
       snapped_positions = approach.snapped_positions();
   }
   if(snapped_positions)
@@ -160,8 +162,11 @@ inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& 
     if(found.is_stuck)
       return found;
   }
-  if(check.allows_soft_boundary() && options.mode != Boundary_mode::FIXED && !found.map.is_valid()
-     && !progress.is_interrupted())
+  const bool needs_soft_boundary
+    = check.allows_soft_boundary() && options.mode != Boundary_mode::FIXED && !found.map.is_valid();
+  if(needs_soft_boundary && progress.is_interrupted())
+    found.status = ERROR_INTERRUPTED;
+  else if(needs_soft_boundary)
     find_map_with_soft_boundary_3(mesh, energy, solver, options, progress, found);
   if(found.map.is_solution() && found.status != ERROR_LINEAR_SOLVER_FAILED && options.improve != nullptr)
     options.improve(mesh, energy, solver, options, progress, found);
