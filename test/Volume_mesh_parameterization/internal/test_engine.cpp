@@ -398,6 +398,18 @@ TEST_CASE("The harmonic map is that of a dense solution, by one matrix and steps
   }
 }
 
+TEST_CASE("Copies of a budget are one: what one of them was told, all know")
+{
+  int number_of_questions = 0;
+  const VMP::internal::Budget budget((std::numeric_limits<double>::infinity)(), [&] { return ++number_of_questions != 3; });
+  VMP::internal::Progress_3 progress(budget, 10);
+  CHECK(!budget.is_exhausted());
+  CHECK(progress.goes_on());
+  CHECK(!progress.goes_on());
+  CHECK(budget.is_exhausted());
+  CHECK(number_of_questions == 3);
+}
+
 TEST_CASE("A map with inverted cells is untangled")
 {
   const Numbered_mesh_3 mesh = ring(8);
@@ -867,7 +879,7 @@ TEST_CASE("A search crawls where a few cells hold most of the energy, and it fal
       image.row(2) *= 0.1 * std::pow(rate, rounds);
       const double falling = is_stagnating ? 1 : std::pow(0.999, step);
       const VMP::internal::Newton_iterate_3 iterate = iterate_of(2 * VMP::internal::Gain_3::large_energy * falling, 1);
-      if(gain.is_for_dominant_cells_alone(iterate, image))
+      if(gain.is_for_dominant_cells_alone(iterate, [&] { return image; }))
         return step;
     }
     return 0;

@@ -16,12 +16,13 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What a computation may still take, by the clock and by its user; asked in each loop that may take long, by the thread
-// that made it. Once exhausted, it remains so.
+// that made it. Once exhausted, it remains so, and so do its copies, which are the same budget.
 class Budget
 {
 public:
@@ -36,17 +37,17 @@ public:
 
   bool is_exhausted() const
   {
-    m_is_exhausted = m_is_exhausted || seconds() > m_seconds || !m_goes_on();
-    return m_is_exhausted;
+    *m_is_exhausted = *m_is_exhausted || seconds() > m_seconds || !m_goes_on();
+    return *m_is_exhausted;
   }
 
-  void exhaust() { m_is_exhausted = true; }
+  void exhaust() { *m_is_exhausted = true; }
 
 private:
   double m_seconds;
   std::function<bool()> m_goes_on;
   Real_timer m_timer;
-  mutable bool m_is_exhausted = false;
+  std::shared_ptr<bool> m_is_exhausted = std::make_shared<bool>(false);
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -19,23 +19,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <iterator>
-#include <string>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Where a Newton iteration has ended, and why.
-struct Newton_result_3
-{
-  Eigen::Matrix3Xd positions;     // the images of all vertices, in the units of the user
-  std::size_t number_of_inverted_cells = 0; // by floating-point determinants
-  double energy = 0;              // of all cells
-  Error_code status = ERROR_NOT_CONVERGED;
-  std::string reason = {};        // for the status; empty if there is nothing to add
-};
 
 // Below this energy, what is left to gain counts as it is, and not relative to the energy, which may have the minimum 0:
 // an eighteenth of the trace of the Hessian at the identity, 1 for the stretch. So factors of psi do not matter.
@@ -119,8 +107,8 @@ private:
   Negative_curvature m_negative_curvature;
 };
 
-// Is it to end after this step, with these images of the vertices, although it is no minimum?
-using Ends_here = std::function<bool(const Newton_iterate_3&, const Eigen::Matrix3Xd& positions)>;
+// Is it to end after this step, although it is no minimum? `positions()` returns the images of all vertices then.
+using Ends_here = std::function<bool(const Newton_iterate_3&, const std::function<Eigen::Matrix3Xd()>& positions)>;
 
 // Minimizes from images on that invert no cell; vertices that are not unknown stay where they are.
 inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
@@ -144,7 +132,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
     if(minimizer.is_converged())
       return result(OK);
-    if(iterate.step_length == 0 || (ends_here && ends_here(iterate, current_positions())))
+    if(iterate.step_length == 0 || (ends_here && ends_here(iterate, current_positions)))
       return result(ERROR_NOT_CONVERGED);
   }
   return result(progress.status_of_end(true));

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 
@@ -19,7 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -131,6 +134,16 @@ struct Newton_iterate_3
     u = std::move(step.positions);
     evaluation = step.evaluation;
   }
+};
+
+// Where a Newton iteration has ended, and why.
+struct Newton_result_3
+{
+  Eigen::Matrix3Xd positions;     // the images of all vertices, in the units of the user
+  std::size_t number_of_inverted_cells = 0; // by floating-point determinants
+  double energy = 0;              // of all cells
+  Error_code status = ERROR_NOT_CONVERGED;
+  std::string reason = {};        // for the status; empty if there is nothing to add
 };
 
 // Asks `step(part)` for a step with as much negative curvature of the Hessian as serves, less of it where that fails.

@@ -14,13 +14,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
 
 #include <Eigen/Dense>
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -47,8 +47,7 @@ inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Ei
   if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0 || budget.is_exhausted())
     return map;
 
-  const auto goes_on = [&] { return !budget.is_exhausted(); }; // so that it is the budget of the caller that remembers
-  Progress_3 progress(Budget((std::numeric_limits<double>::infinity)(), goes_on), maximal_number_of_steps);
+  Progress_3 progress(budget, maximal_number_of_steps);
   Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
   map = judged(mesh, snapped(mesh, untangle_cells_3(system, mesh.target, theta, progress).positions));
   if(!map.is_valid())

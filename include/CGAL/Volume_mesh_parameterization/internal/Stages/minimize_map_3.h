@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -104,14 +105,14 @@ public:
   }
 
   // Is what is gained, if anything, gained for dominant cells alone?
-  bool is_for_dominant_cells_alone(const Newton_iterate_3& iterate, const Eigen::Matrix3Xd& image)
+  bool is_for_dominant_cells_alone(const Newton_iterate_3& iterate, const std::function<Eigen::Matrix3Xd()>& image)
   {
     constexpr std::size_t patience = 100;
     constexpr double notable = 1e-3;
     const bool stagnates = is_stagnating(iterate);
     if(m_number_of_steps % interval != 0)
       return false;
-    if(!(stagnates || iterate.energy() > large_energy) || !is_dominated(image))
+    if(!(stagnates || iterate.energy() > large_energy) || !is_dominated(image()))
       return false;
     if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
     {
@@ -173,7 +174,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
     system, energy, found.map.positions, progress, negative_curvature,
-    [&](const Newton_iterate_3& iterate, const Eigen::Matrix3Xd& image)
+    [&](const Newton_iterate_3& iterate, const auto& image)
     { return has_crawled = gain.is_for_dominant_cells_alone(iterate, image); });
   take(whole);
   const bool is_minimum
@@ -188,7 +189,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   Gain_3 gain_of_rest(mesh, energy);
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
-                         [&](const Newton_iterate_3& iterate, const Eigen::Matrix3Xd&)
+                         [&](const Newton_iterate_3& iterate, const auto&)
                          { return gain_of_rest.is_stagnating(iterate); }));
   if(is_minimum && found.status == ERROR_NOT_CONVERGED)
     found.status = OK; // of the energy as a whole

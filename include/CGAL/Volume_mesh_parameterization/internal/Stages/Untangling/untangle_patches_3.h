@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/Neighborhood_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/attempts_3.h>
 
