@@ -14,8 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
 
-#include <Eigen/Core>
-
 // The arithmetic with the instructions of this unit, which is also the one for single cells.
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Distortion_derivatives_3.inc>
 

@@ -15,8 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
 
-#include <Eigen/Core>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // An energy as the engine knows it: psi and its derivatives by the singular values s, for a pack of cells at a time.

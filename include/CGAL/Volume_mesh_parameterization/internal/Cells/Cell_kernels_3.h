@@ -15,11 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The passes over the packs of cells, from the first one to the end of a range; `u` and `d` hold three coordinates a

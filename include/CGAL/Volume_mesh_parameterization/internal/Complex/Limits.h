@@ -17,9 +17,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <limits>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -14,13 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <unordered_map>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

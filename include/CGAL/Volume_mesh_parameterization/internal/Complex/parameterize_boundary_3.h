@@ -16,11 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 
-#include <Eigen/Core>
-
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 template <typename C3t3>

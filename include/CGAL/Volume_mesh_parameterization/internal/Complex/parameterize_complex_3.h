@@ -14,12 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 
-#include <Eigen/Core>
-
-#include <functional>
 #include <iomanip>
 #include <iostream>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -20,16 +20,6 @@
 
 #include <CGAL/iterator.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <iterator>
-#include <unordered_map>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is carried over a refinement of a complex, from one search to the next. A search that goes on has the images of all

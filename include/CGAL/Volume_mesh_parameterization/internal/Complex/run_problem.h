@@ -22,14 +22,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <Eigen/Core>
-
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <type_traits>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Tells what is no property map, and whether a map takes what is put into it, for errors of the compiler that can be

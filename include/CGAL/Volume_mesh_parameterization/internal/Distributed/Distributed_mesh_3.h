@@ -19,18 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 
-#include <Eigen/Core>
-
 #include <petscsystypes.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <memory>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

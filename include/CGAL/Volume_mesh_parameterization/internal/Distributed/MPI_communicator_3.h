@@ -16,16 +16,9 @@
 
 #include <mpi.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <new>
 #include <numeric>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

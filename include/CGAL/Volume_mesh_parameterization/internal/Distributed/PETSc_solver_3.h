@@ -16,17 +16,7 @@
 
 #include <CGAL/tags.h>
 
-#include <Eigen/Core>
-
 #include <petscksp.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <memory>
-#include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -17,11 +17,7 @@
 #include <petscmat.h>
 #include <petscsf.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

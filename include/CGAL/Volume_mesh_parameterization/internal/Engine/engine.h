@@ -32,13 +32,6 @@
 
 #include <CGAL/tags.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The engine: all between numbered arrays and positions. It knows no complex, an energy only as `Cell_energy_3`, and a

@@ -29,8 +29,6 @@
 #include <boost/geometry/index/rtree.hpp>
 #pragma pop_macro("BOOST_PRAGMA_MESSAGE")
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>

@@ -16,13 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

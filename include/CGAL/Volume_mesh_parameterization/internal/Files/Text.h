@@ -19,12 +19,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <fstream>
 #include <ios>
 #include <istream>
 #include <locale>
-#include <string>
 #include <string_view>
 #include <system_error>
 

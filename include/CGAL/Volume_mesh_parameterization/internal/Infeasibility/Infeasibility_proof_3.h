@@ -18,10 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <set>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -20,13 +20,8 @@
 #include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

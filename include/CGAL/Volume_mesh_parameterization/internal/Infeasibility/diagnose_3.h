@@ -18,15 +18,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <set>
-#include <string>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The vertices a proof is about: its free vertices, and those that all its cells share.

@@ -7,7 +7,6 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_PROVE_INFEASIBILITY_3_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_INFEASIBILITY_PROVE_INFEASIBILITY_3_H
 
@@ -22,16 +21,9 @@
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <iterator>
 #include <map>
 #include <optional>
-#include <set>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

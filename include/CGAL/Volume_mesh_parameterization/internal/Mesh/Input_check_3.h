@@ -15,8 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <string>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is wrong with the input, with the data that make it concrete.

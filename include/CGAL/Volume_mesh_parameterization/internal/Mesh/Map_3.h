@@ -15,13 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

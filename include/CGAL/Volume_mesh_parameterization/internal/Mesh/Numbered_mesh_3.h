@@ -18,7 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -14,10 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
-#include <Eigen/Dense>
-
 #include <cmath>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

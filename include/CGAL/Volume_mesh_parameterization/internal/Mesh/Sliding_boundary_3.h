@@ -17,14 +17,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -16,10 +16,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -16,15 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -17,15 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <numeric>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -15,8 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
-#include <Eigen/Core>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The source, rotated, scaled and translated such that the sum of the squared distances of its

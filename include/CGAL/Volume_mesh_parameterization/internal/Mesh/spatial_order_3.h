@@ -18,10 +18,6 @@
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>

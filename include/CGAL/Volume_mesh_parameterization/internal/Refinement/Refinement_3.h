@@ -17,13 +17,9 @@
 
 #include <boost/functional/hash.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -16,7 +16,6 @@
 
 #include <boost/container/static_vector.hpp>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

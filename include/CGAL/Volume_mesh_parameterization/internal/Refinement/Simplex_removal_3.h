@@ -18,14 +18,9 @@
 
 #include <boost/container/static_vector.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <iterator>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <unordered_set>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

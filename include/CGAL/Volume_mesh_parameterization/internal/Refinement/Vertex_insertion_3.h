@@ -17,7 +17,6 @@
 #include <boost/container/static_vector.hpp>
 
 #include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -16,13 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

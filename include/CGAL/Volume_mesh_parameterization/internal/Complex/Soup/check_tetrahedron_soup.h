@@ -17,10 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
