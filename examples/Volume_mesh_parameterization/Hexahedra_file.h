@@ -21,9 +21,11 @@
 class Hexahedra_file
 {
 public:
-  // The values of the option: the spacing of the grid, and the name of the file.
+  // The values of the option: the spacing of the grid, and the name of the file; none if it is not given.
   explicit Hexahedra_file(const std::vector<std::string>& words)
   {
+    if(words.empty())
+      return;
     if(words.size() != 2)
       throw std::runtime_error("--hexahedra takes a spacing and the name of a file");
     char* end;
@@ -35,7 +37,8 @@ public:
       throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu");
   }
 
-  const std::string& name() const { return m_name; }
+  const std::string& name() const { return m_name; } // empty if there is none
+  double spacing() const { return m_spacing; }       // 0 if there is none
 
   // Writes the file only if the status is `OK`.
   CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
@@ -61,7 +64,7 @@ public:
 private:
   std::string extension() const { return std::filesystem::path(m_name).extension().string(); }
 
-  double m_spacing;
+  double m_spacing = 0;
   std::string m_name;
 };
 

@@ -6,6 +6,7 @@
 #include "Output_file.h"
 #include "Result_report.h"
 
+#include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
@@ -14,6 +15,8 @@
 #include <sys/resource.h>
 
 #include <cstddef>
+#include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +26,8 @@ struct Outcome
   Exit_code exit_code;
   std::string status_code; // the name of the result's status, or of what was thrown
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
-  std::string remark = {};     // for the console
+  // if hexahedra were to be made, and there was a map to make them of
+  std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
 };
 
 // A sentence of the library with the options of the program in place of the parameters of the function.
@@ -67,6 +71,24 @@ inline JSON_object json(const Options& options)
                       .add("time_limit", options.time_limit);
 }
 
+inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
+{
+  std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimal_scaled_jacobian
+            << ", mean " << result.mean_scaled_jacobian << "\n";
+}
+
+inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
+{
+  return JSON_object().add("status", result.message).add("status_code", error_code_name(result.status))
+                      .add("vertices", result.number_of_vertices)
+                      .add("boundary_vertices", result.number_of_boundary_vertices)
+                      .add("cells", result.number_of_cells)
+                      .add("inverted_corners", result.number_of_inverted_corners)
+                      .add("padding", result.has_padding)
+                      .add("minimal_scaled_jacobian", result.minimal_scaled_jacobian)
+                      .add("mean_scaled_jacobian", result.mean_scaled_jacobian);
+}
+
 // Without a map, there is nothing to tell of bad input but the message and the options.
 inline void write_report(const Options& options, const Outcome& outcome,
                          const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps)
@@ -81,6 +103,8 @@ inline void write_report(const Options& options, const Outcome& outcome,
   if(outcome.exit_code != BAD_INPUT || result.has_valid_map)
   {
     add(report, result);
+    if(outcome.hexahedra)
+      report.add("hexahedra", json(*outcome.hexahedra));
     report.add("steps", json(steps)).add("peak_memory_bytes", peak_memory_bytes());
   }
 

@@ -57,7 +57,8 @@ inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
   return boundary_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
 }
 
-inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name)
+// The spacing is that of hexahedra; 0 if none are made.
+inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name, const double spacing)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   const std::string box = "box=";
@@ -67,7 +68,7 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     {"ball", boundary_parameterizer(VMP::Ball_boundary_parameterizer_3())},
     {"cube", boundary_parameterizer(VMP::Cube_boundary_parameterizer_3())},
     {"box=X,Y,Z", nullptr},
-    {"polycube", boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3())}});
+    {"polycube", boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))}});
 }
 
 // Of each point of the file; not numbers where there is none.
@@ -89,13 +90,13 @@ inline Points targets_of_file(const std::string& filename, const Mesh_file& mesh
   return targets;
 }
 
-inline Points targets_on_domain(const std::string& domain, Mesh_file& mesh, Progress_line& progress)
+inline Points targets_on_domain(const std::string& domain, const double spacing, Mesh_file& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   const double none = std::numeric_limits<double>::quiet_NaN();
   Points targets(mesh.soup.points.size(), {none, none, none});
   const VMP::Error_code status
-    = named_boundary_parameterizer(domain)(mesh.c3t3, Point_map{&mesh.indices, &targets}, progress);
+    = named_boundary_parameterizer(domain, spacing)(mesh.c3t3, Point_map{&mesh.indices, &targets}, progress);
   if(status == VMP::OK)
     return targets;
   if(status == VMP::ERROR_INTERRUPTED)

@@ -42,8 +42,8 @@ inline void check_files(const Options& options)
   std::vector<fs::path> others = {Output_file::path(options.source)};
   if(!options.target.empty())
     others.push_back(Output_file::path(options.target));
-  const std::string hexahedra = options.hexahedra.empty() ? "" : Hexahedra_file(options.hexahedra).name();
-  for(const std::string& name : {options.output, options.refined_source, options.report, hexahedra})
+  for(const std::string& name : {options.output, options.refined_source, options.report,
+                                 Hexahedra_file(options.hexahedra).name()})
   {
     if(name.empty())
       continue;
@@ -61,7 +61,7 @@ inline void check(const Options& options)
   named_solver(options.solver);
   named_boundary_mode(options.boundary);
   if(!options.domain.empty())
-    named_boundary_parameterizer(options.domain);
+    named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.maximal_angle_distortion > 2))

@@ -24,7 +24,6 @@
 #include <functional>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <string>
 #include <variant>
 
@@ -94,22 +93,21 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
   }
 }
 
-// Makes hexahedra of a map that has been written, and adds to its outcome what became of them.
+// Makes hexahedra of a map that has been written, if it meets the boundary, and adds to its outcome what became of them.
 void make_hexahedra(const Options& options, const Mesh_file& mesh, const Points& uvw, Progress_line& progress,
                     Outcome& outcome)
 {
+  if(outcome.exit_code != SUCCESS)
+  {
+    outcome.result.message += " There are no hexahedra, because the boundary is missed.";
+    return;
+  }
   progress.show("making hexahedra");
   const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh.soup, uvw, progress);
-  if(hexahedra.status == VMP::OK)
-  {
-    std::ostringstream out;
-    out << hexahedra.number_of_cells << " hexahedra, scaled Jacobian: minimal " << hexahedra.minimal_scaled_jacobian
-        << ", mean " << hexahedra.mean_scaled_jacobian << "\n";
-    outcome.remark = out.str();
-    if(!hexahedra.is_interrupted)
-      return;
-  }
-  else
+  outcome.hexahedra = hexahedra;
+  if(hexahedra.status == VMP::OK && !hexahedra.is_interrupted)
+    return;
+  if(hexahedra.status != VMP::OK)
     outcome.exit_code = hexahedra.is_interrupted || hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE
                                                                                                        : BAD_INPUT;
   Result& result = outcome.result;
@@ -130,7 +128,7 @@ Outcome run(const Options& options, Progress_line& progress)
   const bool has_file = !options.target.empty();
   progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
   Points targets = has_file ? targets_of_file(options.target, mesh, progress)
-                            : targets_on_domain(options.domain, mesh, progress);
+                            : targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), mesh, progress);
 
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
@@ -145,7 +143,7 @@ Outcome run(const Options& options, Progress_line& progress)
     write_mesh(options.refined_source, mesh.soup);
   try
   {
-    if(outcome.exit_code == SUCCESS && !options.hexahedra.empty())
+    if(!options.hexahedra.empty())
       make_hexahedra(options, mesh, uvw, progress, outcome);
   }
   catch(const std::bad_alloc&)
@@ -203,7 +201,8 @@ int main(int argc, char* argv[])
     if(result.has_valid_map && !options.is_quiet)
     {
       print(result);
-      std::cout << outcome.remark;
+      if(outcome.hexahedra && outcome.hexahedra->status == VMP::OK)
+        print(*outcome.hexahedra);
     }
     if(outcome.exit_code != SUCCESS || result.status != VMP::OK)
       std::cerr << result.message << std::endl;

@@ -263,6 +263,20 @@ const std::vector<std::string> report_keys = {
   "unavoidable_angle_distortion", "missed_angle_distortion",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
+const std::vector<std::string> hexahedra_keys = {
+  "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "padding",
+  "minimal_scaled_jacobian", "mean_scaled_jacobian"};
+
+// They come before the steps.
+std::vector<std::string> report_keys_with(const std::vector<std::string>& others)
+{
+  std::vector<std::string> result = report_keys;
+  result.insert(std::find(result.begin(), result.end(), "steps"), others.begin(), others.end());
+  return result;
+}
+
+std::string hexahedra_of(const std::string& report) { return report.substr(report.find("\"hexahedra\": {")); }
+
 } // namespace
 
 TEST_CASE("An affine boundary gives an affine map, in the order of the file")
@@ -579,9 +593,15 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   folder.write("target.mesh", source);
   REQUIRE(folder.run("source.mesh target.mesh --quiet --hexahedra 1.5 hexahedra.mesh") == 0);
   CHECK(folder.text("hexahedra.mesh").find("\nHexahedra\n8\n") != std::string::npos);
-  REQUIRE(folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.vtu") == 0);
+  REQUIRE(folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.vtu --report report.json") == 0);
   CHECK(folder.text("hexahedra.vtu").find("NumberOfCells=\"27\"") != std::string::npos);
   CHECK(folder.text("stdout").find("27 hexahedra, scaled Jacobian: minimal 1") != std::string::npos);
+  CHECK(keys(folder.text("report.json")) == report_keys_with(hexahedra_keys));
+  const std::string report = hexahedra_of(folder.text("report.json"));
+  CHECK(number(report, "cells") == 27);
+  CHECK(number(report, "vertices") == 64);
+  CHECK(number(report, "boundary_vertices") == 56);
+  CHECK(number(report, "minimal_scaled_jacobian") == Approx(1));
 
   for(const char* option : {"1", "0 no.mesh", "1x no.mesh", "1 no.txt", "1 target.mesh"})
     CHECK(folder.run("source.mesh target.mesh --hexahedra " + std::string(option)) == 2);
@@ -595,8 +615,57 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   CHECK(folder.names()
         == Names({"source.mesh", "target.mesh", "hexahedra.mesh", "hexahedra.vtu", "map.mesh", "report.json"}));
   CHECK(folder.soup("map.mesh").cells == source.cells); // the map is written all the same
-  CHECK(keys(folder.text("report.json")) == report_keys);
+  CHECK(keys(folder.text("report.json")) == report_keys_with(hexahedra_keys));
+  CHECK(folder.text("report.json").find("\"has_valid_map\": true") != std::string::npos);
   CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_DOMAIN_NOT_AXIS_PARALLEL\"") != std::string::npos);
+}
+
+TEST_CASE("The faces of a polycube are multiples of the spacing of hexahedra")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  const Soup other = cube(2);
+  for(const Point& p : other.points)
+    source.points.push_back({p[0] + 3.7, p[1], p[2]});
+  for(const auto& [a, b, c, d] : other.cells)
+    source.cells.push_back({a + 64, b + 64, c + 64, d + 64});
+  source.cell_references.assign(source.cells.size(), 1);
+  folder.write("source.mesh", source);
+  REQUIRE(folder.run("source.mesh --to polycube --hexahedra 1 hexahedra.mesh") == 0);
+  CHECK(folder.text("stdout").find("35 hexahedra, scaled Jacobian: minimal 1, mean 1") != std::string::npos);
+}
+
+TEST_CASE("Hexahedra that cannot be made leave the map, and say why there are none")
+{
+  const Folder folder;
+  const Soup prism = fan_in_prism(24);
+  folder.write("source.mesh", prism);
+  Soup target = prism;
+  for(Point& p : target.points)
+  {
+    const double angle = 3.14 * p[2] / 24, radius = 1 + p[0];
+    p = {radius * std::cos(angle), p[1], radius * std::sin(angle)};
+  }
+  folder.write("target.mesh", target);
+  REQUIRE(folder.run("source.mesh target.mesh -o map.mesh --report report.json --hexahedra 1 hexahedra.mesh") == 1);
+  CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh", "report.json"});
+  CHECK(folder.text("stderr").find(" There are no hexahedra, because the boundary is missed.") != std::string::npos);
+
+  // a square becomes a dart, whose reflex corner no hexahedron can have
+  const Soup box = cube(3);
+  Soup dart = box;
+  for(Point& p : dart.points)
+  {
+    const double x = p[0] / 3, y = p[1] / 3;
+    p = {2 + (x > y ? x : 3 * x - 2 * y), 2 + (x > y ? 3 * y - 2 * x : y), p[2]};
+  }
+  folder.write("source.mesh", dart);
+  folder.write("target.mesh", box);
+  fs::remove(folder.path("map.mesh"));
+  CHECK(folder.run("source.mesh target.mesh -o map.mesh --report report.json --hexahedra 3 hexahedra.mesh") == 3);
+  CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh", "report.json"});
+  CHECK(folder.text("report.json").find("\"has_valid_map\": true") != std::string::npos);
+  CHECK(number(hexahedra_of(folder.text("report.json")), "inverted_corners") > 0);
 }
 
 TEST_CASE("Vertices without a cell keep their place in the output")
