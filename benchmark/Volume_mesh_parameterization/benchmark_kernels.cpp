@@ -7,7 +7,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
 

@@ -10,7 +10,6 @@
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
-#include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 

@@ -6,10 +6,10 @@
 #include "Progress_line.h"
 #include "Result_report.h"
 
-#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/Input_error.h>
+#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
 #include <petscsys.h>
 

@@ -14,9 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Arrays/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
@@ -24,11 +22,9 @@
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

@@ -4,8 +4,8 @@
 #include "cube_complex.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>

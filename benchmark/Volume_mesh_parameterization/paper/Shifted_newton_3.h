@@ -3,7 +3,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>

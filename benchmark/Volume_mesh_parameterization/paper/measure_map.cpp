@@ -5,7 +5,7 @@
 #include "../../../examples/Volume_mesh_parameterization/JSON_object.h"
 #include "Map_problem.h"
 
-#include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>

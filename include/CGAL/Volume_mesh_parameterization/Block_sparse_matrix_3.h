@@ -24,6 +24,21 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
+What a model of `NewtonSolverTraits_3` answers.
+*/
+enum class Linear_solver_status
+{
+  SUCCESS,               ///< the system is solved to the tolerance asked for
+  ITERATION_LIMIT,       ///< the result is a descent direction, but not as exact as asked for
+  TRUNCATED,             ///< the matrix is not positive definite, but the result is a descent direction
+  NOT_POSITIVE_DEFINITE, ///< the matrix is not positive definite; there is no result
+  OUT_OF_MEMORY,         ///< the factorization needs more memory than there is
+  FAILED                 ///< any other failure of the solver
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationSolvers
+
 A symmetric sparse matrix of 3x3 blocks: the Hessian of an energy, one block row a free vertex and
 one block for each pair of vertices that share a cell or a linear constraint. Both triangles are stored, in
 compressed rows; blocks are stored by columns, and the columns of each row are sorted.

@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
 
 #include <Eigen/Dense>
 

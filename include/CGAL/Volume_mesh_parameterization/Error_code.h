@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <stdexcept>
+
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
@@ -121,6 +123,17 @@ inline const char* get_error_message(const Error_code code)
   }
   return "Unknown error code.";
 }
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// The exception of the functions that read files and of `tetrahedron_soup_to_mesh_complex_3()`;
+/// `what()` is one sentence that says where the input is wrong and how.
+class Input_error
+  : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
-#include <CGAL/Volume_mesh_parameterization/internal/require.h>
 
 #include <Eigen/Core>
 

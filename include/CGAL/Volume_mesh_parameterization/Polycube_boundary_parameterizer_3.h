@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/require.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
 

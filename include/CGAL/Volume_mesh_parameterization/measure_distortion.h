@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 

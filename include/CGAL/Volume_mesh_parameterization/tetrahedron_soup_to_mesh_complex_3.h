@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/Facet_matching_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
 
 #include <array>
 #include <cstddef>

@@ -15,11 +15,9 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/Facet_matching_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Soup/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
-#include <CGAL/Volume_mesh_parameterization/internal/require.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

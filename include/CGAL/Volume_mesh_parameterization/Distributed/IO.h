@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
-#include <CGAL/Volume_mesh_parameterization/Input_error.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>

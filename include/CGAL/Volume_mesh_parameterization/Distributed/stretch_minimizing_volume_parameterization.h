@@ -12,15 +12,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/run_problem.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/require.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -46,7 +46,7 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
   const auto is_constrained = [&](const std::size_t v) { return get(problem.is_constrained, v); };
   const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights);
   const Numbered_mesh_3& mesh = distributed.mesh();
-  const Input_check_3 check = engine::check_input(mesh);
+  const Input_check_3 check = check_input_3(mesh);
   problem.progress.end_numbering();
   Parameterization_result result;
   if(check.allows_fixed_boundary())

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/exceptions.h>
+
 #include <Eigen/Core>
 
 #include <locale>
@@ -33,6 +35,13 @@ std::string sentence(const Parts&... parts)
 inline std::string describe(const Eigen::Vector3d& point)
 {
   return sentence("(", point[0], ", ", point[1], ", ", point[2], ")");
+}
+
+// A precondition that is cheap, so that it holds in programs compiled with NDEBUG, too. Nothing is printed.
+inline void require(const bool condition, const char* const message)
+{
+  if(!condition)
+    throw Precondition_exception("CGAL::Volume_mesh_parameterization", "", "", 0, message);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -74,7 +74,7 @@ public:
     if(!m_approach.goes_on)
       return result;
     const Eigen::Matrix3Xd images = positions(complex);
-    m_approach.goes_on = engine::is_valid(complex.mesh(), images);
+    m_approach.goes_on = inverted_cells(complex.mesh(), images).number == 0;
     if(m_approach.goes_on)
     {
       result.positions = images;

@@ -15,13 +15,12 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
@@ -43,10 +42,6 @@ namespace engine {
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
                                            const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh);
-
-// Can there be a map?
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Input_check_3 check_input(const Numbered_mesh_3& mesh);
 
 // The stages that are allowed, one after the other.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
@@ -70,10 +65,6 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
                                     const Cell_energy_3& energy, const Linear_solver_3& solver,
                                     const Progress_3& progress);
-
-// Is each cell positive, by exact predicates?
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-bool is_valid(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions);
 
 // The distortions of a map.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
@@ -111,9 +102,6 @@ std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> 
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Input_check_3 check_input(const Numbered_mesh_3& mesh) { return check_input_3(mesh); }
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
                      Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
 {
@@ -140,12 +128,6 @@ Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_che
                                     const Progress_3& progress)
 {
   return make_result_3(mesh, check, found, energy, solver, progress);
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-bool is_valid(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
-{
-  return inverted_cells(mesh, positions).number == 0;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Input_error.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Limits.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 #include <algorithm>
 #include <charconv>

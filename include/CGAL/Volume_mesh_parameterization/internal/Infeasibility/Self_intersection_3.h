@@ -20,7 +20,6 @@
 #include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <cstddef>
 #include <optional>
 #include <vector>
 

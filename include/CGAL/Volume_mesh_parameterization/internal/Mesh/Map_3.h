@@ -87,6 +87,14 @@ inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
   return map;
 }
 
+// Why no map was found with fixed boundary.
+struct Diagnosis_3
+{
+  std::vector<std::size_t> inverted_cells;
+  std::size_t number_of_proofs = 0; // that there is none
+  std::string message;
+};
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MESH_MAP_3_H

@@ -17,8 +17,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <cmath>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A triangulated surface as patches of neighbouring facets that are coplanar: exactly, or nearly, as

@@ -12,14 +12,37 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
+#include <CGAL/Union_find.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Union_find for the indices from 0 to n - 1. Those of Boost do not compile after some headers of Boost's graphs.
+class Disjoint_sets
+{
+public:
+  explicit Disjoint_sets(const std::size_t n)
+  {
+    m_handles.reserve(n);
+    for(std::size_t i = 0; i < n; ++i)
+      m_handles.push_back(m_sets.make_set(i));
+  }
+
+  void unite(const std::size_t i, const std::size_t j) { m_sets.unify_sets(m_handles[i], m_handles[j]); }
+
+  // The index that stands for the set of i.
+  std::size_t find(const std::size_t i) { return *m_sets.find(m_handles[i]); }
+
+private:
+  Union_find<std::size_t> m_sets;
+  std::vector<Union_find<std::size_t>::handle> m_handles;
+};
 
 // Sorts pairs, and calls `f(begin, end)` for all that have the same first element.
 template <typename Pair, typename Function>

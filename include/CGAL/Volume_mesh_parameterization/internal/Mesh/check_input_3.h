@@ -12,13 +12,40 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <cmath>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#endif
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What is wrong with the input, with the data that make it concrete.
+struct Input_check_3
+{
+  Error_code status = OK;
+  std::string message;
+  bool is_refinable = true; // could new vertices inside help?
+
+  bool allows_fixed_boundary() const { return status == OK; }
+  bool allows_soft_boundary() const { return status == OK || status == ERROR_PRESCRIBED_CELL_INVERTED; }
+};
+
+template <typename... Parts>
+Input_check_3 failed_check(const Error_code status, const Parts&... parts)
+{
+  return { status, sentence(parts...), true };
+}
+
+// Can there be a map? Names the first reason against it.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input_3(const Numbered_mesh_3& mesh);
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
 inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 {
@@ -158,8 +185,8 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
                       mesh.user_number(inverted.first), ".");
 }
 
-// Can there be a map? Names the first reason against it.
-inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
@@ -173,6 +200,8 @@ inline Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
   }
   return {};
 }
+
+#endif
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

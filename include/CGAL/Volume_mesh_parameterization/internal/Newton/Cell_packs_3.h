@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_pack_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Scaled_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
 
 #include <Eigen/Core>

@@ -12,11 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Diagnosis_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 
 #include <Eigen/Core>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/diagnose_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Disjoint_sets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/QP_functions.h>

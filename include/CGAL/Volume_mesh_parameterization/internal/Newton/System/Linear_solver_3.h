@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Linear_solver_status.h>
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
 
