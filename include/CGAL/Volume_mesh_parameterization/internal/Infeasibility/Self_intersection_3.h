@@ -70,7 +70,7 @@ private:
   using Segment = Kernel::Segment_3;
   using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
-  Exact_point_3 point(const int v) const { return Exact_point_3(m_points(0, v), m_points(1, v), m_points(2, v)); }
+  Exact_point_3 point(const int v) const { return exact_point(m_points.col(v)); }
 
   Triangle triangle(const std::size_t f) const
   {

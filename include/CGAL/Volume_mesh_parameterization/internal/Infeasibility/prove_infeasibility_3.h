@@ -16,13 +16,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Infeasibility_proof_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/QP_functions.h>
-#include <CGAL/QP_models.h>
+#include <CGAL/Rational_traits.h>
 
-#include <iterator>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -30,11 +29,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Is there a place for the free vertices of this cell that makes it positive?
 inline bool can_be_positive(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
 {
-  using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
-  std::vector<Point_3> p;
+  std::vector<Exact_point_3> p;
   for(const int v : cell)
     if(!mesh.is_free(v))
-      p.emplace_back(mesh.target(0, v), mesh.target(1, v), mesh.target(2, v));
+      p.push_back(exact_point(mesh.target.col(v)));
   switch(p.size())
   {
     case 4: return is_positive(mesh.target, cell);
@@ -44,106 +42,110 @@ inline bool can_be_positive(const Numbered_mesh_3& mesh, const std::array<int, 4
   }
 }
 
+// Linear equations A x = b with b >= 0, a row [A | b] each, times the last pivot: so all numbers are minors of the first
+// ones, and short (Edmonds 1967).
+struct Linear_equations
+{
+  std::vector<std::vector<Exact_integer> > rows;
+  Exact_integer last_pivot = 1;
+
+  // Solves the equation of row r for unknown j, and puts it into the others.
+  void solve(const std::size_t r, const std::size_t j)
+  {
+    const Exact_integer pivot = rows[r][j];
+    for(std::size_t i = 0; i < rows.size(); ++i)
+      if(const Exact_integer factor = rows[i][j]; i != r)
+        for(std::size_t k = 0; k < rows[i].size(); ++k)
+          rows[i][k] = (pivot * rows[i][k] - factor * rows[r][k]) / last_pivot;
+    last_pivot = pivot;
+  }
+};
+
+// A basic solution x >= 0, up to a factor, if there is one: the first phase of the simplex method with the rule of Bland
+// (1977), which ends. CGAL's QP_solver takes more time, and a sixth of all that it takes to compile a map.
+inline std::optional<std::vector<Exact_integer> > nonnegative_solution(Linear_equations equations)
+{
+  const auto& rows = equations.rows;
+  const std::size_t n = rows.front().size() - 1, m = rows.size();
+  std::vector<std::size_t> basis(m); // the unknown of each row, or n and more where it is not yet fulfilled
+  std::iota(basis.begin(), basis.end(), n);
+  const auto bounds_before = [&](const std::size_t i, const std::size_t r, const std::size_t j)
+  {
+    const Exact_integer difference = rows[i].back() * rows[r][j] - rows[r].back() * rows[i][j];
+    return difference < 0 || (difference == 0 && basis[i] < basis[r]);
+  };
+  for(std::size_t j = 0; j < n;)
+  {
+    Exact_integer gain = 0;
+    std::size_t r = m; // the row that bounds unknown j
+    for(std::size_t i = 0; i < m; ++i)
+    {
+      if(basis[i] >= n)
+        gain += rows[i][j];
+      if(rows[i][j] > 0 && (r == m || bounds_before(i, r, j)))
+        r = i;
+    }
+    if(gain > 0)
+    {
+      equations.solve(r, j);
+      basis[r] = j;
+    }
+    j = gain > 0 ? 0 : j + 1;
+  }
+  std::vector<Exact_integer> solution(n, 0);
+  for(std::size_t i = 0; i < m; ++i)
+    if(basis[i] < n)
+      solution[basis[i]] = rows[i].back();
+    else if(rows[i].back() != 0)
+      return std::nullopt;
+  return solution;
+}
+
 // Can these cells be positive together? By Gordan's theorem not, if and only if a combination of their volume forms with
-// factors that are not negative, and of sum 1, is a constant that is not positive: a linear program, solved with exact
-// numbers. Its basic solutions have few cells.
+// factors that are not negative, and of sum 1, is a constant that is not positive: that and one more unknown are 0.
 inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbered_mesh_3& mesh,
                                                                      const std::vector<std::size_t>& cells)
 {
-  const int u = *free_vertices_of(mesh, cells).begin(), n = static_cast<int>(cells.size()), row_of_sum = 10;
-  Quadratic_program<Exact_rational> program(EQUAL);
-  program.set_r(0, SMALLER);
-  program.set_b(row_of_sum, 1);
-  for(int i = 0; i < n; ++i)
+  const int u = *free_vertices_of(mesh, cells).begin();
+  using Rational = Rational_traits<Exact_rational>;
+  std::vector<Exact_integer> units(cells.size(), 1); // the denominators are powers of two
+  Linear_equations equations;
+  equations.rows.resize(std::tuple_size<Volume_form_3>::value + 1, std::vector<Exact_integer>(cells.size() + 2, 0));
+  for(std::size_t i = 0; i < cells.size(); ++i)
   {
     const Volume_form_3 form = volume_form_3(mesh, mesh.cells[cells[i]], u);
-    for(int k = 0; k < row_of_sum; ++k)
-      program.set_a(i, k, form[k]);
-    program.set_a(i, row_of_sum, 1);
+    for(const Exact_rational& x : form)
+      units[i] = (std::max)(units[i], Rational().denominator(x));
+    for(std::size_t k = 0; k < form.size(); ++k)
+      equations.rows[k][i] = Rational().numerator(Exact_rational(form[k] * units[i]));
+    equations.rows.back()[i] = 1;
   }
-  const auto solution = solve_nonnegative_linear_program(program, Exact_rational());
-  if(solution.is_infeasible())
+  equations.rows.front()[cells.size()] = equations.rows.back().back() = 1;
+  const auto factors = nonnegative_solution(std::move(equations));
+  if(!factors)
     return std::nullopt;
   Infeasibility_proof_3 proof;
-  auto factor = solution.variable_values_begin();
-  for(const std::size_t c : cells)
-  {
-    if(!is_zero(factor->numerator()))
+  for(std::size_t i = 0; i < cells.size(); ++i)
+    if((*factors)[i] != 0)
     {
-      proof.cells.push_back(c);
-      proof.factors.push_back(factor->numerator() / factor->denominator());
+      proof.cells.push_back(cells[i]);
+      proof.factors.push_back(Exact_rational((*factors)[i] * units[i]));
     }
-    ++factor;
-  }
   return proof;
 }
 
-// Examines the cells whose free vertices are one vertex, or the two ends of an edge: that their volumes are positive
-// is linear in these points u and v and in u x v.
-class Infeasibility_search_3
+// The cells with one or two free vertices, by these: an edge u < v, or the vertex u = v.
+using Cells_of_free_ends = std::map<std::array<int, 2>, std::vector<std::size_t> >;
+
+// Those whose free vertices are among two; that their volumes are positive is linear in these points u and v and in u x v.
+inline std::vector<std::size_t> cells_among(const Cells_of_free_ends& cells_of, const std::array<int, 2>& ends)
 {
-  // an edge u < v, or the vertex u = v
-  using Ends = std::array<int, 2>;
-
-public:
-  // Examines only sets of cells that are not all positive in `positions`, until the budget ends.
-  Infeasibility_search_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Budget& budget)
-    : m_mesh(mesh),
-      m_is_suspect(mesh.cells.size())
-  {
-    for(std::size_t c = 0; c < mesh.cells.size() && !budget.is_exhausted(); ++c)
-    {
-      m_is_suspect[c] = !is_positive(positions, mesh.cells[c]);
-      if(m_is_suspect[c] && !can_be_positive(mesh, mesh.cells[c]))
-        m_proofs.push_back({{c}, {Exact_rational(1)}});
-      else
-        add_to_group(c);
-    }
-    for(const bool are_edges : {false, true})
-      for(const auto& group : m_groups)
-        if((group.first[0] != group.first[1]) == are_edges && !budget.is_exhausted())
-          examine(group.first);
-  }
-
-  const std::vector<Infeasibility_proof_3>& proofs() const { return m_proofs; }
-
-private:
-  void add_to_group(const std::size_t c)
-  {
-    const std::array<int, 4>& cell = m_mesh.cells[c];
-    std::vector<int> free;
-    std::copy_if(cell.begin(), cell.end(), std::back_inserter(free), [&](const int v) { return m_mesh.is_free(v); });
-    if(free.size() == 1 || free.size() == 2)
-      m_groups[{(std::min)(free.front(), free.back()), (std::max)(free.front(), free.back())}].push_back(c);
-  }
-
-  void examine(const Ends& ends)
-  {
-    if(m_unplaceable.count(ends[0]) != 0 || m_unplaceable.count(ends[1]) != 0)
-      return;
-    std::vector<std::size_t> cells;
-    for(const Ends& part : std::set<Ends>{{ends[0], ends[0]}, ends, {ends[1], ends[1]}})
-    {
-      const auto group = m_groups.find(part);
-      if(group != m_groups.end())
-        cells.insert(cells.end(), group->second.begin(), group->second.end());
-    }
-    if(std::none_of(cells.begin(), cells.end(), [&](const std::size_t c) { return m_is_suspect[c]; }))
-      return;
-    const std::optional<Infeasibility_proof_3> proof = prove_cells_infeasible_3(m_mesh, cells);
-    if(!proof || !is_valid(*proof, m_mesh))
-      return;
-    m_proofs.push_back(*proof);
-    if(ends[0] == ends[1])
-      m_unplaceable.insert(ends[0]);
-  }
-
-  const Numbered_mesh_3& m_mesh;
-  std::vector<bool> m_is_suspect;
-  std::map<Ends, std::vector<std::size_t> > m_groups; // the cells by their free vertices
-  std::set<int> m_unplaceable;                        // free vertices with a proof of their own
-  std::vector<Infeasibility_proof_3> m_proofs;
-};
+  std::vector<std::size_t> result;
+  for(const std::array<int, 2>& part : std::set<std::array<int, 2> >{{ends[0], ends[0]}, ends, {ends[1], ends[1]}})
+    if(const auto found = cells_of.find(part); found != cells_of.end())
+      result.insert(result.end(), found->second.begin(), found->second.end());
+  return result;
+}
 
 // Proves, where it can, that no map with the prescribed vertices has only positive cells. Three kinds of reasons are
 // looked for: a cell that can never be positive, a free vertex and an edge between two of them for which there
@@ -154,7 +156,36 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
                                                                 const Eigen::Matrix3Xd& positions,
                                                                 const Budget& budget = Budget())
 {
-  return Infeasibility_search_3(mesh, positions, budget).proofs();
+  std::vector<Infeasibility_proof_3> proofs;
+  std::vector<bool> is_suspect(mesh.cells.size());
+  Cells_of_free_ends cells_of;
+  for(std::size_t c = 0; c < mesh.cells.size() && !budget.is_exhausted(); ++c)
+  {
+    is_suspect[c] = !is_positive(positions, mesh.cells[c]);
+    const std::set<int> free = free_vertices_of(mesh, { c });
+    if(is_suspect[c] && !can_be_positive(mesh, mesh.cells[c]))
+      proofs.push_back({{c}, {Exact_rational(1)}});
+    else if(free.size() == 1 || free.size() == 2)
+      cells_of[{ *free.begin(), *free.rbegin() }].push_back(c);
+  }
+  std::set<int> unplaceable; // free vertices with a proof of their own
+  for(const bool is_edge : {false, true})
+    for(const auto& [ends, own_cells] : cells_of)
+    {
+      if((ends[0] != ends[1]) != is_edge || unplaceable.count(ends[0]) != 0 || unplaceable.count(ends[1]) != 0
+         || budget.is_exhausted())
+        continue;
+      const std::vector<std::size_t> cells = cells_among(cells_of, ends);
+      if(std::none_of(cells.begin(), cells.end(), [&](const std::size_t c) { return is_suspect[c]; }))
+        continue;
+      const std::optional<Infeasibility_proof_3> proof = prove_cells_infeasible_3(mesh, cells);
+      if(!proof || !is_valid(*proof, mesh))
+        continue;
+      proofs.push_back(*proof);
+      if(!is_edge)
+        unplaceable.insert(ends[0]);
+    }
+  return proofs;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
