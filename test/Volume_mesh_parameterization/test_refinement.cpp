@@ -553,7 +553,7 @@ TEST_CASE("given edges are split, longest first, and others are ignored")
       p[0] = 3; // the second diagonal becomes longer than the first
   Built<Remeshing_C3t3> built(soup);
   const auto& v = built.vertices;
-  const std::vector<std::pair<Remeshing_C3t3::Vertex_handle, Remeshing_C3t3::Vertex_handle> > edges = {
+  const std::vector<std::array<Remeshing_C3t3::Vertex_handle, 2> > edges = {
     { v[4], v[7] },                   // the diagonal of the common square
     { v[0], v[7] },                   // the diagonal of the first cube
     { v[11], v[4] }, { v[4], v[11] }, // the diagonal of the second cube, twice
@@ -561,8 +561,7 @@ TEST_CASE("given edges are split, longest first, and others are ignored")
     { v[0], v[11] }, { v[0], v[0] }   // no edges
   };
   const Invariants<Remeshing_C3t3> before(built.c3t3);
-  Inserted<Remeshing_C3t3> inserted;
-  VMP::internal::split_edges_3(built.c3t3, edges, std::back_inserter(inserted));
+  const Inserted<Remeshing_C3t3> inserted = VMP::internal::split_edges_3(built.c3t3, edges);
   REQUIRE(inserted.size() == 3);
   CHECK(inserted[0].simplex[0] == v[11]);
   CHECK(inserted[1].simplex[0] == v[0]);
@@ -583,9 +582,7 @@ TEST_CASE("rounding never makes a cell flat or inverted")
   SECTION("no point of the edge is left")
   {
     Built<Remeshing_C3t3> built(fan({ one, 0, -1 }, { next, 0, 1 }, { { one, 0, 0 }, { 1, -1, 0 }, { next, 0, 0 }, { 1, 1, 0 } }));
-    Inserted<Remeshing_C3t3> inserted;
-    VMP::internal::split_edges_3(built.c3t3, { { built.vertices[0], built.vertices[1] } }, std::back_inserter(inserted));
-    CHECK(inserted.empty());
+    CHECK(VMP::internal::split_edges_3(built.c3t3, { { built.vertices[0], built.vertices[1] } }).empty());
     CHECK(built.c3t3.number_of_cells_in_complex() == 4);
     VMP::make_parameterizable(built.c3t3);
     check_valid(built.c3t3);

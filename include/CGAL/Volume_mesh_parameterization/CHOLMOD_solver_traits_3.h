@@ -82,7 +82,7 @@ public:
     const std::size_t n = static_cast<std::size_t>(A.size()), blocks = n == 0 ? 0 : A.row_end(A.size() - 1);
     if(internal::number_of_entries_of_lower_triangle(n, blocks) > (std::numeric_limits<int>::max)())
       return;
-    set_pattern(A);
+    set_matrix(A);
     cholmod_sparse view = matrix_view();
     m_common.nmethods = 1;
     m_common.method[0].ordering = CHOLMOD_GIVEN;
@@ -100,7 +100,7 @@ public:
       return Linear_solver_status::SUCCESS;
     if(m_factor == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;
-    copy_values(A);
+    set_matrix(A);
     cholmod_sparse view = matrix_view();
     cholmod_factorize(&view, m_factor, &m_common);
     switch(m_common.status)
@@ -138,36 +138,24 @@ public:
   }
 
 private:
-  // Calls f(scalar row, value) for the lower triangle of a scalar column; the matrix is symmetric.
-  template <typename Function>
-  static void for_each_lower(const Matrix& A, const int vertex, const int component, const Function& f)
-  {
-    for(int k = A.row_begin(vertex); k < A.row_end(vertex); ++k)
-      if(A.column(k) >= vertex)
-        for(int i = 0; i < 3; ++i)
-          if(A.column(k) > vertex || i >= component)
-            f(3 * A.column(k) + i, A.block(k)(component, i));
-  }
-
-  void set_pattern(const Matrix& A)
+  // Copies the lower triangle by scalar columns; the matrix is symmetric.
+  void set_matrix(const Matrix& A)
   {
     m_column_begin.assign(1, 0);
     m_rows.clear();
+    m_values.clear();
     for(int v = 0; v < A.size(); ++v)
       for(int component = 0; component < 3; ++component)
       {
-        for_each_lower(A, v, component, [&](const int row, double) { m_rows.push_back(row); });
+        for(int k = A.row_begin(v); k < A.row_end(v); ++k)
+          for(int i = 0; i < 3; ++i)
+            if(const int row = 3 * A.column(k) + i; row >= 3 * v + component)
+            {
+              m_rows.push_back(row);
+              m_values.push_back(A.block(k)(component, i));
+            }
         m_column_begin.push_back(static_cast<int>(m_rows.size()));
       }
-    m_values.resize(m_rows.size());
-  }
-
-  void copy_values(const Matrix& A)
-  {
-    std::size_t i = 0;
-    for(int v = 0; v < A.size(); ++v)
-      for(int component = 0; component < 3; ++component)
-        for_each_lower(A, v, component, [&](int, const double value) { m_values[i++] = value; });
   }
 
   // Orders the graph of the vertices, which is nine times smaller than that of the unknowns.

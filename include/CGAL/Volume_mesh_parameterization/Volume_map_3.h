@@ -14,12 +14,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <Eigen/Dense>
@@ -195,9 +193,7 @@ private:
     for(std::size_t i = 0; i < queries.size(); ++i)
       if(internal::is_finite_point(queries[i]))
         order.push_back(i);
-    using Point_map = Pointer_property_map<Point_3>::const_type;
-    using Traits = Spatial_sort_traits_adapter_3<Exact_predicates_inexact_constructions_kernel, Point_map>;
-    hilbert_sort(order.begin(), order.end(), Traits(make_property_map(queries)));
+    internal::sort_in_space(order.begin(), order.end(), queries);
     std::vector<std::optional<Result> > results(queries.size());
     internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, order.size(), [&](const std::size_t k)
     {

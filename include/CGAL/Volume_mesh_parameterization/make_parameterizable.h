@@ -119,7 +119,10 @@ std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = paramet
 
   const internal::Boundary_facets<C3t3> boundary(c3t3);
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
-    return remove(internal::Prescribed_simplices_3<Vertex_handle>(c3t3, boundary, is_constrained));
+  {
+    const auto prescribed = internal::prescribed_vertices(c3t3, boundary, is_constrained);
+    return remove([&](const auto& simplex) { return internal::contains(prescribed, simplex); });
+  }
   else
   {
     auto target = get_parameter(np, internal_np::boundary_map);

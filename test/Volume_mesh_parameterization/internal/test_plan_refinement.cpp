@@ -310,10 +310,7 @@ struct Four_cells
 
   Inserted split()
   {
-    Inserted inserted;
-    internal::split_edges_3(complex.c3t3, { { complex.vertices[0], complex.vertices[1] } },
-                            std::back_inserter(inserted));
-    return inserted;
+    return internal::split_edges_3(complex.c3t3, { { complex.vertices[0], complex.vertices[1] } });
   }
 };
 

@@ -50,13 +50,10 @@ public:
     for(const std::array<std::size_t, 4>& cell : soup.cells)
       cells.push_back({ add_vertex(cell[0]), add_vertex(cell[1]), add_vertex(cell[2]), add_vertex(cell[3]) });
 
-    const Facet_matching_3 matching(soup);
-    std::vector<bool> is_on_boundary(vertices().size(), false);
-    for(std::size_t facet = 0; facet < 4 * cells.size(); ++facet)
-      if(matching.mirror(facet) == Facet_matching_3::none)
-        for(std::size_t k = 1; k < 4; ++k)
-          is_on_boundary[cells[facet / 4][(facet + k) % 4]] = true;
-
+    const std::vector<bool> is_point_on_boundary = Facet_matching_3(soup).points_on_boundary();
+    std::vector<bool> is_on_boundary;
+    for(const std::size_t v : vertices())
+      is_on_boundary.push_back(is_point_on_boundary[v]);
     set_mesh(cells, [&](const std::size_t v) { return soup.points[v]; }, is_on_boundary, is_constrained, target,
              has_volume_weights);
   }

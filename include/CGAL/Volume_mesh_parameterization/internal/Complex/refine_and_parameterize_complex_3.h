@@ -107,20 +107,6 @@ std::size_t remove_degenerate_simplices(C3t3& c3t3, const VertexIsConstrainedMap
   return Simplex_removal_3(c3t3, is_bad).run(Emptyset_iterator(), budget);
 }
 
-// Splits those of the edges that are interior ones.
-template <typename C3t3>
-std::vector<Inserted_vertex_3<typename C3t3::Vertex_handle> >
-split_edges(C3t3& c3t3, const Numbered_complex_3<C3t3>& numbered, const std::vector<std::array<int, 2> >& edges)
-{
-  using Vertex_handle = typename C3t3::Vertex_handle;
-  std::vector<std::pair<Vertex_handle, Vertex_handle> > handles;
-  for(const std::array<int, 2>& edge : edges)
-    handles.emplace_back(numbered.vertices()[edge[0]], numbered.vertices()[edge[1]]);
-  std::vector<Inserted_vertex_3<Vertex_handle> > inserted;
-  split_edges_3(c3t3, handles, std::back_inserter(inserted));
-  return inserted;
-}
-
 // From a complex to the images of its vertices: refines the complex where the boundary map makes cells degenerate, and
 // then where a search was blocked, and searches again. More new vertices than a tenth would mean that this does not help;
 // a small complex may need many in proportion. What limits of time leave undone is refined no more.
@@ -158,7 +144,10 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
       else if(found.is_blocked() && may_split)
       {
         const Refinement_plan_3 plan = carried.plan(complex.numbered.mesh(), found);
-        const auto inserted = split_edges(c3t3, complex.numbered, plan.edges);
+        std::vector<std::array<typename C3t3::Vertex_handle, 2> > edges;
+        for(const auto& [v, w] : plan.edges)
+          edges.push_back({ complex.numbered.vertices()[v], complex.numbered.vertices()[w] });
+        const auto inserted = split_edges_3(c3t3, edges);
         number_of_splits += inserted.size();
         carried = Carried_search_3<C3t3>(complex.numbered, found.map.positions, inserted, plan);
         if(!inserted.empty() || found.is_stuck)

@@ -44,7 +44,8 @@ public:
     const auto [cells, numbers] = renumbered(global_cells, vertices);
     const Star_forest all(communicator, m_size_of_slice, vertices);
     const std::vector<int> owner = all.get(owner_in_slice);
-    const std::vector<char> is_on_boundary = boundary(cells, numbers);
+    // of the own vertices; the other cell of a facet without one may be with another process
+    const std::vector<bool> is_on_boundary = Facet_matching_3(cells, numbers).points_on_boundary();
     std::vector<PetscInt> own;
     std::vector<std::size_t> places_of_own;
     std::vector<char> is_own_prescribed, is_prescribed_in_slice(m_size_of_slice, 0);
@@ -129,19 +130,6 @@ private:
       std::transform(cell.begin(), cell.end(), places.begin(), [&](const PetscInt v) { return place(vertices, v); });
       result.second.push_back(cell.number);
     }
-    return result;
-  }
-
-  // A facet with one cell is on the boundary if one of its vertices is this process's own; otherwise the other cell may be
-  // with another process.
-  static std::vector<char> boundary(const Tetrahedron_soup_3& cells, const std::vector<std::size_t>& numbers)
-  {
-    std::vector<char> result(cells.points.size(), 0);
-    const Facet_matching_3 matching(cells, numbers);
-    for(std::size_t facet = 0; facet < 4 * cells.cells.size(); ++facet)
-      if(matching.mirror(facet) == Facet_matching_3::none)
-        for(std::size_t k = 1; k < 4; ++k)
-          result[cells.cells[facet / 4][(facet + k) % 4]] = 1;
     return result;
   }
 

@@ -25,11 +25,19 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Sorts indices of points such that neighbors in space follow each other.
+template <typename Iterator>
+void sort_in_space(const Iterator begin, const Iterator end, const std::vector<Exact_point_3>& points)
+{
+  using Point_map = Pointer_property_map<Exact_point_3>::const_type;
+  using Traits = Spatial_sort_traits_adapter_3<Exact_predicates_inexact_constructions_kernel, Point_map>;
+  hilbert_sort(begin, end, Traits(make_property_map(points)));
+}
+
 // An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones
 // only, the others keep their order.
 inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed)
 {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
   std::vector<Exact_point_3> points;
   for(Eigen::Index v = 0; v < source.cols(); ++v)
     points.push_back(exact_point(source.col(v)));
@@ -38,9 +46,7 @@ inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, 
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto end_of_free
     = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return !is_prescribed[v]; });
-  using Point_map = CGAL::Pointer_property_map<Exact_point_3>::type;
-  const CGAL::Spatial_sort_traits_adapter_3<Kernel, Point_map> traits(CGAL::make_property_map(points));
-  CGAL::hilbert_sort(order.begin(), end_of_free, traits);
+  sort_in_space(order.begin(), end_of_free, points);
   return order;
 }
 

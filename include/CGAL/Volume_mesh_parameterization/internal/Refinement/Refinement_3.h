@@ -152,13 +152,11 @@ private:
   std::unordered_map<Simplex, Cell_handle, Hash, Has_same_vertices> m_cells;
 };
 
-// Splits the interior edges among the given pairs of vertices, longest first, and writes an `Inserted_vertex_3` for each
-// split. Pairs that are no interior edge are ignored. The time is linear in the number of cells.
-template <typename C3t3, typename OutputIterator>
-OutputIterator split_edges_3(C3t3& c3t3,
-                             const std::vector<std::pair<typename C3t3::Vertex_handle,
-                                                         typename C3t3::Vertex_handle> >& edges,
-                             OutputIterator out)
+// Splits the interior edges among the given pairs of vertices, longest first. Pairs that are no interior edge are ignored.
+// The time is linear in the number of cells.
+template <typename C3t3>
+std::vector<Inserted_vertex_3<typename C3t3::Vertex_handle> >
+split_edges_3(C3t3& c3t3, const std::vector<std::array<typename C3t3::Vertex_handle, 2> >& edges)
 {
   using Vertex_handle = typename C3t3::Vertex_handle;
   using Simplex = Simplex_3<Vertex_handle>;
@@ -175,13 +173,11 @@ OutputIterator split_edges_3(C3t3& c3t3,
   for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
     refinement.locate_faces(it);
 
+  std::vector<Inserted_vertex_3<Vertex_handle> > result;
   for(const auto& [size, edge] : sorted)
-  {
-    const Vertex_handle v = refinement.insert(edge);
-    if(v != Vertex_handle())
-      *out++ = Inserted_vertex_3<Vertex_handle>{ v, { edge.begin(), edge.end() } };
-  }
-  return out;
+    if(const Vertex_handle v = refinement.insert(edge); v != Vertex_handle())
+      result.push_back({ v, { edge.begin(), edge.end() } });
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

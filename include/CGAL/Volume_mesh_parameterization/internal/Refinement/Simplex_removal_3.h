@@ -24,30 +24,24 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The simplices all of whose vertices are on the boundary, or told by `is_constrained`.
-template <typename VertexHandle>
-class Prescribed_simplices_3
+// The vertices on the boundary, and those that `is_constrained` tells.
+template <typename C3t3, typename VertexIsConstrainedMap>
+std::unordered_set<typename C3t3::Vertex_handle>
+prescribed_vertices(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary, const VertexIsConstrainedMap is_constrained)
 {
-public:
-  template <typename C3t3, typename VertexIsConstrainedMap>
-  Prescribed_simplices_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary,
-                         const VertexIsConstrainedMap is_constrained)
-    : m_vertices(boundary.vertices.begin(), boundary.vertices.end())
-  {
-    for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
-      for(int i = 0; i < 4; ++i)
-        if(get(is_constrained, it->vertex(i)))
-          m_vertices.insert(it->vertex(i));
-  }
+  std::unordered_set<typename C3t3::Vertex_handle> result(boundary.vertices.begin(), boundary.vertices.end());
+  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+    for(int i = 0; i < 4; ++i)
+      if(get(is_constrained, it->vertex(i)))
+        result.insert(it->vertex(i));
+  return result;
+}
 
-  bool operator()(const Simplex_3<VertexHandle>& simplex) const
-  {
-    return std::all_of(simplex.begin(), simplex.end(), [&](const VertexHandle v) { return m_vertices.count(v) != 0; });
-  }
-
-private:
-  std::unordered_set<VertexHandle> m_vertices;
-};
+template <typename VertexHandle>
+bool contains(const std::unordered_set<VertexHandle>& vertices, const Simplex_3<VertexHandle>& simplex)
+{
+  return std::all_of(simplex.begin(), simplex.end(), [&](const VertexHandle v) { return vertices.count(v) != 0; });
+}
 
 // The prescribed simplices that no map with these images of its boundary can map well: their image, the
 // hull of the targets of their vertices, is degenerate, or inverted for a cell; or it begins in the image of the boundary,
@@ -60,7 +54,7 @@ public:
   template <typename C3t3, typename VertexIsConstrainedMap>
   Degenerate_simplices_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary,
                          const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
-    : m_is_prescribed(c3t3, boundary, is_constrained), m_target(target)
+    : m_prescribed(prescribed_vertices(c3t3, boundary, is_constrained)), m_target(target)
   {
     for(const auto& facet : boundary.facets)
       for(int i = 0; i < 3; ++i)
@@ -70,7 +64,7 @@ public:
 
   bool operator()(const Simplex_3<VertexHandle>& simplex) const
   {
-    if(!m_is_prescribed(simplex))
+    if(!contains(m_prescribed, simplex))
       return false;
     boost::container::static_vector<Exact_point_3, 4> points;
     for(const VertexHandle v : simplex)
@@ -118,7 +112,7 @@ private:
       && CGAL::coplanar_orientation(p, r, q, s) != CGAL::NEGATIVE;
   }
 
-  Prescribed_simplices_3<VertexHandle> m_is_prescribed;
+  std::unordered_set<VertexHandle> m_prescribed;
   BoundaryMap m_target;
   std::unordered_map<VertexHandle, std::vector<Simplex_3<VertexHandle> > > m_links; // in the boundary, as edges
 };
