@@ -55,7 +55,7 @@ private:
       cells.push_back({int(cell[0]), int(cell[1]), int(cell[2]), int(cell[3])});
 
     Mesh mesh;
-    CGAL::Volume_mesh_parameterization::internal::engine::set_numbered_mesh(cells, source, is_prescribed, mesh);
+    CGAL::Volume_mesh_parameterization::internal::set_numbered_mesh(cells, source, is_prescribed, mesh);
     return mesh;
   }
 

@@ -46,7 +46,7 @@ Distortion_3 measure_distortion(const C3t3& c3t3, const VertexUVWMap uvw_map)
   // all vertices count as prescribed, so that the map is their target
   const Static_boolean_property_map<typename C3t3::Vertex_handle, true> is_prescribed;
   const internal::Numbered_complex_3<C3t3> numbered(c3t3, is_prescribed, uvw_map);
-  return internal::engine::measure_distortion(numbered.mesh(), numbered.mesh().target);
+  return internal::measure_distortion_3(numbered.mesh(), numbered.mesh().target);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -10,12 +10,10 @@
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
 
 #include <Eigen/Dense>
 

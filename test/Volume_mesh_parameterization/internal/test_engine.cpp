@@ -798,7 +798,7 @@ TEST_CASE("The spatial order keeps free vertices in front and the mesh as it is"
     REQUIRE(sorted[i] == i);
 
   Numbered_mesh_3 ordered;
-  CHECK(VMP::internal::engine::set_numbered_mesh(mesh.cells, mesh.source, is_prescribed, ordered) == order);
+  CHECK(VMP::internal::set_numbered_mesh(mesh.cells, mesh.source, is_prescribed, ordered) == order);
   for(std::size_t i = 0; i < order.size(); ++i)
   {
     CHECK(ordered.is_free(static_cast<int>(i)) == mesh.is_free(static_cast<int>(order[i])));

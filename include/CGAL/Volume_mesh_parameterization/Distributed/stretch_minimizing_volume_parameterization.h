@@ -58,8 +58,8 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
                 << " free vertices and " << mesh.number_of_copied_vertices << " of others; " << solver.name() << std::endl;
     Map_options_3 options = problem.options;
     options.mode = Boundary_mode::FIXED;
-    const Found_map_3 found = engine::find_map(mesh, check, problem.energy, solver, options, problem.progress);
-    result = engine::make_result(mesh, check, found, problem.energy, solver, problem.progress);
+    const Found_map_3 found = find_map_3(mesh, check, problem.energy, solver, options, problem.progress);
+    result = make_result_3(mesh, check, found, problem.energy, solver, problem.progress);
     if(result.has_valid_map)
       distributed.write(found.map.positions, images);
   }

@@ -78,7 +78,7 @@ protected:
         is_prescribed[v] = true;
     }
     m_mesh.has_volume_weights = has_volume_weights;
-    renumber(engine::set_numbered_mesh(cells, points, is_prescribed, m_mesh));
+    renumber(set_numbered_mesh(cells, points, is_prescribed, m_mesh));
 
     m_mesh.target.resize(3, m_mesh.number_of_vertices());
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)

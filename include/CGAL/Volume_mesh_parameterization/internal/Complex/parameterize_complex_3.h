@@ -100,7 +100,7 @@ Found_map_3 find_map_of_complex_3(const Checked_complex_3<Numbered>& complex, co
   if(options.do_slide)
     for(const auto v : numbered.vertices())
       options.is_held.push_back(get(problem.is_constrained, v));
-  return engine::find_map(numbered.mesh(), complex.check, problem.energy, problem.solver, options, problem.progress);
+  return find_map_3(numbered.mesh(), complex.check, problem.energy, problem.solver, options, problem.progress);
 }
 
 template <typename Numbered>
@@ -135,7 +135,7 @@ Parameterization_result written_result(const Checked_complex_3<Numbered>& comple
                                        const Found_map_3& found, Images& images)
 {
   Parameterization_result result
-    = engine::make_result(complex.numbered.mesh(), complex.check, found, problem.energy, problem.solver, problem.progress);
+    = make_result_3(complex.numbered.mesh(), complex.check, found, problem.energy, problem.solver, problem.progress);
   add_counts(complex.numbered, result);
   if(result.has_valid_map)
     complex.numbered.write(found.map.positions, images);
@@ -226,7 +226,7 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
-    options.improve = &engine::improve_map;
+    options.improve = &improve_map_3;
   options.is_parallel = is_parallel<ConcurrencyTag>();
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
 

@@ -158,7 +158,7 @@ private:
       cells.push_back({ places[c[0]], places[c[1]], places[c[2]], places[c[3]] });
       is_copy.push_back(owner[*std::min_element(c.begin(), c.end())] != m_communicator.rank());
     }
-    const std::vector<std::size_t> last_order = engine::set_numbered_mesh(cells, source, is_not_own_free, m_mesh);
+    const std::vector<std::size_t> last_order = set_numbered_mesh(cells, source, is_not_own_free, m_mesh);
     const int number_of_free_vertices = static_cast<int>(end_of_free - order.begin());
     m_mesh.number_of_copied_vertices = number_of_free_vertices - m_mesh.number_of_free_vertices;
     m_mesh.number_of_free_vertices = number_of_free_vertices;

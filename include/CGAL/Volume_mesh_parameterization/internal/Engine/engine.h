@@ -34,8 +34,8 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The engine: all between numbered arrays and positions. It knows no complex, an energy only as `Cell_energy_3`, and a
-// solver only as `Linear_solver_3`; so it is compiled once, with each unit or in a library of its own.
-namespace engine {
+// solver only as `Linear_solver_3`; so it is compiled once, with each unit or in a library of its own. To it belongs what is
+// declared in check_input_3.h, too.
 
 // Puts vertices and cells into the order of all that follows: free vertices first, neighbors in space are neighbors in
 // memory. Writes source, cells, user numbers and the number of free vertices; returns the old number of each vertex.
@@ -43,34 +43,26 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
                                            const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh);
 
-// The stages that are allowed, one after the other.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
-                     Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
+Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
+                       Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
 
-// What goes on from a map that meets the boundary: vertices slide, the distortion of angles is bounded.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
-                 const Map_options_3& options, Progress_3& progress, Found_map_3& found);
+void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                   const Map_options_3& options, Progress_3& progress, Found_map_3& found);
 
-// Makes the corners of hexahedra, which are the cells, positive and as near to right angles as possible. Starts from
-// the targets of all vertices, which move in the directions of their projectors; `edge` is about the length of an edge.
-// What an exhausted budget leaves is valid or the start.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, double edge,
-                      Linear_solver_3& solver, bool is_parallel, const Budget& budget);
+Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, double edge,
+                        Linear_solver_3& solver, bool is_parallel, const Budget& budget);
 
-// The result but for the counts of the complex.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
-                                    const Cell_energy_3& energy, const Linear_solver_3& solver,
-                                    const Progress_3& progress);
+Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
+                                      const Cell_energy_3& energy, const Linear_solver_3& solver,
+                                      const Progress_3& progress);
 
 // The distortions of a map.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image);
-
-} // namespace engine
+Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
@@ -86,7 +78,7 @@ extern template class internal::Linear_solver_of<Conjugate_gradient_solver_trait
 #endif
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-namespace CGAL::Volume_mesh_parameterization::internal::engine {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
@@ -102,41 +94,12 @@ std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> 
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 find_map(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
-                     Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
-{
-  return find_map_3(mesh, check, energy, solver, options, progress);
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void improve_map(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
-                 const Map_options_3& options, Progress_3& progress, Found_map_3& found)
-{
-  improve_map_3(mesh, energy, solver, options, progress, found);
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Map_3 improve_corners(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, const double edge,
-                      Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
-{
-  return improve_corners_3(mesh, projectors, edge, solver, is_parallel, budget);
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result make_result(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
-                                    const Cell_energy_3& energy, const Linear_solver_3& solver,
-                                    const Progress_3& progress)
-{
-  return make_result_3(mesh, check, found, energy, solver, progress);
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 measure_distortion(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
 {
   return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image));
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal::engine
+} // namespace CGAL::Volume_mesh_parameterization::internal
 #endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENGINE_ENGINE_H

@@ -51,13 +51,13 @@ inline void improve_hexahedra_3(Hexahedron_soup_3& mesh, const std::vector<Eigen
   for(const Eigen::Matrix3d& projector : projectors)
     is_fixed.push_back(projector.isZero(0));
   Numbered_mesh_3 numbered;
-  const std::vector<std::size_t> order = engine::set_numbered_mesh(corners, points, is_fixed, numbered);
+  const std::vector<std::size_t> order = set_numbered_mesh(corners, points, is_fixed, numbered);
   numbered.target = numbered.source;
   std::vector<Eigen::Matrix3d> ordered;
   for(const std::size_t v : order)
     ordered.push_back(projectors[v]);
   const double mean_length = sum_of_lengths / (3. * static_cast<double>(corners.size()));
-  const Map_3 map = engine::improve_corners(numbered, ordered, mean_length, solver, is_parallel, budget);
+  const Map_3 map = improve_corners_3(numbered, ordered, mean_length, solver, is_parallel, budget);
   for(std::size_t i = 0; i < order.size(); ++i)
     mesh.points[order[i]] = { map.positions(0, i), map.positions(1, i), map.positions(2, i) };
 }

@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <Eigen/Core>
 
@@ -134,8 +135,9 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
 }
 
 // From numbered arrays to the images of their vertices, by the stages that are allowed, one after the other.
-inline Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
-                              Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
+                       Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
 {
   Found_map_3 found;
   found.status = check.status;

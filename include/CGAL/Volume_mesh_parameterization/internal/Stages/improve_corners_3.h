@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <Eigen/Dense>
 
@@ -37,9 +38,10 @@ inline Scaled_cells_3 cube_corners_3(const Numbered_mesh_3& mesh, const double e
 // untangles, from the targets of all vertices on, and minimizes an energy of angles, with corners of cubes of that edge
 // as reference. Each free vertex moves in the directions onto which its projector projects. An exhausted budget ends it
 // at the next step.
-inline Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
-                               const double edge, Linear_solver_3& solver, const bool is_parallel,
-                               const Budget& budget)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
+                        const double edge, Linear_solver_3& solver, const bool is_parallel,
+                        const Budget& budget)
 {
   constexpr std::size_t maximal_number_of_steps = 100;
   constexpr double theta = 0.5; // how much volumes count while untangling

@@ -19,6 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <cmath>
 #include <limits>
@@ -100,8 +101,9 @@ void minimize_angle_distortion_3(const Numbered_mesh_3& mesh, const Cell_energy_
 }
 
 // Goes on from a map that meets the boundary: vertices of planar patches slide, and the distortion of angles is bounded.
-inline void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
-                          const Map_options_3& options, Progress_3& progress, Found_map_3& found)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                   const Map_options_3& options, Progress_3& progress, Found_map_3& found)
 {
   const double bound = options.maximal_angle_distortion;
   const auto exceeds_bound = [&]()

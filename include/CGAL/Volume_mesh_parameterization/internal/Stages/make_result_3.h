@@ -19,6 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <Eigen/Core>
 
@@ -67,9 +68,10 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const E
 }
 
 // The result of a search without its counts of the complex: the only place where it is written.
-inline Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
-                                             const Found_map_3& found, const Cell_energy_3& energy,
-                                             const Linear_solver_3& solver, const Progress_3& progress)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
+                                      const Found_map_3& found, const Cell_energy_3& energy,
+                                      const Linear_solver_3& solver, const Progress_3& progress)
 {
   const double begin = progress.seconds();
   Parameterization_result result;
