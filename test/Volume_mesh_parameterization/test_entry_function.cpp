@@ -978,9 +978,9 @@ TEST_CASE("Cells that the boundary map inverts or flattens are refused, with the
 TEST_CASE("A facet of the boundary that the target flattens is named, and nothing is refined in vain")
 {
   Complex complex(cube_mesh(3));
-  const VMP::internal::Boundary_facets boundary(complex.c3t3);
-  const auto vertex = [&](const int i) { return boundary.vertices[boundary.facets.front()[i]]; };
-  complex.target[vertex(0)] = CGAL::midpoint(complex.target[vertex(1)], complex.target[vertex(2)]);
+  for(auto& [v, p] : complex.target) // onto the line of the two others, (1, 1, 0) and (2, 2, 0)
+    if(p == Point_3(2, 1, 0))
+      p = Point_3(1.5, 1.5, 0);
   check_refusal(complex, VMP::ERROR_PRESCRIBED_CELL_INVERTED, {"on a line", "No refinement helps", "is on the boundary"},
                 VMP::Boundary_mode::FIXED);
 

@@ -2,7 +2,6 @@
 #include "catch.h"
 #include "mesh_body.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -545,30 +544,6 @@ TEST_CASE("a limit of time leaves a valid complex, which another call refines fu
   CHECK(count_bad(built.c3t3) == count_bad(expected.c3t3));
 }
 
-TEST_CASE("given edges are split, longest first, and others are ignored")
-{
-  Soup soup = box(2, 1, 1);
-  for(std::array<double, 3>& p : soup.points)
-    if(p[0] == 2)
-      p[0] = 3; // the second diagonal becomes longer than the first
-  Built<Remeshing_C3t3> built(soup);
-  const auto& v = built.vertices;
-  const std::vector<std::array<Remeshing_C3t3::Vertex_handle, 2> > edges = {
-    { v[4], v[7] },                   // the diagonal of the common square
-    { v[0], v[7] },                   // the diagonal of the first cube
-    { v[11], v[4] }, { v[4], v[11] }, // the diagonal of the second cube, twice
-    { v[0], v[4] },                   // an edge of the boundary
-    { v[0], v[11] }, { v[0], v[0] }   // no edges
-  };
-  const Invariants<Remeshing_C3t3> before(built.c3t3);
-  const Inserted<Remeshing_C3t3> inserted = VMP::internal::split_edges_3(built.c3t3, edges);
-  REQUIRE(inserted.size() == 3);
-  CHECK(inserted[0].simplex[0] == v[11]);
-  CHECK(inserted[1].simplex[0] == v[0]);
-  CHECK(inserted[2].simplex[0] == v[4]);
-  check_refined(built.c3t3, before, inserted);
-}
-
 TEST_CASE("rounding never makes a cell flat or inverted")
 {
   const double one = 1, next = std::nextafter(1., 2.);
@@ -582,9 +557,8 @@ TEST_CASE("rounding never makes a cell flat or inverted")
   SECTION("no point of the edge is left")
   {
     Built<Remeshing_C3t3> built(fan({ one, 0, -1 }, { next, 0, 1 }, { { one, 0, 0 }, { 1, -1, 0 }, { next, 0, 0 }, { 1, 1, 0 } }));
-    CHECK(VMP::internal::split_edges_3(built.c3t3, { { built.vertices[0], built.vertices[1] } }).empty());
-    CHECK(built.c3t3.number_of_cells_in_complex() == 4);
     VMP::make_parameterizable(built.c3t3);
+    CHECK(built.c3t3.triangulation().tds().is_edge(built.vertices[0], built.vertices[1]));
     check_valid(built.c3t3);
   }
 }

@@ -400,3 +400,30 @@ TEST_CASE("A search that has given up splitting leaves inverted cells to the sof
   CHECK(carried.untangling_start(before, true).most_inverted_cells_to_split == 0);
   CHECK(carried.untangling_start(before, true).positions.cols() == 0);
 }
+
+TEST_CASE("Given edges are split, longest first, and others are ignored")
+{
+  Complex complex(cube_mesh(2));
+  const auto at = [&](const double x, const double y, const double z)
+  {
+    int v = 0;
+    while(complex.mesh.source.col(v) != Eigen::Vector3d(x, y, z))
+      ++v;
+    return complex.vertices[v];
+  };
+  const auto center = at(1, 1, 1), corner = at(0, 0, 0);
+  const auto inserted = internal::split_edges_3(complex.c3t3, {
+    { at(1, 1, 0), center }, { at(1, 0, 0), center },
+    { corner, center }, { center, corner },
+    { corner, at(1, 0, 0) },                      // an edge of the boundary
+    { corner, at(2, 2, 2) }, { corner, corner } }); // no edges
+  REQUIRE(inserted.size() == 3);
+  const std::vector<std::vector<Complex::Vertex_handle> > expected
+    = { { corner, center }, { at(1, 0, 0), center }, { at(1, 1, 0), center } };
+  for(std::size_t i = 0; i < 3; ++i)
+  {
+    CHECK(inserted[i].simplex == expected[i]);
+    CHECK(inserted[i].vertex->point() == CGAL::midpoint(expected[i][0]->point(), expected[i][1]->point()));
+  }
+  CHECK(complex.c3t3.number_of_cells_in_complex() == 48 + 6 + 4 + 6);
+}
