@@ -168,8 +168,9 @@ TEST_CASE("A start that inverts no cell does not hide that the solver has failed
   Failing_solver solver(Linear_solver_status::FAILED, does_factorize);
   fixed_boundary::Problem<VMP::Stretch_energy_3, Failing_solver> problem(mesh, VMP::Stretch_energy_3(), solver);
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
-  VMP::internal::Found_map_3 found;
-  find_map_with_fixed_boundary_3(mesh, problem.energy, problem.solver, {}, Eigen::Matrix3Xd(), progress, found);
+  VMP::internal::Map_options_3 options;
+  options.mode = VMP::Boundary_mode::FIXED;
+  const VMP::internal::Found_map_3 found = find_map_3(mesh, {}, problem.energy, problem.solver, options, progress);
   CHECK(found.map.is_solution());
   CHECK(found.status == VMP::ERROR_LINEAR_SOLVER_FAILED);
   CHECK(found.reason == sentence(Linear_solver_status::FAILED));

@@ -154,31 +154,19 @@ private:
 
   void join(std::size_t f, std::size_t g)
   {
-    if(!are_on_two_sides(f, g))
+    if(is_odd(f) == is_odd(g))
       throw Input_error(cell_name(f) + " and " + cell_name(g)
                         + " overlap, they lie on the same side of their common facet");
     m_mirrors[f] = g;
     m_mirrors[g] = f;
   }
 
-  // The apex of one cell, put in place of the apex of the other, must give an odd permutation of the first cell.
-  bool are_on_two_sides(std::size_t f, std::size_t g) const
+  // Do the vertices of a facet, as they turn around its cell, become sorted by an odd permutation? Where two cells meet, they
+  // turn the other way round.
+  bool is_odd(const std::size_t facet) const
   {
-    const std::array<std::size_t, 4>& c = m_soup.cells[f / 4];
-    std::array<std::size_t, 4> d = m_soup.cells[g / 4];
-    d[g % 4] = c[f % 4];
-
-    bool is_odd = false;
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      const std::size_t j = static_cast<std::size_t>(std::find(d.begin(), d.end(), c[i]) - d.begin());
-      if(i != j)
-      {
-        std::swap(d[i], d[j]);
-        is_odd = !is_odd;
-      }
-    }
-    return is_odd;
+    const auto vertex = [&](const int k) { return m_soup.cells[facet / 4][facets_of_cell[facet % 4][k]]; };
+    return ((vertex(0) > vertex(1)) != (vertex(1) > vertex(2))) != (vertex(0) > vertex(2));
   }
 
   std::string cell_name(std::size_t facet) const

@@ -103,14 +103,6 @@ Found_map_3 find_map_of_complex_3(const Checked_complex_3<Numbered>& complex, co
   return find_map_3(numbered.mesh(), complex.check, problem.energy, problem.solver, options, problem.progress);
 }
 
-template <typename Numbered>
-void add_counts(const Numbered& numbered, Parameterization_result& result)
-{
-  result.number_of_vertices = numbered.vertices().size();
-  result.number_of_cells = numbered.mesh().cells.size();
-  result.number_of_boundary_vertices = numbered.number_of_boundary_vertices();
-}
-
 // The result where the check does not allow a search, without counts.
 inline Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress)
 {
@@ -121,24 +113,20 @@ inline Parameterization_result refused_result(const Input_check_3& check, const 
   return result;
 }
 
-template <typename Numbered, typename Problem>
-Parameterization_result refused_result(const Checked_complex_3<Numbered>& complex, const Problem& problem)
-{
-  Parameterization_result result = refused_result(complex.check, problem.progress);
-  add_counts(complex.numbered, result);
-  return result;
-}
-
-// The result of a search; writes the images of the vertices if they are a map.
+// The result of a search, if there was one; writes the images of the vertices if they are a map.
 template <typename Numbered, typename Problem, typename Images>
 Parameterization_result written_result(const Checked_complex_3<Numbered>& complex, const Problem& problem,
-                                       const Found_map_3& found, Images& images)
+                                       const std::optional<Found_map_3>& found, Images& images)
 {
+  const auto& [numbered, check] = complex;
   Parameterization_result result
-    = make_result_3(complex.numbered.mesh(), complex.check, found, problem.energy, problem.solver, problem.progress);
-  add_counts(complex.numbered, result);
+    = found ? make_result_3(numbered.mesh(), check, *found, problem.energy, problem.solver, problem.progress)
+            : refused_result(check, problem.progress);
+  result.number_of_vertices = numbered.vertices().size();
+  result.number_of_cells = numbered.mesh().cells.size();
+  result.number_of_boundary_vertices = numbered.number_of_boundary_vertices();
   if(result.has_valid_map)
-    complex.numbered.write(found.map.positions, images);
+    numbered.write(found->map.positions, images);
   return result;
 }
 
@@ -147,11 +135,12 @@ template <typename Numbered, typename Mesh, typename Problem, typename Images>
 Parameterization_result parameterize_complex_3(const Mesh& mesh, const Problem& problem, Images& images)
 {
   const Checked_complex_3<Numbered> complex(mesh, problem);
-  if(!complex.allows(problem.options.mode))
-    return refused_result(complex, problem);
   Approach_start_3 approach;
   approach.patience = 2; // where nothing can be refined, larger weights get a chance
-  return written_result(complex, problem, find_map_of_complex_3(complex, problem, Untangling_start_3(), approach), images);
+  std::optional<Found_map_3> found;
+  if(complex.allows(problem.options.mode))
+    found = find_map_of_complex_3(complex, problem, Untangling_start_3(), approach);
+  return written_result(complex, problem, found, images);
 }
 
 // Tells what is no property map, and whether a map takes what is put into it, for errors of the compiler that can be

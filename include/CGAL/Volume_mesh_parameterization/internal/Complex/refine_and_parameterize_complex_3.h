@@ -128,33 +128,29 @@ Parameterization_result refine_and_parameterize_complex_3(C3t3& c3t3, const Prob
     const std::size_t limit = (std::max)(complex.numbered.vertices().size() / 10, std::size_t(1000));
     const bool may_split = complex.check.is_refinable && number_of_splits <= limit;
 
-    Parameterization_result result;
-    if(!complex.allows(problem.options.mode))
+    std::optional<Found_map_3> found;
+    if(complex.allows(problem.options.mode))
     {
-      result = refused_result(complex, problem);
-      if(result.status == ERROR_PRESCRIBED_CELL_INVERTED && complex.check.is_refinable && budget.is_exhausted())
-        result.status = ERROR_INTERRUPTED;
-    }
-    else
-    {
-      Found_map_3 found = find_map_of_complex_3(complex, problem, carried.untangling_start(complex.numbered, may_split),
-                                                      carried.approach_start(complex.numbered, may_split ? 1 : 2));
-      if(found.is_blocked() && may_split && budget.is_exhausted())
-        found.status = ERROR_INTERRUPTED;
-      else if(found.is_blocked() && may_split)
+      found = find_map_of_complex_3(complex, problem, carried.untangling_start(complex.numbered, may_split),
+                                    carried.approach_start(complex.numbered, may_split ? 1 : 2));
+      if(found->is_blocked() && may_split && budget.is_exhausted())
+        found->status = ERROR_INTERRUPTED;
+      else if(found->is_blocked() && may_split)
       {
-        const Refinement_plan_3 plan = carried.plan(complex.numbered.mesh(), found);
+        const Refinement_plan_3 plan = carried.plan(complex.numbered.mesh(), *found);
         std::vector<std::array<typename C3t3::Vertex_handle, 2> > edges;
         for(const auto& [v, w] : plan.edges)
           edges.push_back({ complex.numbered.vertices()[v], complex.numbered.vertices()[w] });
         const auto inserted = split_edges_3(c3t3, edges);
         number_of_splits += inserted.size();
-        carried = Carried_search_3<C3t3>(complex.numbered, found.map.positions, inserted, plan);
-        if(!inserted.empty() || found.is_stuck)
+        carried = Carried_search_3<C3t3>(complex.numbered, found->map.positions, inserted, plan);
+        if(!inserted.empty() || found->is_stuck)
           continue;
       }
-      result = written_result(complex, problem, found, uvw_map);
     }
+    Parameterization_result result = written_result(complex, problem, found, uvw_map);
+    if(!found && result.status == ERROR_PRESCRIBED_CELL_INVERTED && complex.check.is_refinable && budget.is_exhausted())
+      result.status = ERROR_INTERRUPTED;
     result.number_of_added_vertices = number_of_removals + number_of_splits;
     return result;
   }

@@ -94,14 +94,16 @@ std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces)
   return result;
 }
 
+// The vertices of the facets of a cell, each opposite to one vertex; they turn counterclockwise as seen from outside.
+constexpr int facets_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
 // The facets that belong to one cell only; where the cells are positive, their normals point outwards.
 inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std::array<int, 4> >& cells)
 {
-  constexpr int outward[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
   std::vector<std::array<int, 3> > facets;
   facets.reserve(4 * cells.size());
   for(const std::array<int, 4>& cell : cells)
-    for(const auto& i : outward)
+    for(const auto& i : facets_of_cell)
       facets.push_back({ cell[i[0]], cell[i[1]], cell[i[2]] });
   return faces_of_one_cell(facets);
 }
