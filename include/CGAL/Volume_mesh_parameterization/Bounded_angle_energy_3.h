@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <Eigen/Core>
 

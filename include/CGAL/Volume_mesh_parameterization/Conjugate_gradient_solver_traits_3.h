@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Conjugate_gradient_3.h>
 
 #include <CGAL/tags.h>

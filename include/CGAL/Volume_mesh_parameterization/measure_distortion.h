@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 
 #include <CGAL/property_map.h>
 

@@ -17,7 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

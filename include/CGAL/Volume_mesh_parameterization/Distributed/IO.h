@@ -17,11 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -15,9 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
 #include <CGAL/Named_function_parameters.h>
 

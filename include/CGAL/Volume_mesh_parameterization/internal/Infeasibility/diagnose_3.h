@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
