@@ -14,8 +14,11 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <tuple>
@@ -319,6 +322,80 @@ TEST_CASE("Conjugate gradients stop early for a large tolerance, and at the limi
   CHECK(iterations(2000, 1e-2, Linear_solver_status::SUCCESS) < precise);
   CHECK(precise < 100);
   CHECK(iterations(3, 1e-10, Linear_solver_status::ITERATION_LIMIT) == 3);
+}
+
+TEST_CASE("Beyond thirty thousand rows, conjugate gradients need fewer iterations, and the same bits with threads")
+{
+  // the Laplacian of a grid of n^3 points, which are in the order of their cells in halves of halves: without a correction of
+  // what is smooth, iterations grow as n
+  const auto laplacian = [](const int n)
+  {
+    std::map<int, std::array<int, 3> > points; // by the bits of their coordinates, in turns
+    const auto place = [](const std::array<int, 3>& p)
+    {
+      int result = 0;
+      for(int bit = 0; bit < 5; ++bit)
+        for(int i = 0; i < 3; ++i)
+          result |= (p[i] >> bit & 1) << (3 * bit + i);
+      return result;
+    };
+    for(int x = 0; x < n; ++x)
+      for(int y = 0; y < n; ++y)
+        for(int z = 0; z < n; ++z)
+          points[place({x, y, z})] = {x, y, z};
+    std::map<int, int> rows;
+    for(const auto& [key, p] : points)
+      rows.emplace(key, static_cast<int>(rows.size()));
+    std::vector<int> row_begin(1, 0), columns;
+    for(const auto& [key, p] : points)
+    {
+      columns.push_back(rows[key]);
+      for(int i = 0; i < 3; ++i)
+        for(const int step : {-1, 1})
+        {
+          std::array<int, 3> q = p;
+          q[i] += step;
+          if(q[i] >= 0 && q[i] < n)
+            columns.push_back(rows[place(q)]);
+        }
+      std::sort(columns.begin() + row_begin.back(), columns.end());
+      row_begin.push_back(static_cast<int>(columns.size()));
+    }
+    VMP::Block_sparse_matrix_3<float> A;
+    A.set_pattern(row_begin, columns);
+    for(int row = 0; row < A.size(); ++row)
+      for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+        A.block(k) = Eigen::Matrix3f::Identity() * (A.column(k) == row ? 6 : -1);
+    return A;
+  };
+  constexpr double tolerance = 1e-4;
+  const auto small = laplacian(31), large = laplacian(32);
+  REQUIRE(small.size() < 30000);
+  REQUIRE(large.size() > 30000);
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, float> solver;
+  VectorXd x;
+  const auto iterations = [&](const auto& A)
+  {
+    solver.analyze_pattern(A);
+    REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
+    REQUIRE(solver.solve(VectorXd::Ones(3 * A.size()), x, tolerance) == Linear_solver_status::SUCCESS);
+    return solver.number_of_iterations();
+  };
+  const int without = iterations(small);
+  CHECK(iterations(large) < 0.8 * without);
+
+  const Eigen::VectorXf y = x.cast<float>();
+  VectorXd residual(x.size());
+  for(int row = 0; row < large.size(); ++row)
+    residual.segment<3>(3 * row) = large.multiply_row(row, y.data()).cast<double>().array() - 1;
+  CHECK(residual.norm() < 1e-2 * std::sqrt(static_cast<double>(x.size())));
+
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Parallel_if_available_tag, float> parallel;
+  VectorXd z;
+  parallel.analyze_pattern(large);
+  REQUIRE(parallel.factorize(large) == Linear_solver_status::SUCCESS);
+  REQUIRE(parallel.solve(VectorXd::Ones(x.size()), z, tolerance) == Linear_solver_status::SUCCESS);
+  CHECK(z == x);
 }
 
 TEMPLATE_LIST_TEST_CASE("The solution for zero is zero", "", Solvers)

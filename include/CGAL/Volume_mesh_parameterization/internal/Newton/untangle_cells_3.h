@@ -32,7 +32,7 @@ public:
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
     m_iterate.evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
-    m_fewest_inverted_cells = m_iterate.evaluation.number_of_inverted_cells;
+    m_fewest_inverted_cells = m_halved_inverted_cells = m_iterate.evaluation.number_of_inverted_cells;
   }
 
   const Newton_iterate_3& iterate() const { return m_iterate; }
@@ -41,7 +41,7 @@ public:
 
   void step(const Budget& budget)
   {
-    constexpr double solver_tolerance = 1e-2;
+    constexpr double solver_tolerance = 0.3; // a better direction leads no further: epsilon changes with each step
     const Cell_energy_of<Untangling_energy_3> energy{Untangling_energy_3(m_epsilon, m_theta)};
     auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
     length = 0;
@@ -60,12 +60,14 @@ public:
     evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
   }
 
-  // A small epsilon no longer changes what the energy is.
+  // A small epsilon no longer changes what the energy is. The last few cells, where their number does not fall by half any
+  // more, are better left to patches of them.
   bool is_stuck() const
   {
-    constexpr std::size_t patience = 15;
+    constexpr std::size_t patience = 15, patience_with_few = 8, few = 10;
     constexpr double small_epsilon = 1e-6;
-    return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience);
+    return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience)
+        || (m_fewest_inverted_cells <= few && m_steps_without_half >= patience_with_few);
   }
 
 private:
@@ -77,19 +79,24 @@ private:
   void keep_best()
   {
     ++m_steps_without_progress;
+    ++m_steps_without_half;
     if(m_iterate.evaluation.number_of_inverted_cells >= m_fewest_inverted_cells)
       return;
     m_fewest_inverted_cells = m_iterate.evaluation.number_of_inverted_cells;
     m_best = m_iterate.u;
     m_steps_without_progress = 0;
+    if(2 * m_fewest_inverted_cells > m_halved_inverted_cells)
+      return;
+    m_halved_inverted_cells = m_fewest_inverted_cells;
+    m_steps_without_half = 0;
   }
 
   Newton_system_3& m_system;
   double m_theta, m_epsilon;
   Newton_iterate_3 m_iterate;
   Eigen::Matrix3Xd m_best;
-  std::size_t m_fewest_inverted_cells;
-  std::size_t m_steps_without_progress = 0;
+  std::size_t m_fewest_inverted_cells, m_halved_inverted_cells;
+  std::size_t m_steps_without_progress = 0, m_steps_without_half = 0;
 };
 
 // Untangles until no cell is inverted. The result has the fewest inverted cells of all steps.

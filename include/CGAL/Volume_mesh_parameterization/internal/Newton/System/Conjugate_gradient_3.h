@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Aggregate_hierarchy_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -35,7 +34,8 @@ public:
   using Matrix = Block_sparse_matrix_3<NT>;
 
   Conjugate_gradient_3(const bool is_parallel, const int maximal_number_of_iterations)
-    : m_is_parallel(is_parallel), m_maximal_number_of_iterations(maximal_number_of_iterations)
+    : m_is_parallel(is_parallel), m_maximal_number_of_iterations(maximal_number_of_iterations),
+      m_hierarchy(is_parallel)
   {}
 
   void analyze_pattern(const Matrix& A)
@@ -45,6 +45,7 @@ public:
       v->resize(n);
     m_inverse_diagonal.resize(9 * std::size_t(A.size()));
     m_partial_sums.resize(number_of_row_ranges());
+    m_hierarchy.analyze_pattern(A);
   }
 
   Linear_solver_status factorize(const Matrix& A)
@@ -58,6 +59,7 @@ public:
         inverse = Eigen::Matrix<NT, 3, 3>::Identity() * static_cast<NT>(D.norm() > 0 ? 1 / D.norm() : 0);
       inverse_diagonal(row) = inverse;
     });
+    m_hierarchy.factorize(A);
     m_matrix = &A;
     return Linear_solver_status::SUCCESS;
   }
@@ -69,7 +71,7 @@ public:
     m_number_of_iterations = 0;
     m_solution.setZero();
     m_residual = b.template cast<NT>();
-    double rz = precondition();
+    double rz = precondition_after([](int, int) {});
     m_direction = m_preconditioned;
     const double target = tolerance * tolerance * rz;
     Linear_solver_status status = rz < 0 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::SUCCESS;
@@ -103,6 +105,7 @@ private:
 
   // Rows are processed in ranges of fixed length, each with its own partial sum.
   static constexpr int rows_per_range = 1024;
+  static_assert(rows_per_range % Aggregate_hierarchy_3<NT>::rows_per_aggregate == 0);
 
   std::size_t number_of_row_ranges() const
   {
@@ -161,13 +164,32 @@ private:
   double precondition(const int first, const int last)
   {
     for(int row = first; row < last; ++row)
-      m_preconditioned.template segment<3>(3 * std::size_t(row)).noalias()
-        = inverse_diagonal(row) * m_residual.template segment<3>(3 * std::size_t(row));
+    {
+      auto z = m_preconditioned.template segment<3>(3 * std::size_t(row));
+      z.noalias() = inverse_diagonal(row) * m_residual.template segment<3>(3 * std::size_t(row));
+      if(!m_hierarchy.is_empty())
+        z += m_hierarchy.correction(row);
+    }
     return dot(m_residual, m_preconditioned, first, last);
   }
 
-  double precondition()
+  // Calls f(first_row, last_row), which may change r, then z = M^{-1} r; returns r.z
+  template <typename Function>
+  double precondition_after(const Function& f)
   {
+    if(m_hierarchy.is_empty())
+      return sum_over_row_ranges([&](const int first, const int last)
+      {
+        f(first, last);
+        return precondition(first, last);
+      });
+    sum_over_row_ranges([&](const int first, const int last)
+    {
+      f(first, last);
+      m_hierarchy.restrict_rows(m_residual, first, last);
+      return 0.;
+    });
+    m_hierarchy.correct();
     return sum_over_row_ranges([&](const int first, const int last) { return precondition(first, last); });
   }
 
@@ -185,11 +207,10 @@ private:
   // x += step p, r -= step q, z = M^{-1} r; returns r.z
   double advance(const NT step)
   {
-    return sum_over_row_ranges([&](const int first, const int last)
+    return precondition_after([&](const int first, const int last)
     {
       range(m_solution, first, last) += step * range(m_direction, first, last);
       range(m_residual, first, last) -= step * range(m_product, first, last);
-      return precondition(first, last);
     });
   }
 
@@ -211,6 +232,7 @@ private:
   std::vector<NT> m_inverse_diagonal;
   Vector m_solution, m_residual, m_preconditioned, m_direction, m_product;
   std::vector<double> m_partial_sums;
+  Aggregate_hierarchy_3<NT> m_hierarchy; // without levels, the preconditioner is block Jacobi
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

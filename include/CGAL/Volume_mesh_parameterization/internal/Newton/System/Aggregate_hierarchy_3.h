@@ -1,0 +1,218 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_AGGREGATE_HIERARCHY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_AGGREGATE_HIERARCHY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Corrects residuals where they are smooth, which a block diagonal hardly does: on nested aggregates of contiguous rows, over
+// which corrections are constant. Each level adds its own, so that together they are as in a multilevel diagonal scaling
+// (Zhang, Multilevel Schwarz methods, Numerische Mathematik 63, 1992); eight neighboring aggregates share a dense inverse
+// of their part of the Galerkin matrix. The iterations then grow hardly with the number of rows. Small systems get no levels.
+template <typename NT>
+class Aggregate_hierarchy_3
+{
+public:
+  using Vector = Eigen::Matrix<NT, Eigen::Dynamic, 1>;
+
+  static constexpr int rows_per_aggregate = 32; // of the matrix, on the first level
+
+  explicit Aggregate_hierarchy_3(const bool is_parallel) : m_is_parallel(is_parallel) {}
+
+  bool is_empty() const { return m_levels.empty(); }
+
+  void analyze_pattern(const Block_sparse_matrix_3<NT>& A)
+  {
+    constexpr int smallest_number_of_rows = 30000; // below, block diagonals do as well
+    constexpr int largest_last_level = 64;
+    m_levels.clear();
+    if(A.size() < smallest_number_of_rows)
+      return;
+    m_levels.push_back(level_of(A, rows_per_aggregate));
+    while(m_levels.back().matrix.size() > largest_last_level)
+      m_levels.push_back(level_of(m_levels.back().matrix, aggregates_per_group));
+    Level& last = m_levels.back();
+    last.aggregates_per_group = last.matrix.size();
+  }
+
+  void factorize(const Block_sparse_matrix_3<NT>& A)
+  {
+    for(std::size_t l = 0; l < m_levels.size(); ++l)
+    {
+      if(l == 0)
+        sum_blocks(A, rows_per_aggregate, m_levels[l].matrix);
+      else
+        sum_blocks(m_levels[l - 1].matrix, aggregates_per_group, m_levels[l].matrix);
+      invert_groups(m_levels[l]);
+    }
+  }
+
+  // The residual of the rows from `first` to `last`, which begin and end with an aggregate.
+  void restrict_rows(const Vector& residual, const int first, const int last)
+  {
+    sum_rows(residual, rows_per_aggregate, first / rows_per_aggregate,
+             (last + rows_per_aggregate - 1) / rows_per_aggregate, m_levels.front().residual);
+  }
+
+  // The corrections of all levels for the residual that was restricted.
+  void correct()
+  {
+    for(std::size_t l = 0; l < m_levels.size(); ++l)
+    {
+      if(l > 0)
+        sum_rows(m_levels[l - 1].residual, aggregates_per_group, 0, m_levels[l].matrix.size(), m_levels[l].residual);
+      correct(m_levels[l]);
+    }
+    for(std::size_t l = m_levels.size() - 1; l-- > 0; )
+      for(int i = 0; i < m_levels[l].matrix.size(); ++i)
+        at(m_levels[l].correction, i) += at(m_levels[l + 1].correction, i / aggregates_per_group);
+  }
+
+  // That of a row of the matrix.
+  auto correction(const int row) const
+  {
+    return m_levels.front().correction.template segment<3>(3 * std::size_t(row / rows_per_aggregate));
+  }
+
+private:
+  static constexpr int aggregates_per_group = 8; // they are an aggregate of the next level
+
+  struct Level
+  {
+    Block_sparse_matrix_3<double> matrix;
+    int aggregates_per_group;
+    std::vector<Eigen::Matrix<NT, Eigen::Dynamic, Eigen::Dynamic> > inverses; // of groups
+    Vector residual, correction;
+  };
+
+  static auto at(Vector& v, const int i) { return v.template segment<3>(3 * std::size_t(i)); }
+
+  // Calls f(aggregate, first row, last row) for all aggregates of rows, in parallel.
+  template <typename Function>
+  void for_each_aggregate(const int number_of_rows, const int size, const Function& f) const
+  {
+    for_each_index(m_is_parallel, 0, (number_of_rows + size - 1) / size, [&](const std::size_t i)
+    {
+      const int first = static_cast<int>(i) * size;
+      f(static_cast<int>(i), first, (std::min)(number_of_rows, first + size));
+    });
+  }
+
+  // Its matrix has a block for each pair of aggregates that share one.
+  template <typename Matrix>
+  Level level_of(const Matrix& A, const int size) const
+  {
+    std::vector<std::vector<int> > columns((A.size() + size - 1) / size);
+    for_each_aggregate(A.size(), size, [&](const int aggregate, const int first, const int last)
+    {
+      std::vector<int>& result = columns[aggregate];
+      for(int k = A.row_begin(first); k < A.row_begin(last); ++k)
+        if(const int column = A.column(k) / size; result.empty() || result.back() != column)
+          result.push_back(column);
+      std::sort(result.begin(), result.end());
+      result.erase(std::unique(result.begin(), result.end()), result.end());
+    });
+    std::vector<int> row_begin(1, 0), all_columns;
+    for(const std::vector<int>& some : columns)
+    {
+      all_columns.insert(all_columns.end(), some.begin(), some.end());
+      row_begin.push_back(static_cast<int>(all_columns.size()));
+    }
+    Level level;
+    level.matrix.set_pattern(std::move(row_begin), std::move(all_columns));
+    level.aggregates_per_group = aggregates_per_group;
+    level.residual.setZero(3 * columns.size());
+    level.correction.setZero(3 * columns.size());
+    return level;
+  }
+
+  // The Galerkin matrix: each block is the sum of those between two aggregates.
+  template <typename Matrix>
+  void sum_blocks(const Matrix& A, const int size, Block_sparse_matrix_3<double>& sums) const
+  {
+    sums.set_zero();
+    for_each_aggregate(A.size(), size, [&](const int aggregate, const int first, const int last)
+    {
+      for(int row = first; row < last; ++row)
+        for(int k = A.row_begin(row), position = sums.row_begin(aggregate); k < A.row_end(row); ++k)
+        {
+          while(sums.column(position) < A.column(k) / size)
+            ++position;
+          sums.block(position) += A.block(k).template cast<double>();
+        }
+    });
+  }
+
+  // A group whose part of the matrix is not positive definite gets no correction.
+  void invert_groups(Level& level) const
+  {
+    constexpr double shift = 1e-6; // relative, against rounding
+    const Block_sparse_matrix_3<double>& A = level.matrix;
+    level.inverses.resize((A.size() + level.aggregates_per_group - 1) / level.aggregates_per_group);
+    for_each_aggregate(A.size(), level.aggregates_per_group, [&](const int group, const int first, const int last)
+    {
+      const int n = 3 * (last - first);
+      Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n, n);
+      for(int row = first; row < last; ++row)
+        for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+          if(A.column(k) >= first && A.column(k) < last)
+            B.block<3, 3>(3 * (row - first), 3 * (A.column(k) - first)) = A.block(k);
+      B.diagonal() *= 1 + shift;
+      const Eigen::LLT<Eigen::MatrixXd> factor(B);
+      if(factor.info() == Eigen::Success)
+        B = factor.solve(Eigen::MatrixXd::Identity(n, n)).eval();
+      else
+        B.setZero();
+      level.inverses[group] = B.template cast<NT>();
+    });
+  }
+
+  void correct(Level& level) const
+  {
+    for_each_aggregate(level.matrix.size(), level.aggregates_per_group, [&](const int group, const int first, const int last)
+    {
+      const std::size_t n = 3 * std::size_t(last - first);
+      level.correction.segment(3 * std::size_t(first), n).noalias()
+        = level.inverses[group] * level.residual.segment(3 * std::size_t(first), n);
+    });
+  }
+
+  static void sum_rows(const Vector& fine, const int size, const int first, const int last, Vector& coarse)
+  {
+    const int n = static_cast<int>(fine.size() / 3);
+    for(int i = first; i < last; ++i)
+    {
+      Eigen::Matrix<NT, 3, 1> sum = Eigen::Matrix<NT, 3, 1>::Zero();
+      for(int row = i * size; row < (std::min)(n, (i + 1) * size); ++row)
+        sum += fine.template segment<3>(3 * std::size_t(row));
+      at(coarse, i) = sum;
+    }
+  }
+
+  bool m_is_parallel;
+  std::vector<Level> m_levels; // from fine to coarse
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_AGGREGATE_HIERARCHY_3_H
