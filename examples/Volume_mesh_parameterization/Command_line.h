@@ -17,7 +17,7 @@ struct Options
   std::string source, target, domain, output, refined_source, report, energy, solver, boundary;
   std::vector<std::string> hexahedra;
   int number_of_threads, number_of_iterations;
-  double maximal_angle_distortion, time_limit;
+  double energy_tolerance, maximal_angle_distortion, time_limit;
   bool do_refine, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
 };
 
@@ -86,6 +86,8 @@ inline boost::program_options::options_description describe(Options& options)
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "what is minimized: stretch, symmetric_dirichlet, mips (angles only), arap, dirichlet, lscm or lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
+    ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
+     "end where ten Newton steps lower the energy by less than this part of it; 0: at a minimum")
     ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
      "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2")

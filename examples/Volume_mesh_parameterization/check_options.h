@@ -64,6 +64,8 @@ inline void check(const Options& options)
     named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
+  if(!(options.energy_tolerance >= 0))
+    throw std::runtime_error("the tolerance of the energy is negative");
   if(!(options.maximal_angle_distortion > 2))
     throw std::runtime_error("the distortion of angles cannot be below 2");
   if(!(options.time_limit >= 0))

@@ -55,6 +55,7 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Pr
         .do_slide_boundary(options.do_slide)
         .energy(named_energy(options.energy))
         .use_volume_weights(options.use_volume_weights)
+        .energy_tolerance(options.energy_tolerance)
         .maximal_angle_distortion(options.maximal_angle_distortion)
         .minimize_maximal_angle_distortion(options.minimize_maximal_angle_distortion)
         .solver_traits(solver)

@@ -103,6 +103,13 @@ predicates on the coordinates that are written.
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{energy_tolerance}
+    \cgalParamDescription{the part of the energy that does not matter: the minimization ends where ten Newton steps gain less}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0.001`}
+    \cgalParamExtra{With 0 it goes on to a minimum, which may take hundreds of steps for the last percent.}
+    \cgalParamPrecondition{The value is not negative.}
+  \cgalParamNEnd
   \cgalParamNBegin{maximal_angle_distortion}
     \cgalParamDescription{a bound below which the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of
                           every cell is brought}

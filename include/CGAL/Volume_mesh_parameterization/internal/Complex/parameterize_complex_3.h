@@ -206,6 +206,7 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
                                   options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters()
                                                                       : approaching_soft_boundary_parameters());
   options.do_slide = choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false);
+  options.energy_tolerance = choose_parameter(get_parameter(np, internal_np::energy_tolerance), options.energy_tolerance);
   options.minimize_maximal_angle_distortion
     = choose_parameter(get_parameter(np, internal_np::minimize_maximal_angle_distortion), false);
   options.maximal_angle_distortion = choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
@@ -215,6 +216,7 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
                || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
     options.improve = &improve_map_3;
   options.is_parallel = is_parallel<ConcurrencyTag>();
+  require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);

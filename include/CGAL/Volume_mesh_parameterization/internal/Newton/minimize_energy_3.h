@@ -21,6 +21,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -96,7 +97,7 @@ private:
   // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
   double solver_tolerance() const
   {
-    constexpr double smallest = 1e-4, largest = 1e-2;
+    constexpr double smallest = 1e-4, largest = 0.1;
     return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
   }
 
@@ -107,8 +108,10 @@ private:
   Negative_curvature m_negative_curvature;
 };
 
-// Is it to end after this step, although it is no minimum? `positions()` returns the images of all vertices then.
-using Ends_here = std::function<bool(const Newton_iterate_3&, const std::function<Eigen::Matrix3Xd()>& positions)>;
+// With what status is it to end after this step, although it is no minimum? `positions()` returns the images of all vertices
+// then.
+using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&,
+                                                          const std::function<Eigen::Matrix3Xd()>& positions)>;
 
 // Minimizes from images on that invert no cell; vertices that are not unknown stay where they are.
 inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
@@ -132,8 +135,10 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
     if(minimizer.is_converged())
       return result(OK);
-    if(iterate.step_length == 0 || (ends_here && ends_here(iterate, current_positions)))
+    if(iterate.step_length == 0)
       return result(ERROR_NOT_CONVERGED);
+    if(const std::optional<Error_code> status = ends_here ? ends_here(iterate, current_positions) : std::nullopt)
+      return result(*status);
   }
   return result(progress.status_of_end(true));
 }

@@ -26,8 +26,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangler_3
 {
 public:
-  Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta)
-    : m_system(system), m_theta(theta), m_iterate{ u, {} }, m_best(u)
+  Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta, const std::size_t few)
+    : m_system(system), m_theta(theta), m_few(few), m_iterate{ u, {} }, m_best(u)
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
@@ -60,14 +60,14 @@ public:
     evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
   }
 
-  // A small epsilon no longer changes what the energy is. The last few cells, where their number does not fall by half any
-  // more, are better left to patches of them.
+  // A small epsilon no longer changes what the energy is. The last few cells take long, if their number does not fall by half
+  // any more.
   bool is_stuck() const
   {
-    constexpr std::size_t patience = 15, patience_with_few = 8, few = 10;
+    constexpr std::size_t patience = 15, patience_with_few = 8;
     constexpr double small_epsilon = 1e-6;
     return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience)
-        || (m_fewest_inverted_cells <= few && m_steps_without_half >= patience_with_few);
+        || (m_fewest_inverted_cells <= m_few && m_steps_without_half >= patience_with_few);
   }
 
 private:
@@ -93,17 +93,19 @@ private:
 
   Newton_system_3& m_system;
   double m_theta, m_epsilon;
+  std::size_t m_few;
   Newton_iterate_3 m_iterate;
   Eigen::Matrix3Xd m_best;
   std::size_t m_fewest_inverted_cells, m_halved_inverted_cells;
   std::size_t m_steps_without_progress = 0, m_steps_without_half = 0;
 };
 
-// Untangles until no cell is inverted. The result has the fewest inverted cells of all steps.
+// Untangles until no cell is inverted, or a few that are better left to patches. The result has the fewest inverted cells
+// of all steps.
 inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Matrix3Xd& positions, const double theta,
-                                        Progress_3& progress)
+                                        Progress_3& progress, const std::size_t few = 0)
 {
-  Untangler_3 untangler(system, system.unit() * positions, theta);
+  Untangler_3 untangler(system, system.unit() * positions, theta, few);
   const Newton_iterate_3& iterate = untangler.iterate();
   const auto result = [&](const Error_code status, const char* const reason = "")
   {

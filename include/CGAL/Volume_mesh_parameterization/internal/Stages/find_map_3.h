@@ -98,7 +98,7 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));
   found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
   if(found.status == OK && !options.do_slide)
-    minimize_map_3(system, energy, solver, options.is_parallel, progress, found,
+    minimize_map_3(system, energy, solver, options, progress, found,
                    Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 

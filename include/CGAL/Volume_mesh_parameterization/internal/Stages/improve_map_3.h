@@ -126,17 +126,18 @@ void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Lin
   }
   Newton_system_3 system(mesh, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver,
                          options.is_parallel);
-  const auto minimize = [&](const Cell_energy_3& psi)
+  const auto minimize = [&](const Cell_energy_3& psi, const Ends_here& ends_here = nullptr)
   {
     progress.begin_stage();
-    const Newton_result_3 result = minimize_energy_3(system, psi, found.map.positions, progress);
+    const Newton_result_3 result
+      = minimize_energy_3(system, psi, found.map.positions, progress, Negative_curvature(), ends_here);
     found.take(result.status, result.reason, sliding ? judged(mesh, *sliding, sliding->restored(result.positions))
                                                      : judged(mesh, snapped(mesh, result.positions)));
     progress.end_check();
   };
   progress.begin_attempt(sliding ? "sliding boundary" : "bound of angles");
   if(sliding)
-    minimize(energy);
+    minimize(energy, ends_if_stagnating(mesh, energy, options));
   if(found.map.is_solution() && !progress.is_interrupted() && std::isfinite(bound))
     bound_angle_distortion_3(mesh, energy, bound, sliding.has_value(), minimize, progress, found);
   if(found.map.is_solution() && !progress.is_interrupted() && options.minimize_maximal_angle_distortion)

@@ -25,6 +25,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,16 +68,18 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
   return result;
 }
 
-// Judges, every ten steps, whether a minimization still gains. The energy stagnates if it has fallen by less than 0.1 %,
-// and the squared Newton decrement, which falls fast near a minimum, hardly at all. Where a few cells hold most of the
-// energy, it may also fall for these cells alone: then the mean of the logarithms, in which these cells count as little as
-// others, has not become notably lower for a hundred steps.
+// Judges, every ten steps, whether a minimization still gains. The energy stagnates if it has fallen by less than a
+// tolerance times itself, and the squared Newton decrement, which falls fast near a minimum, hardly at all: nothing that
+// one sees is gained any more. Where a few cells hold most of the energy, it may also fall for these cells alone: then the
+// mean of the logarithms, in which these cells count as little as others, has not become notably lower for a hundred steps.
 class Gain_3
 {
 public:
   static constexpr double large_energy = 100; // a mean that hints at dominant cells
 
-  Gain_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy) : m_mesh(mesh), m_energy(energy) {}
+  Gain_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const double tolerance)
+    : m_mesh(mesh), m_energy(energy), m_tolerance(tolerance)
+  {}
 
   const std::vector<std::size_t>& dominant_cells() const { return m_dominant.cells; } // of the last image looked at
 
@@ -97,29 +100,31 @@ public:
     m_smallest_decrement = (std::min)(m_smallest_decrement, -iterate.direction.slope);
     if(++m_number_of_steps % interval != 0)
       return false;
-    const bool result = m_last_energy - energy < 1e-3 * energy && m_smallest_decrement > 0.1 * m_last_decrement;
+    const bool result = m_last_energy - energy < m_tolerance * energy && m_smallest_decrement > 0.1 * m_last_decrement;
     m_last_energy = energy;
     m_last_decrement = m_smallest_decrement;
     m_smallest_decrement = std::numeric_limits<double>::infinity();
     return result;
   }
 
-  // Is what is gained, if anything, gained for dominant cells alone?
-  bool is_for_dominant_cells_alone(const Newton_iterate_3& iterate, const std::function<Eigen::Matrix3Xd()>& image)
+  // The status with which to end, if it is time: OK if nothing is gained, and ERROR_NOT_CONVERGED if a few cells are
+  // dominant and nothing is gained, or for them alone.
+  std::optional<Error_code> status_of_end(const Newton_iterate_3& iterate, const std::function<Eigen::Matrix3Xd()>& image)
   {
     constexpr std::size_t patience = 100;
     constexpr double notable = 1e-3;
     const bool stagnates = is_stagnating(iterate);
-    if(m_number_of_steps % interval != 0)
-      return false;
-    if(!(stagnates || iterate.energy() > large_energy) || !is_dominated(image()))
-      return false;
+    if(m_number_of_steps % interval != 0 || !(stagnates || iterate.energy() > large_energy))
+      return std::nullopt;
+    if(!is_dominated(image()))
+      return stagnates ? std::optional(OK) : std::nullopt;
     if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
     {
       m_lowest_mean = m_dominant.logarithmic_mean;
       m_step_of_lowest_mean = m_number_of_steps;
     }
-    return stagnates || m_number_of_steps >= m_step_of_lowest_mean + patience;
+    const bool ends = stagnates || m_number_of_steps >= m_step_of_lowest_mean + patience;
+    return ends ? std::optional(ERROR_NOT_CONVERGED) : std::nullopt;
   }
 
   // Do a few cells hold most of the energy?
@@ -135,6 +140,7 @@ private:
 
   const Numbered_mesh_3& m_mesh;
   const Cell_energy_3& m_energy;
+  double m_tolerance;
   std::size_t m_number_of_steps = 0;
   double m_last_energy = std::numeric_limits<double>::infinity();
   double m_smallest_decrement = std::numeric_limits<double>::infinity();
@@ -143,6 +149,13 @@ private:
   double m_lowest_mean = std::numeric_limits<double>::infinity();
   std::size_t m_step_of_lowest_mean = 0;
 };
+
+// Ends a minimization where nothing is gained.
+inline Ends_here ends_if_stagnating(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const Map_options_3& options)
+{
+  return [gain = Gain_3(mesh, energy, options.energy_tolerance)](const Newton_iterate_3& iterate, const auto&) mutable
+  { return gain.is_stagnating(iterate) ? std::optional(OK) : std::nullopt; };
+}
 
 // The images of the vertices that no chosen cell has are unknown.
 inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
@@ -160,7 +173,7 @@ inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unkn
 // keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
 // is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
 inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy, Linear_solver_3& solver,
-                           const bool is_parallel, Progress_3& progress, Found_map_3& found,
+                           const Map_options_3& options, Progress_3& progress, Found_map_3& found,
                            const Negative_curvature& negative_curvature = Negative_curvature())
 {
   const Numbered_mesh_3& mesh = system.mesh();
@@ -169,13 +182,17 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
     found.take(result.status, result.reason, judged(mesh, snapped(mesh, result.positions)));
     progress.end_check();
   };
-  Gain_3 gain(mesh, energy);
+  Gain_3 gain(mesh, energy, options.energy_tolerance);
   bool has_crawled = false;
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
     system, energy, found.map.positions, progress, negative_curvature,
     [&](const Newton_iterate_3& iterate, const auto& image)
-    { return has_crawled = gain.is_for_dominant_cells_alone(iterate, image); });
+    {
+      const std::optional<Error_code> status = gain.status_of_end(iterate, image);
+      has_crawled = status == ERROR_NOT_CONVERGED;
+      return status;
+    });
   take(whole);
   const bool is_minimum
     = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
@@ -185,12 +202,10 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
   if(others.size() == 0)
     return;
-  Newton_system_3 rest(mesh, others, solver, is_parallel);
-  Gain_3 gain_of_rest(mesh, energy);
+  Newton_system_3 rest(mesh, others, solver, options.is_parallel);
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
-                         [&](const Newton_iterate_3& iterate, const auto&)
-                         { return gain_of_rest.is_stagnating(iterate); }));
+                         ends_if_stagnating(mesh, energy, options)));
   if(is_minimum && found.status == ERROR_NOT_CONVERGED)
     found.status = OK; // of the energy as a whole
   if(has_crawled && found.status == OK)

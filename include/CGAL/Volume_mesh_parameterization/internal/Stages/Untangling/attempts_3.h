@@ -30,15 +30,16 @@ struct Untangling_attempt_3
   bool is_harmonic;        // from the harmonic extension with the reference cells, or from the images as they are?
   bool has_regular_cells;  // or those of the source?
   double theta;
+  std::size_t few_cells;   // inverted ones, that are left to patches if they take long
 };
 
 // They are tried in this order. Slivers of the source would stiffen the map, so regular cells of one size come first; a
 // large and a smaller theta fail in different places. In some maps of large distortion the source serves better; there
 // theta must be small, so that parts that shrink a million times do not dominate the energy.
 constexpr std::array<Untangling_attempt_3, 3> untangling_attempts = {{
-  {"regular cells, theta 20", false, true, 20},
-  {"regular cells, theta 0.5", false, true, 0.5},
-  {"cells of the source", false, false, 0.01}
+  {"regular cells, theta 20", false, true, 20, 10},
+  {"regular cells, theta 0.5", false, true, 0.5, 10},
+  {"cells of the source", false, false, 0.01, 10}
 }};
 
 // In a patch, which is small, from both starts.
@@ -49,6 +50,7 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
     for(Untangling_attempt_3 attempt : untangling_attempts)
     {
       attempt.is_harmonic = is_harmonic;
+      attempt.few_cells = 0;
       result.push_back(attempt);
     }
   return result;
@@ -62,7 +64,7 @@ inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton
                                                   : cells_scaled_to_target(system.mesh()));
   if(attempt.is_harmonic)
     harmonic_map_3(system, positions, progress);
-  Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress);
+  Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress, attempt.few_cells);
   result.positions = snapped(system.mesh(), result.positions);
   return result;
 }
