@@ -97,7 +97,7 @@ private:
   // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
   double solver_tolerance() const
   {
-    constexpr double smallest = 1e-4, largest = 0.1;
+    constexpr double smallest = 1e-4, largest = 1e-2;
     return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
   }
 

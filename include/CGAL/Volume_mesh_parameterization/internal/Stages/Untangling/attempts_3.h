@@ -37,9 +37,9 @@ struct Untangling_attempt_3
 // large and a smaller theta fail in different places. In some maps of large distortion the source serves better; there
 // theta must be small, so that parts that shrink a million times do not dominate the energy.
 constexpr std::array<Untangling_attempt_3, 3> untangling_attempts = {{
-  {"regular cells, theta 20", false, true, 20, 10},
-  {"regular cells, theta 0.5", false, true, 0.5, 10},
-  {"cells of the source", false, false, 0.01, 10}
+  {"regular cells, theta 20", false, true, 20, 3},
+  {"regular cells, theta 0.5", false, true, 0.5, 3},
+  {"cells of the source", false, false, 0.01, 3}
 }};
 
 // In a patch, which is small, from both starts.

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 
 #include <Eigen/Core>
@@ -42,6 +43,14 @@ public:
   {}
 
   const Untangled_3& best() const { return m_best; }
+
+  // Are so few cells left inverted that they are what no map can mend, as a proof tells?
+  bool is_in_vain(const Untangling_attempt_3& attempt) const
+  {
+    return m_best.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
+        && !prove_infeasibility_3(m_mesh, m_best.positions, m_progress.budget()).empty();
+  }
+
   bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
   // The best images, with the cells of the source again.
@@ -125,8 +134,12 @@ inline Untangled_3 untangle_3(Newton_system_3& system, Linear_solver_3& solver, 
   Untangling_search_3 search(system, solver, start, progress);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
+  {
     if(search.goes_on())
       search.untangle(attempt, start);
+    if(search.goes_on() && search.is_in_vain(attempt))
+      break;
+  }
   return search.finish();
 }
 
