@@ -252,7 +252,7 @@ std::vector<std::string> keys(const std::string& json)
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
   "options", "source", "target", "to", "boundary", "refine", "slide", "energy", "volume_weights",
-  "max_angle_distortion", "minimize_max_angle_distortion",
+  "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "linear_solver_iterations", "untangling_method",
@@ -752,7 +752,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
         "source.mesh target.txt --energy none", "source.mesh target.txt --solver none",
         "source.mesh target.txt --threads 0", "source.mesh target.txt --threads x",
         "source.mesh target.txt --max-iterations -1", "source.mesh target.txt --output map.obj",
-        "source.mesh target.txt --max-angle-distortion 2", "source.mesh target.txt --time-limit -1",
+        "source.mesh target.txt --max-angle-distortion 2", "source.mesh target.txt --energy-tolerance -1", "source.mesh target.txt --time-limit -1",
         "source.mesh target.txt --to ball", "source.mesh --to", "source.mesh --to none", "source.mesh --to box=1,2",
         "source.mesh --to box=1,2,0", "source.mesh --to box=1,2,3,4", "source.mesh --to box=1:2:3",
         "source.mesh target.txt --output map",

@@ -880,6 +880,7 @@ TEST_CASE("The vertices that need a target")
 TEST_CASE("Broken preconditions throw, also in programs compiled with NDEBUG")
 {
   Complex complex(twisted_cube(2));
+  CHECK_THROWS_AS(parameterize(complex, params::energy_tolerance(-1.)), CGAL::Precondition_exception);
   CHECK_THROWS_AS(parameterize(complex, params::maximal_angle_distortion(1)), CGAL::Precondition_exception);
   CHECK_THROWS_AS(parameterize(complex, params::maximal_angle_distortion(std::nan(""))), CGAL::Precondition_exception);
   CHECK_THROWS_AS(parameterize(complex, params::number_of_iterations(-1)), CGAL::Precondition_exception);
