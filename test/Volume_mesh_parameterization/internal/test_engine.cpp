@@ -589,6 +589,35 @@ TEST_CASE("Cells around split edges are halved")
                       { return std::find(c.begin(), c.end(), number_of_free_vertices + i) != c.end(); }));
 }
 
+TEST_CASE("Further attempts are in vain where few cells are left and a proof tells that they cannot be mended")
+{
+  using namespace VMP::internal;
+  Solver<> solver;
+  Linear_solver_of<Solver<> > linear_solver(solver);
+  Progress_3 progress = patient_progress();
+  Untangling_attempt_3 attempt = untangling_attempts[0];
+  Numbered_mesh_3 mesh = prism_to_U();
+  Matrix3Xd start = mesh.target;
+  start.col(0) = Vector3d(1.5, 0.5, 0.5);
+  {
+    Newton_system_3 system(mesh, free_vertices(mesh), linear_solver, false);
+    Untangling_search_3 search(system, linear_solver, start, progress);
+    search.untangle(attempt, start);
+    REQUIRE(search.goes_on());
+    attempt.few_cells = search.best().number_of_inverted_cells;
+    CHECK(search.is_in_vain(attempt));
+    --attempt.few_cells;
+    CHECK(!search.is_in_vain(attempt));
+  }
+  mesh.target = mesh.source; // there is a map, wherever the search is
+  start = mesh.target;
+  start.col(0) = Vector3d(5, 0, 0);
+  REQUIRE(number_of_inverted_cells(mesh, start) > 0);
+  Newton_system_3 system(mesh, free_vertices(mesh), linear_solver, false);
+  attempt.few_cells = mesh.cells.size();
+  CHECK(!Untangling_search_3(system, linear_solver, start, progress).is_in_vain(attempt));
+}
+
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")
 {
   Numbered_mesh_3 mesh = prism_to_U();
