@@ -104,18 +104,11 @@ public:
   /// sets all values to 0.
   void set_zero() { std::fill(m_values.begin(), m_values.end(), NT(0)); }
 
-  /// makes the matrix symmetric by copying the upper triangle to the lower one.
-  void copy_upper_to_lower_triangle()
+  /// copies the upper triangle to that part of a row which is in the lower one, so that the matrix becomes symmetric.
+  void complete_row(const int row)
   {
-    // the rows that need the blocks of a row come in the order of its columns
-    std::vector<int> next(size());
-    for(int row = 0; row < size(); ++row)
-    {
-      int k = row_begin(row);
-      for(; column(k) < row; ++k)
-        block(k) = block(next[column(k)]++).transpose();
-      next[row] = k + 1;
-    }
+    for(int k = row_begin(row); column(k) < row; ++k)
+      block(k) = block(position(column(k), row)).transpose();
   }
 
   /// adds `factor` times itself to each diagonal block.

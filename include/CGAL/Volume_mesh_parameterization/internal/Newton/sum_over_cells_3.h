@@ -97,7 +97,13 @@ void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, con
     add_derivatives(kernels, packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
                     gradient.data(), hessian.values(0));
   });
-  hessian.copy_upper_to_lower_triangle();
+  constexpr std::size_t rows_per_range = 1024;
+  const std::size_t n = hessian.size();
+  for_each_index(is_parallel, 0, (n + rows_per_range - 1) / rows_per_range, [&](const std::size_t range)
+  {
+    for(std::size_t row = range * rows_per_range; row < (std::min)(n, (range + 1) * rows_per_range); ++row)
+      hessian.complete_row(static_cast<int>(row));
+  });
 }
 
 // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
