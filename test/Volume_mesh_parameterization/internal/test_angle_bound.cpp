@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -133,10 +134,10 @@ TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   const VMP::internal::Newton_result_3 below = minimize_energy_3(
     problem.system, problem.energy, stricter.positions, progress, VMP::internal::Negative_curvature(),
-    [&](const VMP::internal::Newton_iterate_3&, const auto& positions)
+    [&](const VMP::internal::Newton_iterate_3&, const auto& positions) -> std::optional<VMP::Error_code>
     {
       CHECK(largest_angle_distortion(mesh, positions()) < bound);
-      return false;
+      return std::nullopt;
     });
   CHECK(below.status == VMP::OK);
   const double energy_below = mean_energy(mesh, below.positions);
