@@ -295,6 +295,31 @@ std::set<std::pair<std::size_t, double> > faces_of_image(const Complex& complex)
   return faces;
 }
 
+TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
+{
+  const double scale = GENERATE(0.1, 0.3, 0.7);
+  Complex complex(bricks({7, 5, 6}, [](const int x, const int y, const int z)
+  {
+    return x < 3 || (x > 3 && y < 3 && z < 4);
+  }, [&](const double x, const double y, const double z) { return stay(scale * x, scale * y, scale * z); }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 10); // of twelve, two are in planes of others
+}
+
+TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")
+{
+  // two arms of a fork turn twice around each other, so that no labels of its charts are valid
+  Complex complex(bricks({4, 3, 24}, [](const int x, int, const int z) { return z < 2 || x == 0 || x == 3; },
+    [](const double x, const double y, const double z) -> std::array<double, 3>
+  {
+    const double angle = 0.7 * (std::max)(0., z - 2), c = std::cos(angle), s = std::sin(angle);
+    return {c * (x - 2) - s * (y - 1.5), s * (x - 2) + c * (y - 1.5), z};
+  }));
+  CHECK(complex.parameterize() == VMP::OK);
+  complex.image.clear();
+  CHECK(complex.parameterize(0.5) == VMP::OK);
+}
+
 TEST_CASE("labels are proposed for a cylinder")
 {
   Complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>

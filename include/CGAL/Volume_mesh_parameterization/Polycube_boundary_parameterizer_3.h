@@ -37,8 +37,7 @@ determine the polycube up to the coordinates of its faces. Those are chosen as c
 of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
 fifth of the line that is mapped to it. The polycube lies where the complex lies.
 
-Lines are mapped by arc length, and charts by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
-\ref PkgSurfaceMeshParameterization. In a face that is not convex this may flip triangles. Therefore an energy that is
+Lines are mapped by arc length, and charts by harmonic maps, which may flip triangles. Therefore an energy that is
 finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered then, which also lowers the distortion.
 On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
@@ -68,12 +67,13 @@ public:
 
   /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
   ///
-  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}. They are
-  /// found by `CGAL::alpha_expansion_graphcut()`. Where opposite directions would be neighbours, another one is put
-  /// between them. Charts that no polycube can have, and their neighbours, get other labels, at the lowest cost, until
-  /// no such chart is left. This is done with more and more weight on short lines; of the polycubes found, the one is
-  /// taken to which the boundary is mapped with the least distortion: the mean square of the logarithms of the singular
-  /// values.
+  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}: those of facets, of
+  /// small regions and of charts are changed as long as that lowers the cost. Where opposite directions would be
+  /// neighbours, another one is put between them. Charts that no polycube can have, and their neighbours, get other
+  /// labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
+  /// the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the
+  /// mean square of the logarithms of the singular values. If its map is not valid, the next one is taken, and if there
+  /// is none, a topological sphere is mapped to its bounding box.
   ///
   /// \param c3t3 the complex
   /// \param target receives the images
@@ -90,10 +90,9 @@ public:
   ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, `ERROR_SPACING_TOO_COARSE` if there is a
   ///         polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`
   ///
-  /// The running time is in \f$ O(k\, n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, and
-  /// \f$ k \f$ labels of charts that are tried: few for mechanical parts, up to thousands for bodies with many details.
-  /// To this are added minimum cuts, at least one for each of the six labels and each of seven weights, and the
-  /// solution of sparse linear systems for each chart of the polycubes found.
+  /// The running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights, with \f$ n \f$ boundary vertices of
+  /// bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse
+  /// linear systems for each chart of the polycubes found.
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const

@@ -28,51 +28,65 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Moves the inner vertices of a plane image of a surface patch such that no triangle is flipped and the distortion is
-// low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
+// Places the inner vertices of a plane image of a surface patch, first harmonically, then such that no triangle is
+// flipped and the distortion is low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
 //   sum over triangles of area (|J|^2 + (D^2 + 1) / 2) / chi(D),   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2,
 // where J is the Jacobian of the map from the surface, D its determinant, and epsilon tends to zero; minimized by
 // Newton's method with Hessians that are made positive.
 class Patch_relaxation_2
 {
 public:
-  // Images have positive orientation; the patch is scaled to the area of its image.
-  Patch_relaxation_2(const Boundary_mesh_3& patch, Eigen::Matrix2Xd& images, const Budget& budget)
-    : m_images(images), m_budget(budget), m_unknown(patch.number_of_vertices(), -1)
+  // The axes u and v of the images give positive orientation. The patch is scaled to the area of its image.
+  Patch_relaxation_2(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
+                     const std::vector<bool>& is_on_border, const int u, const int v,
+                     std::vector<Eigen::Vector3d>& images)
+    : m_u(u), m_v(v)
   {
-    for(const auto v : patch.vertices())
-      if(!patch.is_border(v))
-        m_unknown[v] = m_number_of_unknowns++;
+    std::vector<int> number(mesh.number_of_vertices(), -1);
+    for(const auto f : faces)
+      add_triangle(mesh, mesh.halfedge(f), number);
+    m_images.resize(2, m_vertices.size());
     double area = 0, image_area = 0;
-    for(const auto f : patch.faces())
+    for(std::size_t i = 0; i < m_vertices.size(); ++i)
     {
-      add_triangle(patch, patch.halfedge(f));
-      area += m_triangles.back().area;
-      image_area += edges(m_triangles.back(), images).determinant() / 2;
+      m_images.col(i) << images[m_vertices[i]][u], images[m_vertices[i]][v];
+      m_unknown.push_back(is_on_border[m_vertices[i]] ? -1 : m_number_of_unknowns++);
+    }
+    move_to_harmonic_map();
+    for(const Triangle& t : m_triangles)
+    {
+      area += t.area;
+      image_area += edges(t, m_images).determinant() / 2;
     }
     for(Triangle& t : m_triangles)
     {
       t.to_rest *= std::sqrt(area / image_area);
       t.area /= area;
     }
+    write(images);
   }
 
-  void run()
+  void run(std::vector<Eigen::Vector3d>& images, const Budget& budget)
   {
+    Solver solver;
     State state = evaluate(m_images, 1);
     m_epsilon = first_epsilon(state.smallest_determinant);
-    for(int iteration = 0; iteration < 100 && !m_budget.is_exhausted(); ++iteration)
+    for(int iteration = 0; iteration < 100 && !budget.is_exhausted() && m_number_of_unknowns > 0; ++iteration)
     {
       state = evaluate(m_images, m_epsilon);
-      const State next = newton_step(state);
+      const State next = newton_step(state, solver);
       const double decrease = 1 - next.energy / state.energy;
       if(decrease == 0 || (next.smallest_determinant > 0 && decrease < 1e-3))
         break;
       m_epsilon = next_epsilon(m_epsilon, decrease, state.smallest_determinant, next.smallest_determinant);
     }
+    write(images);
   }
 
 private:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Solver = Eigen::SimplicialLDLT<Matrix>;
+
   struct Triangle
   {
     std::array<int, 3> vertices;
@@ -86,18 +100,67 @@ private:
     double smallest_determinant;
   };
 
-  void add_triangle(const Boundary_mesh_3& patch, const Boundary_mesh_3::Halfedge_index h)
+  void add_triangle(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Halfedge_index h, std::vector<int>& number)
   {
-    const std::array<Boundary_mesh_3::Vertex_index, 3> v = { patch.source(h), patch.target(h),
-                                                            patch.target(patch.next(h)) };
+    Triangle t;
     std::array<Eigen::Vector3d, 3> p;
+    const std::array<Boundary_mesh_3::Vertex_index, 3> v = { mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)) };
     for(int i = 0; i < 3; ++i)
-      p[i] = eigen_point(patch, v[i]);
+    {
+      if(number[v[i]] < 0)
+      {
+        number[v[i]] = static_cast<int>(m_vertices.size());
+        m_vertices.push_back(v[i]);
+      }
+      t.vertices[i] = number[v[i]];
+      p[i] = eigen_point(mesh, v[i]);
+    }
     const Eigen::Vector3d a = p[1] - p[0], b = p[2] - p[0];
     Eigen::Matrix2d rest;
     rest << a.norm(), a.dot(b) / a.norm(), 0, a.cross(b).norm() / a.norm();
-    m_triangles.push_back({ { static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<int>(v[2]) },
-                            rest.inverse(), rest.determinant() / 2 });
+    t.to_rest = rest.inverse();
+    t.area = rest.determinant() / 2;
+    m_triangles.push_back(t);
+  }
+
+  // Minimizes the sum over triangles of area |J|^2.
+  void move_to_harmonic_map()
+  {
+    if(m_number_of_unknowns == 0)
+      return;
+    std::vector<Eigen::Triplet<double> > entries;
+    Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_number_of_unknowns, 2);
+    Eigen::Matrix<double, 3, 2> difference;
+    difference << -1, -1, 1, 0, 0, 1;
+    for(const Triangle& t : m_triangles)
+    {
+      const Eigen::Matrix<double, 3, 2> gradients = difference * t.to_rest;
+      const Eigen::Matrix3d K = t.area * gradients * gradients.transpose();
+      for(int i = 0; i < 3; ++i)
+        for(int k = 0; k < 3; ++k)
+        {
+          const int row = m_unknown[t.vertices[i]], column = m_unknown[t.vertices[k]];
+          if(row >= 0 && column >= 0)
+            entries.emplace_back(row, column, K(i, k));
+          else if(row >= 0)
+            right.row(row) -= K(i, k) * m_images.col(t.vertices[k]).transpose();
+        }
+    }
+    Matrix matrix(m_number_of_unknowns, m_number_of_unknowns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::MatrixX2d solution = Solver(matrix).solve(right);
+    for(std::size_t i = 0; i < m_unknown.size(); ++i)
+      if(m_unknown[i] >= 0)
+        m_images.col(i) = solution.row(m_unknown[i]);
+  }
+
+  void write(std::vector<Eigen::Vector3d>& images) const
+  {
+    for(std::size_t i = 0; i < m_vertices.size(); ++i)
+    {
+      images[m_vertices[i]][m_u] = m_images(0, i);
+      images[m_vertices[i]][m_v] = m_images(1, i);
+    }
   }
 
   static Eigen::Matrix2d edges(const Triangle& t, const Eigen::Matrix2Xd& u)
@@ -120,15 +183,18 @@ private:
     return state;
   }
 
-  State newton_step(const State& before)
+  State newton_step(const State& before, Solver& solver)
   {
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * m_number_of_unknowns);
     std::vector<Eigen::Triplet<double> > entries;
     for(const Triangle& t : m_triangles)
       add_derivatives(t, gradient, entries);
-    Eigen::SparseMatrix<double> hessian(gradient.size(), gradient.size());
+    Matrix hessian(gradient.size(), gradient.size());
     hessian.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::VectorXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> >(hessian).solve(-gradient);
+    if(solver.rows() == 0)
+      solver.analyzePattern(hessian);
+    solver.factorize(hessian);
+    const Eigen::VectorXd solution = solver.solve(-gradient);
 
     Eigen::Matrix2Xd direction = Eigen::Matrix2Xd::Zero(2, m_images.cols());
     for(std::size_t v = 0; v < m_unknown.size(); ++v)
@@ -192,11 +258,12 @@ private:
     }
   }
 
-  Eigen::Matrix2Xd& m_images;
-  const Budget& m_budget;
+  int m_u, m_v;
+  std::vector<Boundary_mesh_3::Vertex_index> m_vertices; // of the mesh
+  std::vector<Triangle> m_triangles;
+  Eigen::Matrix2Xd m_images;
   std::vector<int> m_unknown; // the number of an inner vertex, or -1
   int m_number_of_unknowns = 0;
-  std::vector<Triangle> m_triangles;
   double m_epsilon = 1;
 };
 

@@ -15,107 +15,207 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
-#include <CGAL/boost/graph/Dual.h>
-#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Dense>
 
-#include <boost/property_map/function_property_map.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Another label for a chart, and by how much the labels of the surface cost more then.
+struct Chart_relabelling_3
+{
+  std::size_t chart, label;
+  double cost;
+};
+
 // Labels the faces of a surface with axis directions that are close to their normals and change along short lines, as
-// Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels minimize
+// Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels lower
 //   sum over faces f of area(f) (1 - n(f) . direction(label(f)))
-//   + smoothing sum over edges between faces f, g of different labels of length max(0, n(f) . n(g))^2,
-// by alpha expansion. Sharp edges are free. Around edges at which opposite directions meet, which no polycube has,
-// labels of their axis are made expensive, until no more can be done against such edges.
+//   + smoothing sum over edges between faces f, g of different labels of length max(0, n(f) . n(g))^2.
+// Sharp edges are free. Small regions and whole charts change their labels as long as that lowers the sum, which comes
+// within 1 % of what minimum cuts give, for small smoothings, in a twentieth of the time. Around edges at which opposite
+// directions meet, which no polycube has, labels of their axis are made expensive, until no more can be done against such
+// edges.
 class Normal_labels_3
 {
 public:
   using Labels = std::vector<std::size_t>;
+  using Face = Boundary_mesh_3::Face_index;
 
   // The surface has diameter about 1, so that lengths and areas compare.
-  Normal_labels_3(const Boundary_mesh_3& mesh, const double smoothing, const Budget& budget)
-    : m_mesh(mesh), m_smoothing(smoothing), m_budget(budget),
-      m_is_expensive(mesh.number_of_faces(), { false, false, false })
+  Normal_labels_3(const Boundary_mesh_3& mesh, const Budget& budget)
+    : m_mesh(mesh), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
-    for(const auto f : mesh.faces())
+    std::vector<Eigen::Vector3d> area_vectors; // normal times area
+    for(const Face f : mesh.faces())
     {
       const auto h = mesh.halfedge(f);
       const Eigen::Vector3d a = eigen_point(mesh, mesh.source(h)), b = eigen_point(mesh, mesh.target(h)),
                             c = eigen_point(mesh, mesh.target(mesh.next(h)));
-      m_area_vectors.push_back((b - a).cross(c - a) / 2);
+      area_vectors.push_back((b - a).cross(c - a) / 2);
+      Costs costs;
+      for(std::size_t label = 0; label < 6; ++label)
+        costs[label] = area_vectors.back().norm() - area_vectors.back().dot(vector_of_direction(label));
+      m_face_costs.push_back(costs);
+    }
+    for(const auto e : mesh.edges())
+    {
+      const auto h = mesh.halfedge(e);
+      const Eigen::Vector3d n = area_vectors[mesh.face(h)].normalized();
+      const Eigen::Vector3d m = area_vectors[mesh.face(mesh.opposite(h))].normalized();
+      const double cosine = (std::max)(0., n.dot(m));
+      m_edge_costs.push_back(cosine * cosine
+                             * (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm());
     }
   }
 
-  Labels minimize()
+  // The directions that are closest to the normals.
+  Labels closest() const
   {
-    Labels labels = cut();
-    while(!m_budget.is_exhausted() && has_opposite_neighbours(labels))
-      labels = cut();
+    Labels labels;
+    for(const Costs& costs : m_face_costs)
+      labels.push_back(std::min_element(costs.begin(), costs.end()) - costs.begin());
     return labels;
   }
 
-  double cost(const Boundary_mesh_3::Face_index f, const std::size_t label) const
+  // Lowers the sum for a weight of the lengths.
+  void minimize(const double smoothing, Labels& labels)
   {
-    const double factor = m_is_expensive[f][axis_of_direction(label)] ? 10 : 1;
-    return factor * m_area_vectors[f].norm() - m_area_vectors[f].dot(vector_of_direction(label));
+    do
+      while(!m_budget.is_exhausted()
+            && (relabel_regions(0, smoothing, labels) || relabel_charts(smoothing, labels)
+                || relabel_regions(1, smoothing, labels) || relabel_regions(2, smoothing, labels))) {}
+    while(!m_budget.is_exhausted() && has_opposite_neighbours(labels));
   }
 
-  // What it costs if the faces on the sides of the edge have different labels.
-  double cost(const Boundary_mesh_3::Edge_index e) const
+  double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
+
+  // For all other labels of each chart, the cheapest one first.
+  std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
+                                                      const std::vector<std::size_t>& chart_of_face) const
   {
-    const auto h = m_mesh.halfedge(e);
-    const Eigen::Vector3d n = m_area_vectors[m_mesh.face(h)].normalized();
-    const Eigen::Vector3d m = m_area_vectors[m_mesh.face(m_mesh.opposite(h))].normalized();
-    const double cosine = (std::max)(0., n.dot(m));
-    return m_smoothing * cosine * cosine
-           * (eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h))).norm();
+    const std::size_t n = 1 + *std::max_element(chart_of_face.begin(), chart_of_face.end());
+    std::vector<Costs> cost_of_chart(n, Costs{});
+    Labels label_of_chart(n);
+    for(const Face f : m_mesh.faces())
+    {
+      const std::size_t c = chart_of_face[f];
+      label_of_chart[c] = labels[f];
+      for(std::size_t label = 0; label < 6; ++label)
+        cost_of_chart[c][label] += cost(f, label);
+      for(const auto h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
+        if(const Face g = m_mesh.face(m_mesh.opposite(h)); chart_of_face[g] != c)
+          cost_of_chart[c][labels[g]] -= smoothing * m_edge_costs[m_mesh.edge(h)];
+    }
+    std::vector<Chart_relabelling_3> result;
+    for(std::size_t c = 0; c < cost_of_chart.size(); ++c)
+      for(std::size_t label = 0; label < 6; ++label)
+        if(label != label_of_chart[c])
+          result.push_back({ c, label, cost_of_chart[c][label] - cost_of_chart[c][label_of_chart[c]] });
+    std::stable_sort(result.begin(), result.end(), [](const Chart_relabelling_3& a, const Chart_relabelling_3& b)
+    {
+      return a.cost < b.cost;
+    });
+    return result;
   }
 
 private:
-  Labels cut() const
+  using Costs = std::array<double, 6>;
+
+  // Charts whose labels lower the sum most among their neighbours. Returns whether there were any.
+  bool relabel_charts(const double smoothing, Labels& labels) const
   {
-    Labels labels;
-    for(const auto f : m_mesh.faces())
+    const auto [chart_of_face, n] = connected_charts_3(m_mesh, labels);
+    std::vector<Chart_relabelling_3> best(n, Chart_relabelling_3{ 0, 0, 0 });
+    for(const Chart_relabelling_3& change : chart_relabellings(smoothing, labels, chart_of_face))
+      if(change.cost < best[change.chart].cost - least_gain)
+        best[change.chart] = change;
+    std::vector<bool> is_best(n);
+    for(std::size_t c = 0; c < n; ++c)
+      is_best[c] = best[c].cost < 0;
+    for(const auto h : m_mesh.halfedges())
     {
-      const std::vector<double> costs = costs_of_face(f);
-      labels.push_back(std::min_element(costs.begin(), costs.end()) - costs.begin());
+      const std::size_t c = chart_of_face[m_mesh.face(h)], d = chart_of_face[m_mesh.face(m_mesh.opposite(h))];
+      if(std::pair(best[d].cost, d) < std::pair(best[c].cost, c))
+        is_best[c] = false;
     }
-    struct Interruption {}; // the only way out of the expansion
-    const auto ask = [this]
-    {
-      if(m_budget.is_exhausted())
-        throw Interruption();
-    };
-    const auto edge_costs = boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
-      [&](const Boundary_mesh_3::Edge_index e) { ask(); return cost(e); });
-    const auto label_costs = boost::make_function_property_map<Boundary_mesh_3::Face_index>(
-      [&](const Boundary_mesh_3::Face_index f) { ask(); return costs_of_face(f); });
-    const auto index = get(boost::face_index, m_mesh);
-    try
-    {
-      alpha_expansion_graphcut(Dual<const Boundary_mesh_3>(m_mesh), edge_costs, label_costs,
-                               boost::make_iterator_property_map(labels.begin(), index),
-                               parameters::vertex_index_map(index));
-    }
-    catch(const Interruption&) {}
-    return labels;
+    for(const Face f : m_mesh.faces())
+      if(is_best[chart_of_face[f]])
+        labels[f] = best[chart_of_face[f]].label;
+    return std::find(is_best.begin(), is_best.end(), true) != is_best.end();
   }
 
-  std::vector<double> costs_of_face(const Boundary_mesh_3::Face_index f) const
+  // Gives the faces within some rings around a face one label, where that lowers the sum. Returns whether it did anywhere.
+  bool relabel_regions(const int rings, const double smoothing, Labels& labels) const
   {
-    std::vector<double> costs;
-    for(std::size_t label = 0; label < 6; ++label)
-      costs.push_back(cost(f, label));
-    return costs;
+    bool has_changed = false;
+    std::vector<Face> region, center_of_face(labels.size(), Boundary_mesh_3::null_face());
+    for(const Face f : m_mesh.faces())
+    {
+      const auto around = CGAL::faces_around_face(m_mesh.halfedge(f), m_mesh);
+      if(m_budget.is_exhausted())
+        return false;
+      if(std::all_of(around.begin(), around.end(), [&](const Face g) { return labels[g] == labels[f]; }))
+        continue;
+      find_region(f, rings, center_of_face, region);
+      const auto [label, gain] = best_label(region, f, center_of_face, smoothing, labels);
+      if(gain <= least_gain)
+        continue;
+      has_changed = true;
+      for(const Face g : region)
+        labels[g] = label;
+    }
+    return has_changed;
+  }
+
+  void find_region(const Face center, const int rings, std::vector<Face>& center_of_face, std::vector<Face>& region) const
+  {
+    region.assign(1, center);
+    center_of_face[center] = center;
+    for(int ring = 0; ring < rings; ++ring)
+      for(std::size_t i = 0, n = region.size(); i < n; ++i)
+        for(const auto v : CGAL::vertices_around_face(m_mesh.halfedge(region[i]), m_mesh))
+          for(const Face g : CGAL::faces_around_target(m_mesh.halfedge(v), m_mesh))
+            if(g != Boundary_mesh_3::null_face() && center_of_face[g] != center)
+            {
+              center_of_face[g] = center;
+              region.push_back(g);
+            }
+  }
+
+  // The cheapest label for all faces of a region, and by how much it is cheaper than what they have.
+  std::pair<std::size_t, double> best_label(const std::vector<Face>& region, const Face center,
+                                            const std::vector<Face>& center_of_face, const double smoothing,
+                                            const Labels& labels) const
+  {
+    Costs costs{};
+    double before = 0;
+    for(const Face f : region)
+    {
+      before += cost(f, labels[f]);
+      for(std::size_t label = 0; label < 6; ++label)
+        costs[label] += cost(f, label);
+      for(const auto h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
+      {
+        const Face g = m_mesh.face(m_mesh.opposite(h));
+        const double cost_of_edge = smoothing * m_edge_costs[m_mesh.edge(h)];
+        if(center_of_face[g] != center)
+        {
+          costs[labels[g]] -= cost_of_edge;
+          before -= (labels[g] == labels[f]) ? cost_of_edge : 0;
+        }
+        else if(labels[g] != labels[f])
+          before += cost_of_edge / 2; // it comes from both sides
+      }
+    }
+    const std::size_t label = std::min_element(costs.begin(), costs.end()) - costs.begin();
+    return { label, before - costs[label] };
   }
 
   // Makes them expensive. Returns whether there are any that have not been so before.
@@ -130,18 +230,25 @@ private:
       for(const auto k : CGAL::halfedges_around_target(h, m_mesh))
       {
         bool& is_expensive = m_is_expensive[m_mesh.face(k)][axis_of_direction(label)];
-        has_changed = has_changed || !is_expensive;
-        is_expensive = true;
+        if(is_expensive)
+          continue;
+        is_expensive = has_changed = true;
+        Costs& costs = m_face_costs[m_mesh.face(k)];
+        const double area = (costs[label] + costs[neighbour]) / 2;
+        costs[label] += 9 * area;
+        costs[neighbour] += 9 * area;
       }
     }
     return has_changed;
   }
 
+  static constexpr double least_gain = 1e-12;
+
   const Boundary_mesh_3& m_mesh;
-  const double m_smoothing;
   const Budget& m_budget;
   std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
-  std::vector<Eigen::Vector3d> m_area_vectors;      // normal times area
+  std::vector<Costs> m_face_costs;                  // by label
+  std::vector<double> m_edge_costs;                 // with different labels on both sides, for the smoothing 1
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

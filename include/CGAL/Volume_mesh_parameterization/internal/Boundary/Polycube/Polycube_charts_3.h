@@ -13,48 +13,45 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Chart_defects_3.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/iterator.h>
-
-#include <Eigen/Dense>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <numeric>
-#include <set>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The six directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
-inline int axis_of_direction(const std::size_t direction)
+// The number of the chart of each face, and the number of charts: connected parts of the surface with one label, which
+// are the preimages of the faces of the polycube.
+inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const Boundary_mesh_3& mesh,
+                                                                           const std::vector<std::size_t>& labels)
 {
-  return static_cast<int>(direction / 2);
+  std::vector<std::size_t> chart_of_face(labels.size(), labels.size());
+  std::size_t n = 0;
+  std::vector<Boundary_mesh_3::Face_index> faces;
+  for(const auto f : mesh.faces())
+  {
+    if(chart_of_face[f] < labels.size())
+      continue;
+    faces.assign(1, f);
+    chart_of_face[f] = n;
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      for(const auto g : CGAL::faces_around_face(mesh.halfedge(faces[i]), mesh))
+        if(labels[g] == labels[f] && chart_of_face[g] != n)
+        {
+          chart_of_face[g] = n;
+          faces.push_back(g);
+        }
+    ++n;
+  }
+  return { chart_of_face, n };
 }
-
-inline int sign_of_direction(const std::size_t direction)
-{
-  return (direction % 2 == 0) ? 1 : -1;
-}
-
-inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
-{
-  return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
-}
-
-// A connected part of the surface with one label: the preimage of a face of the polycube.
-struct Polycube_chart_3
-{
-  std::size_t label = 0;
-  int number_of_defects = 0; // see below
-  bool is_valid() const { return number_of_defects == 0; }
-  int axis() const { return axis_of_direction(label); }
-};
 
 // A line between two charts, from corner to corner: the preimage of an edge of the polycube.
 struct Polycube_chain_3
@@ -69,36 +66,61 @@ struct Polycube_chain_3
 //
 // A chain leads in the direction of its axis in which its last corner lies from its first one. Hence the border of
 // each chart is a sequence of directions, and a chart is valid only if these close to polygons: by the theorem of the
-// turning tangents they turn left by four right angles around a disc, by none around a ring, and so on.
+// turning tangents they turn left by four right angles around a disc, by none around a ring, and so on. What charts
+// lack is counted for other labels of whole charts, too, from the chains alone.
 class Polycube_charts_3
 {
 public:
   using Halfedge = Boundary_mesh_3::Halfedge_index;
   using Vertex = Boundary_mesh_3::Vertex_index;
+  using Labels = std::vector<std::size_t>;
 
-  Polycube_charts_3(const Boundary_mesh_3& mesh, const std::vector<std::size_t>& labels)
-    : m_mesh(mesh), m_chart_of_face(mesh.number_of_faces())
+  Polycube_charts_3(const Boundary_mesh_3& mesh, const Labels& labels)
+    : m_mesh(mesh)
   {
-    find_charts(labels);
+    std::size_t n;
+    std::tie(m_chart_of_face, n) = connected_charts_3(mesh, labels);
+    m_labels.resize(n);
+    for(const auto f : mesh.faces())
+      m_labels[m_chart_of_face[f]] = labels[f];
     find_chains();
-    find_invalid_charts();
+    find_inner_characteristics();
+    m_defects = Chart_defects_3(m_borders, m_labels).count();
+    m_is_beside_invalid.resize(n);
+    for(const Halfedge h : mesh.halfedges())
+      if(!is_valid(chart(h)))
+        m_is_beside_invalid[chart(h)] = m_is_beside_invalid[chart(mesh.opposite(h))] = true;
   }
 
   const std::vector<std::size_t>& chart_of_face() const { return m_chart_of_face; }
   std::size_t chart(const Halfedge h) const { return m_chart_of_face[m_mesh.face(h)]; }
-  const std::vector<Polycube_chart_3>& charts() const { return m_charts; }
+  std::size_t number_of_charts() const { return m_labels.size(); }
+  const Labels& labels() const { return m_labels; }
+  int axis(const std::size_t chart) const { return axis_of_direction(m_labels[chart]); }
   const std::vector<Polycube_chain_3>& chains() const { return m_chains; }
   const std::vector<Vertex>& corners() const { return m_corners; }
-
-  int number_of_defects() const
+  bool is_valid(const std::size_t chart) const { return m_defects[chart] == 0; }
+  int number_of_defects() const { return std::accumulate(m_defects.begin(), m_defects.end(), 0); }
+  // If the charts had the labels given.
+  int number_of_defects(const Labels& labels) const
   {
-    return std::accumulate(m_charts.begin(), m_charts.end(), 0, [](const int sum, const Polycube_chart_3& chart)
-    {
-      return sum + chart.number_of_defects;
-    });
+    const std::vector<int> n = Chart_defects_3(m_borders, labels).count();
+    return std::accumulate(n.begin(), n.end(), 0);
   }
 
-  bool are_valid() const { return number_of_defects() == 0; }
+  // Is it not valid, or a neighbour of such a chart?
+  bool is_beside_invalid(const std::size_t chart) const { return m_is_beside_invalid[chart]; }
+
+  // Is there a chart with the label next to the chart?
+  bool has_neighbor(const std::size_t chart, const std::size_t label) const
+  {
+    const auto is_between = [&](const std::array<std::size_t, 2>& charts)
+    {
+      return (charts[0] == chart && m_labels[charts[1]] == label) || (charts[1] == chart && m_labels[charts[0]] == label);
+    };
+    return std::any_of(m_borders.closed_lines.begin(), m_borders.closed_lines.end(), is_between)
+      || std::any_of(m_chains.begin(), m_chains.end(), [&](const auto& chain) { return is_between(chain.charts); });
+  }
 
   std::vector<Vertex> vertices(const Polycube_chain_3& chain) const
   {
@@ -109,28 +131,6 @@ public:
   }
 
 private:
-  // One side of a chain, as the border of a chart.
-  struct Side
-  {
-    std::size_t chain;
-    bool is_reversed;
-  };
-
-  void find_charts(const std::vector<std::size_t>& labels)
-  {
-    const auto is_border = boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
-      [&](const Boundary_mesh_3::Edge_index e)
-      {
-        const Halfedge h = m_mesh.halfedge(e);
-        return labels[m_mesh.face(h)] != labels[m_mesh.face(m_mesh.opposite(h))];
-      });
-    m_charts.resize(Polygon_mesh_processing::connected_components(
-      m_mesh, boost::make_iterator_property_map(m_chart_of_face.begin(), get(boost::face_index, m_mesh)),
-      parameters::edge_is_constrained_map(is_border)));
-    for(const auto f : m_mesh.faces())
-      m_charts[m_chart_of_face[f]].label = labels[f];
-  }
-
   bool separates(const Halfedge h) const
   {
     return chart(h) != chart(m_mesh.opposite(h));
@@ -147,7 +147,7 @@ private:
 
   void find_chains()
   {
-    std::vector<bool> is_corner(m_mesh.number_of_vertices());
+    std::vector<bool> is_corner(m_mesh.number_of_vertices()), is_in_chain(m_mesh.number_of_halfedges(), false);
     for(const Vertex v : m_mesh.vertices())
     {
       const auto around = CGAL::halfedges_around_target(v, m_mesh);
@@ -155,16 +155,18 @@ private:
       if(is_corner[v])
         m_corners.push_back(v);
     }
-
-    std::vector<bool> is_in_chain(m_mesh.number_of_halfedges(), false);
     for(const Vertex v : m_corners)
       for(const Halfedge h : CGAL::halfedges_around_source(v, m_mesh))
         if(separates(h) && chart(h) < chart(m_mesh.opposite(h)))
           add_chain(h, is_corner, is_in_chain);
-
     for(const Halfedge h : m_mesh.halfedges()) // closed lines without a corner
       if(separates(h) && !is_in_chain[h])
-        ++m_charts[chart(h)].number_of_defects;
+      {
+        m_borders.closed_lines.push_back({ chart(h), chart(m_mesh.opposite(h)) });
+        for(Halfedge k = h; !is_in_chain[k]; k = next_on_border(k))
+          is_in_chain[k] = is_in_chain[m_mesh.opposite(k)] = true;
+      }
+    find_sides();
   }
 
   void add_chain(Halfedge h, const std::vector<bool>& is_corner, std::vector<bool>& is_in_chain)
@@ -176,94 +178,67 @@ private:
       chain.halfedges.push_back(h = next_on_border(h));
     for(const Halfedge k : chain.halfedges)
       is_in_chain[k] = is_in_chain[m_mesh.opposite(k)] = true;
-
-    const int a = m_charts[chain.charts[0]].axis(), b = m_charts[chain.charts[1]].axis();
-    if(a != b)
-    {
-      chain.axis = 3 - a - b;
-      const auto first = m_mesh.point(m_mesh.source(chain.halfedges.front())), last = m_mesh.point(m_mesh.target(h));
-      chain.sign = (last[chain.axis] > first[chain.axis]) - (last[chain.axis] < first[chain.axis]);
-    }
+    if(axis(chain.charts[0]) != axis(chain.charts[1]))
+      chain.axis = 3 - axis(chain.charts[0]) - axis(chain.charts[1]);
+    chain.sign = direction_of_edge(m_labels[chain.charts[0]], m_labels[chain.charts[1]],
+                                   eigen_point(m_mesh, m_mesh.source(chain.halfedges.front())),
+                                   eigen_point(m_mesh, m_mesh.target(h))).sum();
     m_chains.push_back(chain);
   }
 
-  void find_invalid_charts()
+  void find_sides()
   {
-    std::vector<int> turning(m_charts.size(), 0);
-    add_turns(turning);
-    const std::vector<int> euler_characteristic = euler_characteristics();
-    for(std::size_t c = 0; c < m_charts.size(); ++c)
-      m_charts[c].number_of_defects += std::abs(turning[c] - 4 * euler_characteristic[c]);
-
-    for(const Vertex v : m_corners)
-    {
-      std::array<bool, 3> has_axis = {};
-      for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh))
-        has_axis[m_charts[chart(h)].axis()] = true;
-      if(has_axis != std::array<bool, 3>{true, true, true})
-        for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh))
-          m_charts[chart(h)].number_of_defects += separates(h);
-    }
-  }
-
-  // Adds the right angles by which the border of each chart turns left at the corners.
-  void add_turns(std::vector<int>& turning)
-  {
-    std::vector<Side> side_of_halfedge(m_mesh.number_of_halfedges());
+    std::vector<std::size_t> side_of_halfedge(m_mesh.number_of_halfedges());
     for(std::size_t i = 0; i < m_chains.size(); ++i)
     {
-      side_of_halfedge[m_chains[i].halfedges.front()] = { i, false };
-      side_of_halfedge[m_mesh.opposite(m_chains[i].halfedges.back())] = { i, true };
+      side_of_halfedge[m_chains[i].halfedges.front()] = 2 * i;
+      side_of_halfedge[m_mesh.opposite(m_chains[i].halfedges.back())] = 2 * i + 1;
     }
-    for(const Polycube_chain_3& chain : m_chains)
-      for(const bool is_reversed : {false, true})
-      {
-        const std::size_t c = chain.charts[is_reversed];
-        const Halfedge last = is_reversed ? m_mesh.opposite(chain.halfedges.front()) : chain.halfedges.back();
-        const Side next = side_of_halfedge[next_on_border(last)];
-        const Eigen::Vector3i d = direction(chain, is_reversed), e = direction(m_chains[next.chain], next.is_reversed);
-        if(d.isZero() || e == -d)
-          ++m_charts[c].number_of_defects;
-        turning[c] += d.cross(e)[m_charts[c].axis()] * sign_of_direction(m_charts[c].label);
-      }
-  }
-
-  static Eigen::Vector3i direction(const Polycube_chain_3& chain, const bool is_reversed)
-  {
-    Eigen::Vector3i result = Eigen::Vector3i::Zero();
-    if(chain.axis >= 0)
-      result[chain.axis] = is_reversed ? -chain.sign : chain.sign;
-    return result;
-  }
-
-  // A vertex counts once for each chart that it touches, and an edge between two charts for both.
-  std::vector<int> euler_characteristics() const
-  {
-    std::vector<int> result(m_charts.size(), 0);
-    for(const auto f : m_mesh.faces())
-      ++result[m_chart_of_face[f]];
-    for(const auto e : m_mesh.edges())
+    std::vector<std::size_t> corner(m_mesh.number_of_vertices());
+    for(const Vertex v : m_corners)
     {
-      --result[chart(m_mesh.halfedge(e))];
-      if(separates(m_mesh.halfedge(e)))
-        --result[chart(m_mesh.opposite(m_mesh.halfedge(e)))];
+      corner[v] = m_borders.corners.size();
+      m_borders.corners.push_back(eigen_point(m_mesh, v));
     }
+    m_borders.sides_to_corner.resize(m_corners.size());
+    for(const Polycube_chain_3& chain : m_chains)
+    {
+      const Halfedge first = chain.halfedges.front(), last = chain.halfedges.back();
+      const std::size_t a = corner[m_mesh.source(first)], b = corner[m_mesh.target(last)];
+      m_borders.sides.push_back({ chain.charts[0], side_of_halfedge[next_on_border(last)], a, b });
+      m_borders.sides.push_back({ chain.charts[1], side_of_halfedge[next_on_border(m_mesh.opposite(first))], b, a });
+    }
+    for(std::size_t s = 0; s < m_borders.sides.size(); ++s)
+      if(auto& sides = m_borders.sides_to_corner[m_borders.sides[s].last]; sides.empty())
+        for(std::size_t t = s; sides.empty() || t != s; t = m_borders.sides[t].next ^ 1)
+          sides.push_back(t);
+  }
+
+  // Euler's characteristics of the charts without their borders.
+  void find_inner_characteristics()
+  {
+    m_borders.inner_characteristic.assign(number_of_charts(), 0);
+    for(const auto f : m_mesh.faces())
+      ++m_borders.inner_characteristic[m_chart_of_face[f]];
+    for(const auto e : m_mesh.edges())
+      if(!separates(m_mesh.halfedge(e)))
+        --m_borders.inner_characteristic[chart(m_mesh.halfedge(e))];
     for(const Vertex v : m_mesh.vertices())
     {
-      std::set<std::size_t> charts;
-      for(const Halfedge h : CGAL::halfedges_around_target(v, m_mesh))
-        charts.insert(chart(h));
-      for(const std::size_t c : charts)
-        ++result[c];
+      const auto around = CGAL::halfedges_around_target(v, m_mesh);
+      if(std::none_of(around.begin(), around.end(), [this](const Halfedge h) { return separates(h); }))
+        ++m_borders.inner_characteristic[chart(m_mesh.halfedge(v))];
     }
-    return result;
   }
 
   const Boundary_mesh_3& m_mesh;
   std::vector<std::size_t> m_chart_of_face;
-  std::vector<Polycube_chart_3> m_charts;
+  Labels m_labels;
   std::vector<Polycube_chain_3> m_chains;
   std::vector<Vertex> m_corners;
+  Chart_borders_3 m_borders;
+  std::vector<int> m_defects;
+  std::vector<bool> m_is_beside_invalid;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -55,7 +55,7 @@ public:
   Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes,
                         const Budget& budget)
     : m_mesh(mesh), m_charts(charts), m_planes(planes), m_budget(budget),
-      m_coordinate(charts.charts().size()), m_group(charts.charts().size())
+      m_coordinate(charts.number_of_charts()), m_group(charts.number_of_charts())
   {}
 
   // Returns whether there are such coordinates.
@@ -72,6 +72,7 @@ public:
         if(m_budget.is_exhausted() || !solve(axis))
           return false;
     while(separate_intersecting_edges());
+    join_equal_coordinates();
     return true;
   }
 
@@ -135,7 +136,7 @@ private:
       for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
       {
         const std::size_t c = m_charts.chart(h);
-        sets.unite(c, charts[m_charts.charts()[c].axis()]);
+        sets.unite(c, charts[m_charts.axis(c)]);
       }
     }
     for(std::size_t c = 0; c < m_group.size(); ++c)
@@ -146,7 +147,7 @@ private:
   {
     std::array<std::size_t, 3> result = {};
     for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
-      result[m_charts.charts()[m_charts.chart(h)].axis()] = m_group[m_charts.chart(h)];
+      result[m_charts.axis(m_charts.chart(h))] = m_group[m_charts.chart(h)];
     return result;
   }
 
@@ -159,7 +160,7 @@ private:
       const auto h = m_mesh.halfedge(f);
       const Boundary_point_3 &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h)),
                              &c = m_mesh.point(m_mesh.target(m_mesh.next(h)));
-      const int axis = m_charts.charts()[m_charts.chart(h)].axis();
+      const int axis = m_charts.axis(m_charts.chart(h));
       const double area = std::sqrt(CGAL::squared_area(a, b, c));
       m_area[m_group[m_charts.chart(h)]] += area;
       m_moment[m_group[m_charts.chart(h)]] += area * (a[axis] + b[axis] + c[axis]) / 3;
@@ -174,7 +175,7 @@ private:
     std::vector<std::size_t> groups;
     std::vector<int> variable(m_group.size(), -1);
     for(std::size_t c = 0; c < m_group.size(); ++c)
-      if(m_group[c] == c && m_charts.charts()[c].axis() == axis)
+      if(m_group[c] == c && m_charts.axis(c) == axis)
       {
         const int i = variable[c] = static_cast<int>(groups.size());
         program.set_d(i, i, 2 * m_area[c]);
@@ -206,6 +207,21 @@ private:
     return true;
   }
 
+  // Faces in one plane of the surface whose coordinates differ by rounding alone, as those of bodies side by side, are in
+  // one plane of the polycube, too: planes of a grid that differ so little would have a layer of slivers between them.
+  void join_equal_coordinates()
+  {
+    std::vector<std::size_t> groups(m_group);
+    std::sort(groups.begin(), groups.end(), [this](const std::size_t c, const std::size_t d)
+    {
+      return std::pair(m_charts.axis(c), m_coordinate[c]) < std::pair(m_charts.axis(d), m_coordinate[d]);
+    });
+    for(std::size_t i = 1; i < groups.size(); ++i)
+      if(const double previous = m_coordinate[groups[i - 1]];
+         m_charts.axis(groups[i]) == m_charts.axis(groups[i - 1]) && m_coordinate[groups[i]] - previous < 1e-12)
+        m_coordinate[groups[i]] = previous;
+  }
+
   // floor(x + 1/2)
   template <typename NT>
   static double nearest_integer(const NT& x)
@@ -223,7 +239,7 @@ private:
       for(std::size_t k = 0; k < i; ++k)
         for(const std::size_t c : m_edges[i].charts)
           if((c == m_edges[k].charts[0] || c == m_edges[k].charts[1]) && intersect(m_edges[i], m_edges[k]))
-            separate(m_edges[i], m_edges[k], m_charts.charts()[c].axis());
+            separate(m_edges[i], m_edges[k], m_charts.axis(c));
     return m_orders.size() > n;
   }
 

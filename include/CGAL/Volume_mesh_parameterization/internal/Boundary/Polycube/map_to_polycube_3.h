@@ -19,6 +19,7 @@
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Patch_relaxation_2.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Normal_labels_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
@@ -36,7 +37,9 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -59,28 +62,55 @@ public:
 
   // The faces get multiples of the spacing as coordinates, or any if it is 0.
   Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
-                 const double spacing, const Budget& budget)
-    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_budget(budget), m_charts(mesh, labels),
+                 const double spacing)
+    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
       m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
   {}
 
-  Error_code run()
+  // Finds the polycube, and maps the charts harmonically.
+  Error_code start(const Budget& budget)
   {
     const double size = m_box.sizes().maxCoeff();
     const Grid_planes_3 planes = { -m_box.center() / size, m_spacing / size };
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes, m_budget);
-    if(!m_charts.are_valid() || !coordinates.run())
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes, budget);
+    if(m_charts.number_of_defects() > 0 || !coordinates.run())
       return ERROR_NO_POLYCUBE;
     for(const auto v : m_charts.corners())
       m_images[v] = coordinates.corner(v);
+    std::vector<bool> is_on_edge(m_images.size(), false);
     for(const Polycube_chain_3& chain : m_charts.chains())
-      map_path_to_segment_3(m_mesh, m_charts.vertices(chain), chain.axis, m_images);
-    find_flipped_faces(faces_between_edges());
-    for(std::size_t c = 0; c < m_charts.charts().size() && m_flipped_faces.empty() && !m_budget.is_exhausted(); ++c)
-      map_chart(c, coordinates[c]);
+    {
+      const auto vertices = m_charts.vertices(chain);
+      map_path_to_segment_3(m_mesh, vertices, chain.axis, m_images);
+      for(const auto v : vertices)
+        is_on_edge[v] = true;
+    }
+    find_flipped_faces_between_edges(is_on_edge);
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
-    return finish();
+    map_charts(coordinates, is_on_edge, budget);
+    return OK;
+  }
+
+  // Lowers the distortion, and checks the map.
+  Error_code finish(const Budget& budget)
+  {
+    for(Patch_relaxation_2& patch : m_patches)
+      patch.run(m_images, budget);
+    const auto faces = m_mesh.faces();
+    std::copy_if(faces.begin(), faces.end(), std::back_inserter(m_flipped_faces),
+                 [this](const Face f) { return !is_positive(f); });
+    if(!m_flipped_faces.empty())
+      return ERROR_BOUNDARY_TOO_COARSE;
+    for(Eigen::Vector3d& image : m_images)
+      image = m_box.center() + m_box.sizes().maxCoeff() * image;
+    if(m_spacing > 0)
+      remove_rounding();
+    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
+      return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+    Boundary_mesh_3 image = m_mesh;
+    set_points(image, m_images);
+    return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
   }
 
   const std::vector<Eigen::Vector3d>& images() const { return m_images; }
@@ -88,8 +118,8 @@ public:
   // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
   const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
 
-  // The integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t of the map. Of several
-  // polycubes, the one where this is least had the least distortion inside, too, or nearly, in experiments.
+  // Of the harmonic maps: the integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t. Of
+  // several polycubes, the one where this is least had the least distortion inside, too, or nearly, in experiments.
   double distortion() const
   {
     double sum = 0;
@@ -100,7 +130,6 @@ public:
       Eigen::Matrix<double, 3, 2> from, to;
       from << eigen_point(m_mesh, b) - eigen_point(m_mesh, a), eigen_point(m_mesh, c) - eigen_point(m_mesh, a);
       to << m_images[b] - m_images[a], m_images[c] - m_images[a];
-      to /= m_box.sizes().maxCoeff();
       const Eigen::Matrix2d metric = from.transpose() * from, metric_of_image = to.transpose() * to;
       const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(metric_of_image, metric);
       sum += std::sqrt(metric.determinant()) / 2 * (solver.eigenvalues().array().log() / 2).square().sum();
@@ -109,47 +138,38 @@ public:
   }
 
 private:
-  // The faces that have all vertices on edges of the polycube.
-  std::vector<Face> faces_between_edges() const
+  void find_flipped_faces_between_edges(const std::vector<bool>& is_on_edge)
   {
-    std::vector<bool> is_on_edge(m_images.size(), false);
-    for(const Polycube_chain_3& chain : m_charts.chains())
-      for(const auto v : m_charts.vertices(chain))
-        is_on_edge[v] = true;
-    std::vector<Face> result;
     for(const Face f : m_mesh.faces())
     {
       const auto around = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
-      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return is_on_edge[v]; }))
-        result.push_back(f);
+      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return is_on_edge[v]; }) && !is_positive(f))
+        m_flipped_faces.push_back(f);
     }
-    return result;
   }
 
-  void find_flipped_faces(const std::vector<Face>& faces)
+  void map_charts(const Polycube_coordinates_3& coordinates, const std::vector<bool>& is_on_edge, const Budget& budget)
   {
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(m_flipped_faces), [this](const Face f)
+    std::vector<std::vector<Face> > faces(m_charts.number_of_charts());
+    for(const Face f : m_mesh.faces())
     {
-      return !is_positive(f);
-    });
-  }
-
-  void map_chart(const std::size_t c, const double coordinate)
-  {
-    const Surface_patch_3 patch = extract_patch(m_mesh, m_charts.chart_of_face(), c);
-    const auto [u, v] = plane_axes(c);
-    for(const int w : patch.vertices)
-      m_images[w][3 - u - v] = coordinate;
-    map_patch_to_polygon_3(patch, u, v, m_images);
-    relax(patch, u, v);
-    find_flipped_faces(patch.faces);
+      const std::size_t c = m_charts.chart_of_face()[f];
+      faces[c].push_back(f);
+      for(const auto v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
+        m_images[v][m_charts.axis(c)] = coordinates[c];
+    }
+    for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
+    {
+      const auto [u, v] = plane_axes(c);
+      m_patches.emplace_back(m_mesh, faces[c], is_on_edge, u, v, m_images);
+    }
   }
 
   // The axes of the plane of a chart, in the order that makes its image positive.
   std::array<int, 2> plane_axes(const std::size_t c) const
   {
-    const int axis = m_charts.charts()[c].axis(), u = (axis + 1) % 3, v = (axis + 2) % 3;
-    return (sign_of_direction(m_charts.charts()[c].label) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
+    const int axis = m_charts.axis(c), u = (axis + 1) % 3, v = (axis + 2) % 3;
+    return (sign_of_direction(m_charts.labels()[c]) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
   }
 
   bool is_positive(const Face f) const
@@ -164,39 +184,12 @@ private:
            == POSITIVE;
   }
 
-  void relax(const Surface_patch_3& patch, const int u, const int v)
-  {
-    Eigen::Matrix2Xd images(2, patch.vertices.size());
-    for(std::size_t i = 0; i < patch.vertices.size(); ++i)
-      images.col(i) << m_images[patch.vertices[i]][u], m_images[patch.vertices[i]][v];
-    Patch_relaxation_2(patch.mesh, images, m_budget).run();
-    for(std::size_t i = 0; i < patch.vertices.size(); ++i)
-    {
-      m_images[patch.vertices[i]][u] = images(0, i);
-      m_images[patch.vertices[i]][v] = images(1, i);
-    }
-  }
-
-  Error_code finish()
-  {
-    for(Eigen::Vector3d& image : m_images)
-      image = m_box.center() + m_box.sizes().maxCoeff() * image;
-    if(m_spacing > 0)
-      remove_rounding();
-    const auto faces = m_mesh.faces();
-    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
-      return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-    Boundary_mesh_3 image = m_mesh;
-    set_points(image, m_images);
-    return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
-  }
-
   // Makes the coordinates of faces multiples of the spacing again.
   void remove_rounding()
   {
     for(const auto h : m_mesh.halfedges())
     {
-      double& x = m_images[m_mesh.target(h)][m_charts.charts()[m_charts.chart(h)].axis()];
+      double& x = m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))];
       x = m_spacing * std::round(x / m_spacing);
     }
   }
@@ -204,9 +197,9 @@ private:
   const Boundary_mesh_3& m_mesh;
   const Eigen::AlignedBox3d m_box;
   const double m_spacing;
-  const Budget& m_budget;
   const Polycube_charts_3 m_charts;
   std::vector<Eigen::Vector3d> m_images;
+  std::vector<Patch_relaxation_2> m_patches;
   std::vector<Face> m_flipped_faces;
 };
 
@@ -217,31 +210,66 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
                                              const Budget& budget)
 {
   Error_code status = ERROR_NO_POLYCUBE;
-  double least_distortion = (std::numeric_limits<double>::infinity)();
+  std::multimap<double, Polycube_map_3> maps; // by their distortion
   std::set<std::vector<std::size_t> > tried;
-  for(double smoothing = 0.001; smoothing < 0.1 && !budget.is_exhausted(); smoothing *= 2)
+  Normal_labels_3 costs(mesh, budget);
+  for(double smoothing = 0.001; smoothing < 0.1 && !budget.is_exhausted(); smoothing *= std::sqrt(2.))
   {
-    Normal_labels_3 costs(mesh, smoothing, budget);
-    std::vector<std::size_t> labels = costs.minimize();
+    std::vector<std::size_t> candidate = costs.closest();
+    costs.minimize(smoothing, candidate);
     for(int attempt = 0; attempt < 10 && !budget.is_exhausted(); ++attempt)
     {
-      if(!repair_labels_3(mesh, costs, labels, budget) || !tried.insert(labels).second)
+      if(!repair_labels_3(mesh, costs, smoothing, candidate, budget) || !tried.insert(candidate).second)
         break;
-      Polycube_map_3 map(mesh, box, labels, spacing, budget);
-      const Error_code status_of_map = map.run();
-      const double distortion = status_of_map == OK ? map.distortion() : least_distortion;
-      if(status_of_map == OK && (status != OK || distortion < least_distortion))
-      {
-        images = map.images();
-        least_distortion = distortion;
-      }
-      if(status_of_map == OK || status == ERROR_NO_POLYCUBE)
+      Polycube_map_3 map(mesh, box, candidate, spacing);
+      const Error_code status_of_map = map.start(budget);
+      if(status == ERROR_NO_POLYCUBE)
         status = status_of_map;
-      if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
+      const bool has_changed = give_away_faces(mesh, map.flipped_faces(), costs, candidate);
+      if(status_of_map == OK)
+        maps.emplace(map.distortion(), std::move(map));
+      if(!has_changed)
         break;
     }
   }
+  for(auto& [distortion, map] : maps)
+  {
+    status = map.finish(budget);
+    if(status == OK)
+    {
+      images = map.images();
+      break;
+    }
+  }
   return status;
+}
+
+// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
+inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
+                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Eigen::Vector3d lower = box.min(), upper = box.max();
+  if(spacing > 0)
+  {
+    lower = spacing * (lower / spacing).array().round();
+    upper = (lower.array() + spacing).max(spacing * (upper / spacing).array().round());
+  }
+  const double size = (upper - lower).maxCoeff();
+  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
+  std::vector<Eigen::Vector3d> sphere;
+  Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget);
+  if(status == OK)
+    status = map_sphere_to_box_3(mesh, sphere, half_lengths, cube_corners_3(unit_points(mesh), sphere, half_lengths),
+                                 images, budget);
+  if(status != OK)
+    return status;
+  for(Eigen::Vector3d& image : images)
+    for(int axis = 0; axis < 3; ++axis)
+      image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
+        : (lower[axis] + upper[axis]) / 2 + size * image[axis];
+  Boundary_mesh_3 image = mesh;
+  set_points(image, images);
+  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
 }
 
 inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
@@ -249,9 +277,15 @@ inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Eige
                                          std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   if(labels.empty())
-    return map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
-  Polycube_map_3 map(mesh, box, labels, spacing, budget);
-  const Error_code status = map.run();
+  {
+    const Error_code status = map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
+    const bool needs_box = status != OK && !budget.is_exhausted() && check_sphere(mesh) == OK;
+    return needs_box ? map_to_bounding_box_3(mesh, box, spacing, images, budget) : status;
+  }
+  Polycube_map_3 map(mesh, box, labels, spacing);
+  Error_code status = map.start(budget);
+  if(status == OK)
+    status = map.finish(budget);
   if(status == OK)
     images = map.images();
   return status;

@@ -17,7 +17,6 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -79,7 +78,7 @@ inline std::vector<Boundary_mesh_3::Face_index> faces_cut_off(const Boundary_mes
 inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                 std::vector<std::size_t>& labels)
 {
-  std::vector<bool> has_changed(charts.charts().size(), false);
+  std::vector<bool> has_changed(charts.number_of_charts(), false);
   for(const Polycube_chain_3& chain : charts.chains())
   {
     if(has_changed[chain.charts[0]] || has_changed[chain.charts[1]])
@@ -88,98 +87,63 @@ inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_char
     if(!chord)
       continue;
     for(const auto f : faces_cut_off(mesh, charts, *chord))
-      labels[f] = charts.charts()[chord->other_chart].label;
+      labels[f] = charts.labels()[chord->other_chart];
     has_changed[chain.charts[0]] = has_changed[chain.charts[1]] = true;
   }
   return std::find(has_changed.begin(), has_changed.end(), true) != has_changed.end();
 }
 
-// Another label for a chart, and by how much the labels of the surface cost more then.
-struct Chart_relabelling_3
-{
-  std::size_t chart, label;
-  double cost;
-};
-
-// Those of the charts that are not valid, and of their neighbours; the cheapest first.
-inline std::vector<Chart_relabelling_3> relabellings_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                                       const Normal_labels_3& costs)
-{
-  std::vector<std::array<double, 6> > cost(charts.charts().size(), std::array<double, 6>{});
-  std::vector<bool> is_candidate(cost.size(), false);
-  for(const auto f : mesh.faces())
-    for(std::size_t label = 0; label < 6; ++label)
-      cost[charts.chart_of_face()[f]][label] += costs.cost(f, label);
-  for(const auto h : mesh.halfedges())
-  {
-    const std::size_t c = charts.chart(h), neighbour = charts.chart(mesh.opposite(h));
-    is_candidate[c] = is_candidate[c] || !charts.charts()[c].is_valid() || !charts.charts()[neighbour].is_valid();
-    if(c != neighbour)
-      cost[c][charts.charts()[neighbour].label] -= costs.cost(mesh.edge(h));
-  }
-
-  std::vector<Chart_relabelling_3> result;
-  for(std::size_t c = 0; c < cost.size(); ++c)
-    for(std::size_t label = 0; label < 6; ++label)
-      if(is_candidate[c] && label != charts.charts()[c].label)
-        result.push_back({ c, label, cost[c][label] - cost[c][charts.charts()[c].label] });
-  std::stable_sort(result.begin(), result.end(), [](const Chart_relabelling_3& a, const Chart_relabelling_3& b)
-  {
-    return a.cost < b.cost;
-  });
-  return result;
-}
-
-// Gives charts other labels, each at most once and to the cheapest one with which there are fewer defects. If there is
-// none, a chart that is not valid is merged into a neighbour. Returns whether anything changed.
-inline bool relabel_charts(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
+// Gives charts that are not valid, and their neighbours, other labels, each at most once and to the cheapest one with
+// which there are fewer defects. If there is none, a chart that is not valid is merged into a neighbour. Returns whether
+// anything changed.
+inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
                            std::vector<std::size_t>& labels, const Budget& budget)
 {
-  int defects = charts.number_of_defects();
-  std::vector<bool> is_relabelled(charts.charts().size(), false);
+  std::vector<std::size_t> best = charts.labels();
   std::optional<std::vector<std::size_t> > merged;
-  for(const Chart_relabelling_3& change : relabellings_3(mesh, charts, costs))
+  int defects = charts.number_of_defects();
+  for(const Chart_relabelling_3& change : changes)
   {
     if(budget.is_exhausted())
       return false;
-    if(is_relabelled[change.chart])
+    if(best[change.chart] != charts.labels()[change.chart] || !charts.is_beside_invalid(change.chart))
       continue;
-    std::vector<std::size_t> candidate = labels;
-    for(const auto f : mesh.faces())
-      if(charts.chart_of_face()[f] == change.chart)
-        candidate[f] = change.label;
-    const Polycube_charts_3 next(mesh, candidate);
-    if(next.number_of_defects() < defects)
+    std::vector<std::size_t> candidate = best;
+    candidate[change.chart] = change.label;
+    const int n = charts.number_of_defects(candidate);
+    if(n < defects)
     {
-      labels = candidate;
-      defects = next.number_of_defects();
-      is_relabelled[change.chart] = true;
+      best = candidate;
+      defects = n;
     }
-    else if(!merged && !charts.charts()[change.chart].is_valid() && next.charts().size() < charts.charts().size())
+    else if(!merged && !charts.is_valid(change.chart) && charts.has_neighbor(change.chart, change.label))
       merged = candidate;
   }
-  if(defects == charts.number_of_defects() && merged)
-    labels = *merged;
-  return defects < charts.number_of_defects() || merged;
+  if(best == charts.labels() && !merged)
+    return false;
+  for(std::size_t f = 0; f < labels.size(); ++f)
+    labels[f] = (best == charts.labels() ? *merged : best)[charts.chart_of_face()[f]];
+  return true;
 }
 
 // Makes all charts valid: straightens their borders, and relabels those that are not valid, or their neighbours.
 // Returns whether that was possible.
-inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, std::vector<std::size_t>& labels,
-                            const Budget& budget)
+inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
+                            std::vector<std::size_t>& labels, const Budget& budget)
 {
   const Polycube_charts_3 start(mesh, labels);
-  std::size_t steps = start.charts().size() + start.number_of_defects(); // each step takes one of them, or more
+  std::size_t steps = start.number_of_charts() + start.number_of_defects(); // each step takes one of them, or more
   while(!budget.is_exhausted())
   {
     const Polycube_charts_3 charts(mesh, labels);
-    if(charts.charts().size() < 6)
+    if(charts.number_of_charts() < 6)
       return false;
     if(straighten_chains_3(mesh, charts, labels))
       continue;
-    if(charts.are_valid())
+    if(charts.number_of_defects() == 0)
       return true;
-    if(steps-- == 0 || !relabel_charts(mesh, charts, costs, labels, budget))
+    if(steps-- == 0
+       || !relabel_charts(charts, costs.chart_relabellings(smoothing, labels, charts.chart_of_face()), labels, budget))
       return false;
   }
   return false;

@@ -1,0 +1,205 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_CHART_DEFECTS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_CHART_DEFECTS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The six directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
+inline int axis_of_direction(const std::size_t direction)
+{
+  return static_cast<int>(direction / 2);
+}
+
+inline int sign_of_direction(const std::size_t direction)
+{
+  return (direction % 2 == 0) ? 1 : -1;
+}
+
+inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
+{
+  return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
+}
+
+// Of an edge of a polycube between faces with two labels, from the image of one point to that of another; zero if it has
+// none.
+inline Eigen::Vector3i direction_of_edge(const std::size_t label, const std::size_t other_label,
+                                         const Eigen::Vector3d& first, const Eigen::Vector3d& last)
+{
+  Eigen::Vector3i result = Eigen::Vector3i::Zero();
+  const int a = axis_of_direction(label), b = axis_of_direction(other_label), axis = 3 - a - b;
+  if(a != b)
+    result[axis] = (last[axis] > first[axis]) - (last[axis] < first[axis]);
+  return result;
+}
+
+// The lines between charts, from corner to corner, without the surface that they are on.
+struct Chart_borders_3
+{
+  // The side of a line as the border of a chart: side 2 i + 1 leads back along side 2 i.
+  struct Side
+  {
+    std::size_t chart, next;  // the next side on the border of the chart
+    std::size_t first, last;  // corners
+  };
+
+  std::vector<Side> sides;
+  std::vector<Eigen::Vector3d> corners;
+  std::vector<std::vector<std::size_t> > sides_to_corner;  // in the order around each
+  std::vector<std::array<std::size_t, 2> > closed_lines;   // without a corner: the charts on both sides
+  std::vector<int> inner_characteristic;                   // Euler's, of charts without their borders
+};
+
+// What is wrong with the charts that whole charts make with other labels, from the sides of the chains alone.
+class Chart_defects_3
+{
+public:
+  using Labels = std::vector<std::size_t>;
+
+  Chart_defects_3(const Chart_borders_3& borders, const Labels& labels)
+    : m_borders(borders), m_labels(labels), m_sides(borders.sides), m_union(labels.size()),
+      m_is_corner(borders.sides_to_corner.size(), false), m_is_followed(m_sides.size(), false),
+      m_last(m_sides.size()), m_direction(m_sides.size()), m_defects(labels.size(), 0), m_turning(labels.size(), 0)
+  {
+    std::iota(m_union.begin(), m_union.end(), 0);
+    for(std::size_t s = 0; s < m_sides.size(); s += 2)
+      unite(m_sides[s].chart, m_sides[s + 1].chart);
+    for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
+      unite(charts[0], charts[1]);
+  }
+
+  // Those of charts that are one are counted at one of them.
+  std::vector<int> count()
+  {
+    for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
+      for(const std::size_t c : charts)
+        m_defects[m_union[c]] += m_labels[charts[0]] != m_labels[charts[1]];
+    subtract_characteristics();
+    for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
+      visit_corner(sides);
+    for(std::size_t s = 0; s < m_sides.size(); ++s)
+      if(separates(s) && m_is_corner[m_sides[s].first])
+        follow_chain(s);
+    for(std::size_t s = 0; s < m_sides.size(); ++s)
+      if(separates(s))
+        add_turn(s);
+    for(std::size_t c = 0; c < m_defects.size(); ++c)
+      m_defects[c] += std::abs(m_turning[c]);
+    return m_defects;
+  }
+
+private:
+  static std::size_t opposite(const std::size_t side) { return side ^ 1; }
+
+  void unite(const std::size_t c, const std::size_t d)
+  {
+    const std::size_t from = m_union[c], to = m_union[d];
+    if(m_labels[c] == m_labels[d])
+      std::replace(m_union.begin(), m_union.end(), from, to);
+  }
+
+  std::size_t chart(const std::size_t side) const { return m_union[m_sides[side].chart]; }
+  std::size_t label(const std::size_t side) const { return m_labels[m_sides[side].chart]; }
+  bool separates(const std::size_t side) const { return label(side) != label(opposite(side)); }
+
+  std::size_t next(std::size_t side) const
+  {
+    side = m_sides[side].next;
+    while(!separates(side))
+      side = m_sides[opposite(side)].next;
+    return side;
+  }
+
+  // Four times those of Euler. Borders belong to the charts on both sides, and corners once to each of theirs.
+  void subtract_characteristics()
+  {
+    for(std::size_t c = 0; c < m_union.size(); ++c)
+      m_turning[m_union[c]] -= 4 * m_borders.inner_characteristic[c];
+    for(std::size_t s = 0; s < m_sides.size(); ++s)
+      if(s % 2 == 0 || separates(s))
+        m_turning[chart(s)] += 4;
+    for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
+    {
+      std::vector<std::size_t> charts;
+      for(const std::size_t s : sides)
+        charts.push_back(chart(s));
+      std::sort(charts.begin(), charts.end());
+      for(auto end = std::unique(charts.begin(), charts.end()), it = charts.begin(); it != end; ++it)
+        m_turning[*it] -= 4;
+    }
+  }
+
+  // Three axes must meet in it.
+  void visit_corner(const std::vector<std::size_t>& sides)
+  {
+    std::array<bool, 3> has_axis = {};
+    int number_of_borders = 0;
+    for(const std::size_t s : sides)
+    {
+      has_axis[axis_of_direction(label(s))] = true;
+      number_of_borders += separates(s);
+    }
+    m_is_corner[m_sides[sides.front()].last] = number_of_borders > 2;
+    if(number_of_borders > 2 && has_axis != std::array<bool, 3>{true, true, true})
+      for(const std::size_t s : sides)
+        m_defects[chart(s)] += separates(s);
+  }
+
+  // From the corner where its first side begins to the next one.
+  void follow_chain(const std::size_t side)
+  {
+    std::size_t s = side;
+    m_is_followed[s] = true;
+    while(!m_is_corner[m_sides[s].last])
+    {
+      s = next(s);
+      m_is_followed[s] = true;
+    }
+    m_last[side] = s;
+    m_direction[side] = direction_of_edge(label(side), label(opposite(side)), m_borders.corners[m_sides[side].first],
+                                          m_borders.corners[m_sides[s].last]);
+  }
+
+  // To the left by right angles, where a chain ends.
+  void add_turn(const std::size_t side)
+  {
+    if(!m_is_followed[side]) // closed, without a corner
+      ++m_defects[chart(side)];
+    if(!m_is_followed[side] || !m_is_corner[m_sides[side].first])
+      return;
+    const Eigen::Vector3i d = m_direction[side], e = m_direction[next(m_last[side])];
+    m_defects[chart(side)] += d.isZero() || e == -d;
+    m_turning[chart(side)] += d.cross(e)[axis_of_direction(label(side))] * sign_of_direction(label(side));
+  }
+
+  const Chart_borders_3& m_borders;
+  const Labels& m_labels;
+  const std::vector<Chart_borders_3::Side>& m_sides;
+  std::vector<std::size_t> m_union; // one of the charts that are one now, for each
+  std::vector<bool> m_is_corner, m_is_followed;
+  std::vector<std::size_t> m_last;          // side of the chain that begins with a side
+  std::vector<Eigen::Vector3i> m_direction; // of the chain that begins with a side
+  std::vector<int> m_defects, m_turning;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_CHART_DEFECTS_3_H
