@@ -139,7 +139,7 @@ std::string check_map(const Problem& problem, const NamedParameters& np)
   CHECK(result.boundary_residual == 0);
   const double iterations = static_cast<double>(serial.number_of_linear_solver_iterations);
   CHECK(result.number_of_linear_solver_iterations <= 1.1 * iterations);
-  CHECK(result.number_of_linear_solver_iterations >= 0.4 * iterations); // multigrid needs about half of them
+  CHECK(result.number_of_linear_solver_iterations >= 0.15 * iterations); // multigrid needs about a fourth of them
 
   const Points images = whole(slice);
   CHECK(is_valid(problem.soup, images));

@@ -38,10 +38,9 @@ struct Chart_relabelling_3
 // Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels lower
 //   sum over faces f of area(f) (1 - n(f) . direction(label(f)))
 //   + smoothing sum over edges between faces f, g of different labels of length max(0, n(f) . n(g))^2.
-// Sharp edges are free. Small regions and whole charts change their labels as long as that lowers the sum, which comes
-// within 1 % of what minimum cuts give, for small smoothings, in a twentieth of the time. Around edges at which opposite
-// directions meet, which no polycube has, labels of their axis are made expensive, until no more can be done against such
-// edges.
+// Sharp edges are free. Small regions and whole charts change their labels as long as that lowers the sum, nearly as far as
+// minimum cuts do, which take many times as long. Around edges at which opposite directions meet, which no polycube has,
+// labels of their axis are made expensive, until no more can be done against such edges.
 class Normal_labels_3
 {
 public:
