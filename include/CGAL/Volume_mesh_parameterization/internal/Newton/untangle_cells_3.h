@@ -26,8 +26,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangler_3
 {
 public:
-  Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta, const std::size_t few)
-    : m_system(system), m_theta(theta), m_few(few), m_iterate{ u, {} }, m_best(u)
+  Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta, const std::size_t few,
+              const double solver_tolerance)
+    : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few(few), m_iterate{ u, {} }, m_best(u)
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
@@ -41,11 +42,10 @@ public:
 
   void step(const Budget& budget)
   {
-    constexpr double solver_tolerance = 0.3; // a better direction leads no further: epsilon changes with each step
     const Cell_energy_of<Untangling_energy_3> energy{Untangling_energy_3(m_epsilon, m_theta)};
     auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
     length = 0;
-    direction = m_system.direction(energy, u, 0., solver_tolerance, budget);
+    direction = m_system.direction(energy, u, 0., m_solver_tolerance, budget);
     if(!direction.is_usable())
       return;
     const Energy_evaluation before = evaluation;
@@ -92,7 +92,7 @@ private:
   }
 
   Newton_system_3& m_system;
-  double m_theta, m_epsilon;
+  double m_theta, m_solver_tolerance, m_epsilon;
   std::size_t m_few;
   Newton_iterate_3 m_iterate;
   Eigen::Matrix3Xd m_best;
@@ -103,9 +103,10 @@ private:
 // Untangles until no cell is inverted, or a few that are better left to patches. The result has the fewest inverted cells
 // of all steps.
 inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Matrix3Xd& positions, const double theta,
-                                        Progress_3& progress, const std::size_t few = 0)
+                                        Progress_3& progress, const std::size_t few = 0,
+                                        const double solver_tolerance = 1e-2)
 {
-  Untangler_3 untangler(system, system.unit() * positions, theta, few);
+  Untangler_3 untangler(system, system.unit() * positions, theta, few, solver_tolerance);
   const Newton_iterate_3& iterate = untangler.iterate();
   const auto result = [&](const Error_code status, const char* const reason = "")
   {

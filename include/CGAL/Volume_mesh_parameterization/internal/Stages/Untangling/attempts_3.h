@@ -31,18 +31,20 @@ struct Untangling_attempt_3
   bool has_regular_cells;  // or those of the source?
   double theta;
   std::size_t few_cells;   // inverted ones, that are left to patches if they take long
+  double solver_tolerance;
 };
 
 // They are tried in this order. Slivers of the source would stiffen the map, so regular cells of one size come first; a
 // large and a smaller theta fail in different places. In some maps of large distortion the source serves better; there
-// theta must be small, so that parts that shrink a million times do not dominate the energy.
+// theta must be small, so that parts that shrink a million times do not dominate the energy. A direction of higher precision
+// leads the whole mesh no further, as epsilon changes with each step.
 constexpr std::array<Untangling_attempt_3, 3> untangling_attempts = {{
-  {"regular cells, theta 20", false, true, 20, 3},
-  {"regular cells, theta 0.5", false, true, 0.5, 3},
-  {"cells of the source", false, false, 0.01, 3}
+  {"regular cells, theta 20", false, true, 20, 3, 0.3},
+  {"regular cells, theta 0.5", false, true, 0.5, 3, 0.3},
+  {"cells of the source", false, false, 0.01, 3, 0.3}
 }};
 
-// In a patch, which is small, from both starts.
+// In a patch, which is small, from both starts, and with directions that are as good as may be.
 inline std::vector<Untangling_attempt_3> patch_attempts()
 {
   std::vector<Untangling_attempt_3> result;
@@ -51,6 +53,7 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
     {
       attempt.is_harmonic = is_harmonic;
       attempt.few_cells = 0;
+      attempt.solver_tolerance = 1e-2;
       result.push_back(attempt);
     }
   return result;
@@ -64,7 +67,8 @@ inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton
                                                   : cells_scaled_to_target(system.mesh()));
   if(attempt.is_harmonic)
     harmonic_map_3(system, positions, progress);
-  Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress, attempt.few_cells);
+  Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress, attempt.few_cells,
+                                            attempt.solver_tolerance);
   result.positions = snapped(system.mesh(), result.positions);
   return result;
 }
