@@ -116,9 +116,10 @@ bool is_valid(const Soup& soup, const Points& images)
   });
 }
 
-// Compares with the map of one process, which does without PETSc. Returns how both were untangled.
+// Compares with the map of one process, which does without PETSc: the number of iterations, too, of which at least a part
+// is needed. Returns how both were untangled.
 template <typename NamedParameters>
-std::string check_map(const Problem& problem, const NamedParameters& np)
+std::string check_map(const Problem& problem, const NamedParameters& np, const double least_part_of_iterations = 0.4)
 {
   Points expected, slice;
   const Result serial = CGAL::stretch_minimizing_volume_parameterization(problem.soup.points, problem.soup.cells,
@@ -139,7 +140,7 @@ std::string check_map(const Problem& problem, const NamedParameters& np)
   CHECK(result.boundary_residual == 0);
   const double iterations = static_cast<double>(serial.number_of_linear_solver_iterations);
   CHECK(result.number_of_linear_solver_iterations <= 1.1 * iterations);
-  CHECK(result.number_of_linear_solver_iterations >= 0.15 * iterations); // multigrid needs about a fourth of them
+  CHECK(result.number_of_linear_solver_iterations >= least_part_of_iterations * iterations);
 
   const Points images = whole(slice);
   CHECK(is_valid(problem.soup, images));
@@ -292,7 +293,7 @@ TEST_CASE("PETSc's options choose the solver")
 {
   const Problem problem = problem_of(ring(5));
   PetscOptionsSetValue(nullptr, "-pc_type", "gamg");
-  check_map(problem, params::number_of_iterations(200));
+  check_map(problem, params::number_of_iterations(200), 0.2); // multigrid needs about a fourth of them
   PetscOptionsClearValue(nullptr, "-pc_type");
 }
 

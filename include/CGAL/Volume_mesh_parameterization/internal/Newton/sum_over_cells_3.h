@@ -97,12 +97,11 @@ void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, con
     add_derivatives(kernels, packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
                     gradient.data(), hessian.values(0));
   });
-  constexpr std::size_t rows_per_range = 1024;
-  const std::size_t n = hessian.size();
-  for_each_index(is_parallel, 0, (n + rows_per_range - 1) / rows_per_range, [&](const std::size_t range)
+  constexpr int rows_per_range = 1024;
+  for_each_range(is_parallel, hessian.size(), rows_per_range, [&](std::size_t, const int first, const int last)
   {
-    for(std::size_t row = range * rows_per_range; row < (std::min)(n, (range + 1) * rows_per_range); ++row)
-      hessian.complete_row(static_cast<int>(row));
+    for(int row = first; row < last; ++row)
+      hessian.complete_row(row);
   });
 }
 

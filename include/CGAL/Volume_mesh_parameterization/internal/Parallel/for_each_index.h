@@ -20,6 +20,7 @@
 #  include <tbb/parallel_for.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
@@ -62,6 +63,18 @@ template <typename Function>
 void for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Function& f)
 {
   call_for_each_index(is_parallel, first, last, Index_function(f));
+}
+
+// Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in the
+// same way.
+template <typename Function>
+void for_each_range(const bool is_parallel, const int n, const int size, const Function& f)
+{
+  for_each_index(is_parallel, 0, static_cast<std::size_t>((n + size - 1) / size), [&](const std::size_t i)
+  {
+    const int first = static_cast<int>(i) * size;
+    f(i, first, (std::min)(n, first + size));
+  });
 }
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE

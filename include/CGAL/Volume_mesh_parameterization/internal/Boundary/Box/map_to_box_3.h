@@ -26,6 +26,7 @@
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #  include <CGAL/Polygon_mesh_processing/connected_components.h>
+#  include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #  include <CGAL/number_utils.h>
 #  include <boost/property_map/function_property_map.hpp>
 #endif
@@ -119,7 +120,6 @@ inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& poi
   }
   return corners;
 }
-
 
 // The boundary of a box around the origin, as a domain of `Radial_map_3`: vertices move in their face or along their
 // edge, which they are known to be on by the coordinates that are exactly those of the box.
@@ -229,24 +229,52 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 
+inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Eigen::Vector3d& half_lengths,
+                                    const std::optional<std::array<int, 8> >& corners,
+                                    std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  if(mesh.number_of_vertices() < 8)
+    return ERROR_BOUNDARY_TOO_COARSE;
+  std::vector<Eigen::Vector3d> sphere;
+  const Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget);
+  if(status != OK)
+    return status;
+  return map_sphere_to_box_3(mesh, sphere, half_lengths,
+                             corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths), images, budget);
+}
+
+// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
+inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
+                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Eigen::Vector3d lower = box.min(), upper = box.max();
+  if(spacing > 0)
+  {
+    lower = spacing * (lower / spacing).array().round();
+    upper = (lower.array() + spacing).max(spacing * (upper / spacing).array().round());
+  }
+  const double size = (upper - lower).maxCoeff();
+  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
+  const Error_code status = map_mesh_to_box_3(mesh, half_lengths, std::nullopt, images, budget);
+  if(status != OK)
+    return status;
+  for(Eigen::Vector3d& image : images)
+    for(int axis = 0; axis < 3; ++axis)
+      image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
+        : (lower[axis] + upper[axis]) / 2 + size * image[axis];
+  Boundary_mesh_3 image = mesh;
+  set_points(image, images);
+  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
                         const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
                         const Budget& budget)
 {
   Boundary_mesh_3 mesh;
-  Error_code status = build_boundary_mesh_3(surface, mesh);
-  if(status != OK)
-    return status;
-  if(mesh.number_of_vertices() < 8)
-    return ERROR_BOUNDARY_TOO_COARSE;
-  std::vector<Eigen::Vector3d> sphere;
-  status = map_mesh_to_sphere_3(mesh, sphere, budget);
-  if(status != OK)
-    return status;
-
-  return map_sphere_to_box_3(mesh, sphere, half_lengths,
-                             corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths), images, budget);
+  const Error_code status = build_boundary_mesh_3(surface, mesh);
+  return status == OK ? map_mesh_to_box_3(mesh, half_lengths, corners, images, budget) : status;
 }
 #endif
 

@@ -15,7 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Chart_defects_3.h>
 
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/iterator.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -32,24 +35,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const Boundary_mesh_3& mesh,
                                                                            const std::vector<std::size_t>& labels)
 {
-  std::vector<std::size_t> chart_of_face(labels.size(), labels.size());
-  std::size_t n = 0;
-  std::vector<Boundary_mesh_3::Face_index> faces;
-  for(const auto f : mesh.faces())
+  std::vector<std::size_t> chart_of_face(labels.size());
+  const auto is_border = boost::make_function_property_map<Boundary_mesh_3::Edge_index>([&](const Boundary_mesh_3::Edge_index e)
   {
-    if(chart_of_face[f] < labels.size())
-      continue;
-    faces.assign(1, f);
-    chart_of_face[f] = n;
-    for(std::size_t i = 0; i < faces.size(); ++i)
-      for(const auto g : CGAL::faces_around_face(mesh.halfedge(faces[i]), mesh))
-        if(labels[g] == labels[f] && chart_of_face[g] != n)
-        {
-          chart_of_face[g] = n;
-          faces.push_back(g);
-        }
-    ++n;
-  }
+    return labels[mesh.face(mesh.halfedge(e, 0))] != labels[mesh.face(mesh.halfedge(e, 1))];
+  });
+  const std::size_t n = Polygon_mesh_processing::connected_components(
+    mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
+    parameters::edge_is_constrained_map(is_border));
   return { chart_of_face, n };
 }
 

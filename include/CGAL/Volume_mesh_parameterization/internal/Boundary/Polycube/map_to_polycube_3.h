@@ -244,34 +244,6 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
   return status;
 }
 
-// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
-inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
-                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
-{
-  Eigen::Vector3d lower = box.min(), upper = box.max();
-  if(spacing > 0)
-  {
-    lower = spacing * (lower / spacing).array().round();
-    upper = (lower.array() + spacing).max(spacing * (upper / spacing).array().round());
-  }
-  const double size = (upper - lower).maxCoeff();
-  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
-  std::vector<Eigen::Vector3d> sphere;
-  Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget);
-  if(status == OK)
-    status = map_sphere_to_box_3(mesh, sphere, half_lengths, cube_corners_3(unit_points(mesh), sphere, half_lengths),
-                                 images, budget);
-  if(status != OK)
-    return status;
-  for(Eigen::Vector3d& image : images)
-    for(int axis = 0; axis < 3; ++axis)
-      image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
-        : (lower[axis] + upper[axis]) / 2 + size * image[axis];
-  Boundary_mesh_3 image = mesh;
-  set_points(image, images);
-  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
-}
-
 inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                          const std::vector<std::size_t>& labels, const double spacing,
                                          std::vector<Eigen::Vector3d>& images, const Budget& budget)

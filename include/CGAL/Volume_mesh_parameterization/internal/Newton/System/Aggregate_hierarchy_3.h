@@ -107,23 +107,12 @@ private:
 
   static auto at(Vector& v, const int i) { return v.template segment<3>(3 * std::size_t(i)); }
 
-  // Calls f(aggregate, first row, last row) for all aggregates of rows, in parallel.
-  template <typename Function>
-  void for_each_aggregate(const int number_of_rows, const int size, const Function& f) const
-  {
-    for_each_index(m_is_parallel, 0, (number_of_rows + size - 1) / size, [&](const std::size_t i)
-    {
-      const int first = static_cast<int>(i) * size;
-      f(static_cast<int>(i), first, (std::min)(number_of_rows, first + size));
-    });
-  }
-
   // Its matrix has a block for each pair of aggregates that share one.
   template <typename Matrix>
   Level level_of(const Matrix& A, const int size) const
   {
     std::vector<std::vector<int> > columns((A.size() + size - 1) / size);
-    for_each_aggregate(A.size(), size, [&](const int aggregate, const int first, const int last)
+    for_each_range(m_is_parallel, A.size(), size, [&](const std::size_t aggregate, const int first, const int last)
     {
       std::vector<int>& result = columns[aggregate];
       for(int k = A.row_begin(first); k < A.row_begin(last); ++k)
@@ -151,10 +140,10 @@ private:
   void sum_blocks(const Matrix& A, const int size, Block_sparse_matrix_3<double>& sums) const
   {
     sums.set_zero();
-    for_each_aggregate(A.size(), size, [&](const int aggregate, const int first, const int last)
+    for_each_range(m_is_parallel, A.size(), size, [&](const std::size_t aggregate, const int first, const int last)
     {
       for(int row = first; row < last; ++row)
-        for(int k = A.row_begin(row), position = sums.row_begin(aggregate); k < A.row_end(row); ++k)
+        for(int k = A.row_begin(row), position = sums.row_begin(static_cast<int>(aggregate)); k < A.row_end(row); ++k)
         {
           while(sums.column(position) < A.column(k) / size)
             ++position;
@@ -169,7 +158,7 @@ private:
     constexpr double shift = 1e-6; // relative, against rounding
     const Block_sparse_matrix_3<double>& A = level.matrix;
     level.inverses.resize((A.size() + level.aggregates_per_group - 1) / level.aggregates_per_group);
-    for_each_aggregate(A.size(), level.aggregates_per_group, [&](const int group, const int first, const int last)
+    for_each_range(m_is_parallel, A.size(), level.aggregates_per_group, [&](const std::size_t group, const int first, const int last)
     {
       const int n = 3 * (last - first);
       Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n, n);
@@ -189,7 +178,8 @@ private:
 
   void correct(Level& level) const
   {
-    for_each_aggregate(level.matrix.size(), level.aggregates_per_group, [&](const int group, const int first, const int last)
+    for_each_range(m_is_parallel, level.matrix.size(), level.aggregates_per_group,
+                   [&](const std::size_t group, const int first, const int last)
     {
       const std::size_t n = 3 * std::size_t(last - first);
       level.correction.segment(3 * std::size_t(first), n).noalias()

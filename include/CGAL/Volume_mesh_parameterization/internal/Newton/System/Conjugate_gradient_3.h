@@ -116,12 +116,8 @@ private:
   template <typename Function>
   double sum_over_row_ranges(const Function& f)
   {
-    const int rows = static_cast<int>(m_inverse_diagonal.size() / 9);
-    for_each_index(m_is_parallel, 0, number_of_row_ranges(), [&](const std::size_t i)
-    {
-      const int first = static_cast<int>(i) * rows_per_range;
-      m_partial_sums[i] = f(first, (std::min)(rows, first + rows_per_range));
-    });
+    for_each_range(m_is_parallel, static_cast<int>(m_inverse_diagonal.size() / 9), rows_per_range,
+                   [&](const std::size_t i, const int first, const int last) { m_partial_sums[i] = f(first, last); });
     double sum = 0;
     for(const double s : m_partial_sums)
       sum += s;

@@ -47,7 +47,7 @@ public:
   // Are so few cells left inverted that they are what no map can mend, as a proof tells?
   bool is_in_vain(const Untangling_attempt_3& attempt) const
   {
-    return m_best.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
+    return goes_on() && m_best.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
         && !prove_infeasibility_3(m_mesh, m_best.positions, m_progress.budget()).empty();
   }
 
@@ -137,7 +137,7 @@ inline Untangled_3 untangle_3(Newton_system_3& system, Linear_solver_3& solver, 
   {
     if(search.goes_on())
       search.untangle(attempt, start);
-    if(search.goes_on() && search.is_in_vain(attempt))
+    if(search.is_in_vain(attempt))
       break;
   }
   return search.finish();
