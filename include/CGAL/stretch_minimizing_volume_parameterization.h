@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -220,8 +220,8 @@ predicates on the coordinates that are written.
         told by `Parameterization_result::status`, in words by `Parameterization_result::message`; nothing is thrown.
 
 Named parameters that break a precondition are answered by `CGAL::Precondition_exception`, also in programs that are
-compiled with `NDEBUG`. Exceptions of property maps, energy, solver and visitor pass through, with `uvw_map` left
-alone, and so does `std::bad_alloc`.
+compiled with `NDEBUG`; those that are not listed above are not compiled. Exceptions of property
+maps, energy, solver and visitor pass through, with `uvw_map` left alone, and so does `std::bad_alloc`.
 
 A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
 the number of cells, plus what the solver needs.
@@ -234,20 +234,19 @@ the number of cells, plus what the solver needs.
 template <typename ConcurrencyTag = Sequential_tag,
           typename C3t3,
           typename VertexUVWMap,
-          typename NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          , typename = typename C3t3::Triangulation // otherwise it is another overload
-#endif
-          >
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(C3t3& c3t3,
                                            VertexUVWMap uvw_map,
-                                           const NamedParameters& np = parameters::default_values())
+                                           const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   namespace VMP = Volume_mesh_parameterization;
 
+  static_assert(VMP::internal::Is_complex<C3t3>::value,
+                "c3t3 must be a complex: a triangulation does not tell which cells are meant.");
+  using NamedParameters = CGAL_NP_CLASS;
   using Vertex_handle = typename C3t3::Vertex_handle;
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
@@ -258,10 +257,10 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   const auto boundary_map = choose_parameter(get_parameter(np, internal_np::boundary_map),
                                              boost::make_assoc_property_map(points_of_ball));
   using Boundary_map = std::remove_const_t<decltype(boundary_map)>;
-  static_assert(VMP::internal::Is_property_map<Boundary_map>::value,
-                "boundary_map must be a property map: for a container, pass make_vertex_point_map(container).");
-  static_assert(VMP::internal::Is_property_map<VertexUVWMap>::value,
-                "uvw_map must be a property map: for a container, pass make_vertex_point_map(container).");
+  static_assert(VMP::internal::Is_map_of<Boundary_map, Vertex_handle>::value,
+                "boundary_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+  static_assert(VMP::internal::Is_map_of<VertexUVWMap, Vertex_handle>::value,
+                "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
   static_assert(VMP::internal::Can_hold<VertexUVWMap, Point_3>::value,
                 "uvw_map must hold Point_3, the point type of the geometric traits of the triangulation.");
   static_assert(has_boundary_map
@@ -275,7 +274,8 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   if constexpr(!has_boundary_map)
   {
     VMP::Parameterization_result result;
-    result.status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, boundary_map, np);
+    result.status = VMP::Ball_boundary_parameterizer_3().parameterize(
+      c3t3, boundary_map, parameters::maximum_running_time(limits.seconds()).visitor(std::ref(limits.visitor())));
     result.message
       = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(c3t3, result.status);
     if(result.status != VMP::OK)

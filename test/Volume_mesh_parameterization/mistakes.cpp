@@ -1,5 +1,11 @@
 // One mistake of a caller, chosen by a macro, which the compiler answers with a sentence of this package.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
+#if defined HEXAHEDRA_OF_A_CONTAINER || defined MAP_OF_A_CONTAINER || defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
+#  include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#elif defined SOLVER_OF_EIGEN
+#  include <CGAL/Eigen_solver_traits.h>
+#endif
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -20,25 +26,86 @@ using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
 using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
 using Vertex_handle = C3t3::Vertex_handle;
 
+struct Own_energy
+{
+#ifdef ENERGY_OF_NUMBERS
+  double value(double, double, double) const { return 0; }
+#else
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  {
+    if(s[0] < T(1))
+      return T(0);
+    return s[0];
+  }
+#endif
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const { return s; }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>&) const { return Eigen::Matrix<T, 3, 3>(); }
+};
+
+struct Silent_visitor
+{
+  void after_step(const VMP::Parameterization_step&) {}
+};
+
 void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
 {
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
 #ifdef TARGETS_ARE_A_FUNCTION
   const auto target = [](const Vertex_handle v) { return v->point(); };
-  CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(target));
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::boundary_map(target));
 #elif defined TARGETS_ARE_A_CONTAINER
-  CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(uvw));
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::boundary_map(uvw));
 #elif defined IMAGES_ARE_A_CONTAINER
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw);
 #elif defined IMAGES_ARE_NUMBERS
   std::unordered_map<Vertex_handle, double> numbers;
   CGAL::stretch_minimizing_volume_parameterization(c3t3, boost::make_assoc_property_map(numbers));
 #elif defined CONSTANT_COMPLEX_IS_REFINED
-  CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw), params::do_refine(true));
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::do_refine(true));
 #elif defined ARRAYS_ARE_REFINED
   std::vector<std::array<double, 3> > points;
   CGAL::stretch_minimizing_volume_parameterization(points, std::vector<std::array<std::size_t, 4> >(), points, points,
                                                    params::do_refine(true));
+#elif defined TARGETS_BY_INDICES
+  std::unordered_map<std::size_t, K::Point_3> targets;
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::boundary_map(VMP::make_vertex_point_map(targets)));
+#elif defined IMAGES_BY_INDICES
+  std::unordered_map<std::size_t, K::Point_3> images;
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(images));
+#elif defined START_BY_INDICES
+  std::unordered_map<std::size_t, K::Point_3> start;
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::initial_map(VMP::make_vertex_point_map(start)));
+#elif defined HEXAHEDRA_OF_A_CONTAINER
+  VMP::Hexahedron_soup_3 hexahedra;
+  VMP::hexahedral_mesh(c3t3, uvw, 0.1, hexahedra);
+#elif defined MAP_OF_A_CONTAINER
+  VMP::Volume_map_3 map(c3t3, uvw);
+#elif defined VISITOR_RETURNS_NOTHING
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::visitor(Silent_visitor()));
+#elif defined VISITOR_IS_A_FUNCTION
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::visitor([](int) { return true; }));
+#elif defined ENERGY_OF_NUMBERS || defined ENERGY_BRANCHES
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::energy(Own_energy()));
+#elif defined SOLVER_OF_EIGEN
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::solver_traits(CGAL::Eigen_solver_traits<>()));
+#elif defined TRIANGULATION_IS_MAPPED
+  CGAL::stretch_minimizing_volume_parameterization(c3t3.triangulation(), uvw_map);
+#elif defined TRIANGULATION_IS_REFINED
+  Tr tr;
+  VMP::make_parameterizable(tr);
+#elif defined UNKNOWN_PARAMETER
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::verbose(true).vertex_point_map(uvw_map));
+#elif defined UNKNOWN_PARAMETER_OF_BOUNDARY
+  VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, uvw_map, params::number_of_iterations(10));
+#elif defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
+  VMP::Hexahedron_soup_3 hexahedra;
+  VMP::hexahedral_mesh(c3t3, uvw_map, 0.1, hexahedra, params::verbose(true));
 #else
-  CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw)); // none
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map); // none
 #endif
 }

@@ -414,8 +414,8 @@ TEST_CASE("The boundary goes to a domain that has a name")
     for(const Point& p : points)
       for(std::size_t i = 0; i < 3; ++i)
       {
-        low[i] = std::min(low[i], p[i]);
-        high[i] = std::max(high[i], p[i]);
+        low[i] = (std::min)(low[i], p[i]);
+        high[i] = (std::max)(high[i], p[i]);
       }
     return Point{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
   };

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -38,6 +38,9 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
   {
+    static_assert(Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation does not tell which cells are meant.");
+    static_assert(Is_map_of<VertexUVWMap, typename C3t3::Vertex_handle>::value,
+                  "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
     std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
     mesh_complex_3_to_tetrahedron_soup(c3t3, *this, vertices);
     images = points_of(vertices, uvw_map);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -107,6 +107,7 @@ Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
+  internal::check_named_parameters(np);
   internal::require(spacing > 0, "The spacing of a grid is positive.");
   internal::require(images.size() == points.size(), "There are as many images as points.");
   internal::Limits<NamedParameters> limits(np);

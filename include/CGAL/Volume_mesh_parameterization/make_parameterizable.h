@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -105,6 +105,9 @@ std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = paramet
   using parameters::get_parameter;
 
   using Vertex_handle = typename C3t3::Vertex_handle;
+  static_assert(internal::Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation does not tell which cells are meant.");
+  internal::check_named_parameters<internal_np::boundary_map_t, internal_np::vertex_is_constrained_t,
+                                   internal_np::output_iterator_t>(np);
 
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                Static_boolean_property_map<Vertex_handle, false>());

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
@@ -100,6 +101,8 @@ public:
 private:
   using Visitor = Mutable_parameter<typename internal_np::Lookup_named_param_def<
     internal_np::visitor_t, NamedParameters, Default_visitor>::reference>;
+  static_assert(Is_visitor<Visitor>::value,
+                "visitor must have a function bool after_step(const Parameterization_step&), which tells whether to go on.");
 
   Default_visitor m_default;
   Visitor m_visitor;

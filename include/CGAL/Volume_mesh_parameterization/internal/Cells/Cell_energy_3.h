@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
+#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <algorithm>
 #include <limits>
@@ -73,6 +74,10 @@ public:
 template <typename Energy, typename Pack = internal::Pack>
 class Cell_energy_of final : public Cell_energy_3
 {
+  static_assert(Is_energy<Energy, Pack>::value,
+                "energy must be a model of DistortionEnergy_3: value(), gradient() and hessian() are const, and templates "
+                "of a type T with an argument of the type Eigen::Matrix<T, 3, 1>.");
+
 public:
   explicit Cell_energy_of(const Energy& energy) : m_energy(energy) {}
 

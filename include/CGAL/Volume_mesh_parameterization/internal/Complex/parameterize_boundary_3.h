@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -35,6 +35,7 @@ Error_code parameterize_boundary_3(const C3t3& c3t3, VertexPointMap target, cons
 {
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
+  check_named_parameters(np);
   Limits<NamedParameters> limits(np);
   const Budget budget = limits.budget();
   const Boundary_facets<C3t3> boundary(c3t3);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -141,22 +142,6 @@ Parameterization_result parameterize_complex_3(const Mesh& mesh, const Problem& 
   return written_result(complex, problem, found, images);
 }
 
-// Tells what is no property map, and whether a map takes what is put into it, for errors of the compiler that can be
-// read.
-template <typename Map, typename = void>
-struct Is_property_map : std::false_type {};
-
-template <typename Map>
-struct Is_property_map<Map, std::void_t<typename boost::property_traits<Map>::value_type> > : std::true_type {};
-
-template <typename Map, typename Value, typename = void>
-struct Can_hold : std::false_type {};
-
-template <typename Map, typename Value>
-struct Can_hold<Map, Value, std::void_t<typename boost::property_traits<Map>::value_type> >
-  : std::is_convertible<Value, typename boost::property_traits<Map>::value_type>
-{};
-
 // Reads the named parameters that do not depend on where the cells come from, and returns `run(problem)`.
 template <typename ConcurrencyTag, typename Vertex, typename NamedParameters, typename BoundaryMap, typename Run>
 Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap& boundary_map, const Run& run,
@@ -166,6 +151,13 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
 
+  check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::do_refine_t,
+                         internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
+                         internal_np::initial_map_t, internal_np::maximal_angle_distortion_t,
+                         internal_np::minimize_maximal_angle_distortion_t, internal_np::number_of_iterations_t,
+                         internal_np::positional_constraints_t, internal_np::soft_boundary_parameters_t,
+                         internal_np::solver_traits_t, internal_np::use_volume_weights_t, internal_np::verbose_t,
+                         internal_np::vertex_is_constrained_t>(np);
   const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
                                                Static_boolean_property_map<Vertex, false>());
 
@@ -173,8 +165,8 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
   {
     const auto initial_map = get_parameter(np, internal_np::initial_map);
-    static_assert(Is_property_map<std::remove_const_t<decltype(initial_map)> >::value,
-                  "initial_map must be a property map: for a container, pass make_vertex_point_map(container).");
+    static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
+                  "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
     initial = [initial_map](const Vertex& v) { return to_vector(get(initial_map, v)); };
   }
 

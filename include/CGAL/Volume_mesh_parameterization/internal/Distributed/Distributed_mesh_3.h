@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -97,7 +97,7 @@ private:
   {
     const std::size_t number_of_points = m_communicator.begins(soup.points.size()).back();
     std::size_t number = m_communicator.begins(soup.cells.size())[m_communicator.rank()];
-    if(number_of_points >= std::numeric_limits<PetscInt>::max() / 3)
+    if(number_of_points >= (std::numeric_limits<PetscInt>::max)() / 3)
       throw Input_error("the mesh is too large for the indices of this PETSc; take one with 64-bit indices");
     std::vector<Global_cell_3> result;
     result.reserve(soup.cells.size());

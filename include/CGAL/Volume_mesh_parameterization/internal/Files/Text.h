@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -48,6 +48,7 @@ inline void go_on(const Budget& budget)
 template <typename NamedParameters, typename Read>
 Error_code read_within_limits(const NamedParameters& np, const std::string& filename, const Read& read)
 {
+  check_named_parameters(np);
   Limits<NamedParameters> limits(np);
   const Budget budget = limits.budget();
   try

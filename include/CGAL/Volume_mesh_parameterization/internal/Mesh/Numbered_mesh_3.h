@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -79,8 +79,8 @@ Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Point
     box.extend(points.col(i));
   for(int i = 0; i < 3; ++i)
   {
-    box.min()[i] = communicator.minimum(box.min()[i]);
-    box.max()[i] = communicator.maximum(box.max()[i]);
+    (box.min)()[i] = communicator.minimum((box.min)()[i]);
+    (box.max)()[i] = communicator.maximum((box.max)()[i]);
   }
   return box;
 }
@@ -100,7 +100,7 @@ inline double target_diagonal(const Numbered_mesh_3& mesh)
 inline void set_base_point(Numbered_mesh_3& mesh)
 {
   const Eigen::AlignedBox3d box = target_box(mesh);
-  mesh.base_point = Eigen::Vector3d::Zero().cwiseMax(box.min()).cwiseMin(box.max());
+  mesh.base_point = Eigen::Vector3d::Zero().cwiseMax((box.min)()).cwiseMin((box.max)());
   mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
 }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -185,7 +185,7 @@ inline bool map_patches_to_box(const Boundary_mesh_3& mesh, const std::vector<bo
     if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
       return false;
     for(const int v : patch.vertices)
-      images[v][axis] = border.min()[axis];
+      images[v][axis] = (border.min)()[axis];
     if(!map_patch_to_polygon_3(patch, (axis + 1) % 3, (axis + 2) % 3, images))
       return false;
   }
@@ -247,7 +247,7 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Eigen::Ve
 inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
                                         std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
-  Eigen::Vector3d lower = box.min(), upper = box.max();
+  Eigen::Vector3d lower = (box.min)(), upper = (box.max)();
   if(spacing > 0)
   {
     lower = spacing * (lower / spacing).array().round();

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -259,9 +259,9 @@ private:
     double largest_gap = -(std::numeric_limits<double>::infinity)();
     for(const int axis : { (normal_axis + 1) % 3, (normal_axis + 2) % 3 })
       for(const auto& [low, high] : { std::pair(a, b), std::pair(b, a) })
-        if(high.box.min()[axis] - low.box.max()[axis] > largest_gap)
+        if((high.box.min)()[axis] - (low.box.max)()[axis] > largest_gap)
         {
-          largest_gap = high.box.min()[axis] - low.box.max()[axis];
+          largest_gap = (high.box.min)()[axis] - (low.box.max)()[axis];
           order = { low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) };
         }
     m_orders.push_back(order);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <Eigen/Core>
 
@@ -76,6 +77,9 @@ struct Counts_iterations<Solver, std::void_t<decltype(std::declval<const Solver&
 template <typename Solver>
 class Linear_solver_of final : public Linear_solver_3
 {
+  static_assert(Is_newton_solver<Solver>::value,
+                "solver_traits must be a model of NewtonSolverTraits_3, as neither solvers of Eigen nor traits of them are.");
+
 public:
   explicit Linear_solver_of(Solver& solver) : m_solver(solver) {}
 
