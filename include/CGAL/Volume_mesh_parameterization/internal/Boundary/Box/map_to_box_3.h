@@ -251,7 +251,7 @@ inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen
   if(spacing > 0)
   {
     lower = spacing * (lower / spacing).array().round();
-    upper = (lower.array() + spacing).max(spacing * (upper / spacing).array().round());
+    upper = ((lower.array() + spacing).max)(spacing * (upper / spacing).array().round());
   }
   const double size = (upper - lower).maxCoeff();
   const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
