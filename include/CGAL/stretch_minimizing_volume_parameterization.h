@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Arrays/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Arrays/volume_parameterization_of_arrays.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>

@@ -63,12 +63,12 @@ public:
   Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }
 
   /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
-  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`.
+  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`. The function `goes_on`, if there is one, is asked every
+  /// few iterations; where it returns `false`, the iteration ends as at its limit.
   ///
-  /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or `NOT_POSITIVE_DEFINITE` where
-  ///         a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once; `FAILED` if a number is not finite
-  ///
-  /// \param goes_on is asked every few iterations; where it returns `false`, the iteration ends as at its limit
+  /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or
+  ///         `NOT_POSITIVE_DEFINITE` where a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once;
+  ///         `FAILED` if a number is not finite
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
                              const std::function<bool()>& goes_on = nullptr)
   {

@@ -67,7 +67,7 @@ public:
 
   /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
   ///
-  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}: those of facets, of
+  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13} : those of facets, of
   /// small regions and of charts are changed as long as that lowers the cost. Where opposite directions would be
   /// neighbours, another one is put between them. Charts that no polycube can have, and their neighbours, get other
   /// labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of

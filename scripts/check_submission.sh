@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Fails unless the package keeps those of CGAL's rules that can be checked outside of CGAL's tree. The others are listed in
+# doc/Volume_mesh_parameterization/Submission.txt. With an argument, names are compared with those of the CGAL installed in
+# that folder.
+set -euo pipefail
+shopt -s lastpipe # forbid() remembers what it was told in a pipe
+export LC_ALL=C
+
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+package=Volume_mesh_parameterization
+cgal=${1:-/usr}/include
+status=0
+
+# Complains about each line of the standard input: FILE, or FILE:LINE and what is there.
+forbid()
+{
+  while read -r place; do
+    echo "$place: $1"
+    status=1
+  done
+}
+
+# All files of the package, whether or not they come with a history; what is built, or made by Python, is none.
+list()
+{
+  find "${@:-.}" \( -path ./build -o -path ./.git -o -name __pycache__ \) -prune -o -type f -print | sed 's|^\./||' |
+    grep -vxF .git | sort
+}
+
+mapfile -t files < <(list)
+mapfile -t headers < <(list include | grep -E '\.(h|inc)$')
+mapfile -t sources < <(list include examples test benchmark | grep -E '\.(h|inc|cpp)$')
+
+# 1. What CGAL's scripts read of a package.
+for name in copyright dependencies description.txt license.txt long_description.txt maintainer; do
+  [ -s "package_info/$package/$name" ] || echo "package_info/$package/$name"
+done | forbid "this file is missing or empty"
+for name in "doc/$package"/{"$package.txt",PackageDescription.txt,Doxyfile.in,dependencies,examples.txt} \
+            {examples,test}/"$package/CMakeLists.txt" "include/CGAL/license/$package.h" CHANGES.md; do
+  [ -s "$name" ] || echo "$name"
+done | forbid "this file is missing or empty"
+[ "$(wc -l < "package_info/$package/description.txt")" -le 1 ] || forbid "one sentence" <<< "package_info/$package/description.txt"
+grep -qxE '(L?GPL) \(v3 or later\)' "package_info/$package/license.txt" ||
+  forbid "neither GPL nor LGPL (v3 or later)" <<< "package_info/$package/license.txt"
+
+# 2. A licence for each file, by itself or by REUSE.toml; the text of each licence.
+mapfile -t annotated < <(sed -n '/^path = \[/,/^\]/p' REUSE.toml | grep -o '"[^"]*"' | tr -d '"')
+for file in "${files[@]}"; do
+  is_annotated=
+  for pattern in "${annotated[@]}"; do
+    [[ $pattern == '*' && $file == */* ]] || [[ $file != $pattern ]] || is_annotated=1
+  done
+  [ -n "$is_annotated" ] || [[ $file == LICENSES/* ]] || grep -q 'SPDX-License-Identifier: ' "$file" || echo "$file"
+done | forbid "no SPDX-License-Identifier, neither here nor in REUSE.toml"
+grep -hoE 'SPDX-License-Identifier(:| =) "?[A-Za-z0-9.-]+' "${headers[@]}" REUSE.toml | sed 's/.*[ "]//' | sort -u |
+  while read -r license; do [ -s "LICENSES/$license.txt" ] || echo "LICENSES/$license.txt"; done |
+  forbid "the text of a licence is missing"
+
+# 3. The head of each header. Some are included several times, without a guard.
+for line in 'Copyright (c) [0-9]' '$URL$$' '$Id$$' 'SPDX-License-Identifier: ' 'Author(s)     : '; do
+  { grep -L "^// $line" "${headers[@]}" || true; } | forbid "the head has no line $line"
+done
+for header in "${headers[@]}"; do
+  case $header in
+    *.inc | */parameters_interface.h | include/CGAL/license/*) continue ;;
+  esac
+  guard=$(tr 'a-z/.' 'A-Z__' <<< "${header#include/}")
+  grep -qx "#define $guard" "$header" || forbid "the guard is not $guard" <<< "$header"
+  [ "$(grep -m 1 '^#include' "$header")" = "#include <CGAL/license/$package.h>" ] ||
+    forbid "the licence is not included first" <<< "$header"
+done
+
+# 4. Names. Case does not count, and headers and programs of the package have names of their own.
+printf '%s\n' "${files[@]}" | tr A-Z a-z | uniq -d | forbid "two files of this name, but for the case"
+printf '%s\n' "${headers[@]##*/}" | sort | uniq -d | forbid "two headers of this name"
+printf '%s\n' "${headers[@]#include/}" | grep -v parameters_interface | while read -r header; do
+  [ ! -e "$cgal/$header" ] || grep -q "$package" "$cgal/$header" || echo "$header"
+done | forbid "CGAL has a header of this name"
+list examples test benchmark | grep '\.cpp$' | sed 's|.*/||' | sort | uniq -d | forbid "two programs of this name"
+programs=/usr/share/doc/libcgal-dev/examples.tar.gz
+if [ -e "$programs" ]; then
+  comm -12 <(tar tzf "$programs" | grep '\.cpp$' | sed 's|.*/||' | sort -u) \
+           <(list "examples/$package" "test/$package" | grep '\.cpp$' | sed 's|.*/||' | sort) |
+    forbid "CGAL has a program of this name"
+fi
+
+# 5. What compilers and reviewers trip on. Misuse is answered in release builds, too, by internal::require(), and not by
+# CGAL_precondition(), which vanishes there.
+find_lines() { grep -nP "$1" "${sources[@]}" || true; }
+find_lines '(\.|->|::)(min|max) ?\(' | forbid "min and max are macros on Windows: (std::min)(a, b)"
+find_lines '(?<!static_)\b(assert|abort|exit) ?\(' | { grep '^include' || true; } | forbid "CGAL_assertion() or require()"
+find_lines '^using namespace' | { grep '^[^:]*\.h:' || true; } | forbid "no using namespace in a header"
+find_lines '\t| +$' | forbid "a tab, or blanks at the end of a line"
+find_lines '[^\x00-\x7F]' | forbid "not ASCII"
+exit $status
