@@ -71,7 +71,7 @@ Triangles boundary(const VMP::Tetrahedron_soup_3& mesh)
 Triangles boundary(const VMP::Hexahedron_soup_3& mesh)
 {
   Triangles result;
-  for(const auto& [a, b, c, d] : VMP::internal::boundary_quadrangles_3(mesh))
+  for(const auto& [a, b, c, d] : mesh.facets)
   {
     result.push_back({ a, b, c });
     result.push_back({ a, c, d });

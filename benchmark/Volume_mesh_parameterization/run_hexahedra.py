@@ -37,7 +37,7 @@ def corners_not_positive(filename):
     begin, cells = words.index("Vertices") + 2, words.index("Hexahedra") + 2
     points = [[Fraction(float(x)) for x in words[i:i + 3]] for i in range(begin, cells - 2, 4)]
     result = 0
-    for first in range(cells, len(words) - 1, 9):
+    for first in range(cells, cells + 9 * int(words[cells - 1]), 9):
         cell = [int(v) - 1 for v in words[first:first + 8]]
         for k, neighbors in enumerate(NEIGHBORS):
             p = points[cell[k]]

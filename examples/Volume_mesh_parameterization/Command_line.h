@@ -65,7 +65,7 @@ inline boost::program_options::options_description describe(Options& options)
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
      "the source (*.mesh) with the vertices that --refine has added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
-     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh or *.vtu)")
+     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu or *.inp)")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
   po::options_description boundary("Boundary", width);

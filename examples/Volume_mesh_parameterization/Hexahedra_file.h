@@ -5,12 +5,11 @@
 #include "Output_file.h"
 #include "Progress_line.h"
 
+#include <CGAL/Volume_mesh_parameterization/IO/INP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -33,27 +32,29 @@ public:
     m_name = words[1];
     if(*end != '\0' || !(m_spacing > 0))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a positive number");
-    if(extension() != ".mesh" && extension() != ".vtu")
-      throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu");
+    if(extension() != ".mesh" && extension() != ".vtu" && extension() != ".inp")
+      throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu nor with .inp");
   }
 
   const std::string& name() const { return m_name; } // empty if there is none
   double spacing() const { return m_spacing; }       // 0 if there is none
 
   // Writes the file only if the status is `OK`.
+  template <typename C3t3, typename VertexUVWMap>
   CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
-  write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
-        const std::vector<std::array<double, 3> >& uvw, Progress_line& progress) const
+  write(const C3t3& c3t3, const VertexUVWMap& uvw_map, Progress_line& progress) const
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
-      source.points, source.cells, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
+      c3t3, uvw_map, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
     if(result.status == VMP::OK)
     {
       Output_file file(m_name);
       if(extension() == ".vtu")
         VMP::IO::write_VTU(file.stream(), mesh);
+      else if(extension() == ".inp")
+        VMP::IO::write_INP(file.stream(), mesh);
       else
         VMP::IO::write_MEDIT(file.stream(), mesh);
       file.commit();

@@ -95,8 +95,7 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
 }
 
 // Makes hexahedra of a map that has been written, if it meets the boundary, and adds to its outcome what became of them.
-void make_hexahedra(const Options& options, const Mesh_file& mesh, const Points& uvw, Progress_line& progress,
-                    Outcome& outcome)
+void make_hexahedra(const Options& options, Mesh_file& mesh, Points& uvw, Progress_line& progress, Outcome& outcome)
 {
   if(outcome.exit_code != SUCCESS)
   {
@@ -104,7 +103,8 @@ void make_hexahedra(const Options& options, const Mesh_file& mesh, const Points&
     return;
   }
   progress.show("making hexahedra");
-  const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh.soup, uvw, progress);
+  const VMP::Hexahedral_mesh_result hexahedra
+    = Hexahedra_file(options.hexahedra).write(mesh.c3t3, Point_map{&mesh.indices, &uvw}, progress);
   outcome.hexahedra = hexahedra;
   if(hexahedra.status == VMP::OK && !hexahedra.is_interrupted)
     return;

@@ -3,6 +3,7 @@
 #include "array_of_vtu_file.h"
 #include "cube_complex.h"
 
+#include <CGAL/Volume_mesh_parameterization/IO/INP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
@@ -16,6 +17,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <sstream>
@@ -100,11 +102,20 @@ Vector3d rounded(const Vector3d& p)
   return q.isZero() ? q : Vector3d(q * (q.lpNorm<Eigen::Infinity>() / q.norm()));
 }
 
+Body l_shaped_bar()
+{
+  Body bar(4, 0, bent);
+  auto& cells = bar.soup.cells;
+  cells.erase(std::remove_if(cells.begin(), cells.end(), [&](const std::array<std::size_t, 4>& cell)
+              { const Vector3d p = bar.center_of_image(cell); return p[1] > 2 && p[2] > 2; }), cells.end());
+  return bar;
+}
+
 // By the divergence theorem, with two triangles for each quadrangle: independent of the corners.
 double enclosed_volume(const Hexahedron_soup_3& mesh)
 {
   double sum = 0;
-  for(const auto& [a, b, c, d] : VMP::internal::boundary_quadrangles_3(mesh))
+  for(const auto& [a, b, c, d] : mesh.facets)
     for(const auto& triangle : { std::array<std::size_t, 3>{a, b, c}, std::array<std::size_t, 3>{a, c, d} })
       sum += vector(mesh.points[triangle[0]]).dot(
         vector(mesh.points[triangle[1]]).cross(vector(mesh.points[triangle[2]]))) / 6;
@@ -181,10 +192,7 @@ TEST_CASE("The grid has the planes of the domain, whatever the spacing")
 
 TEST_CASE("A bent bar with an L-shaped section becomes hexahedra")
 {
-  Body bar(4, 0, [](const Vector3d& p) { return bent(p); });
-  auto& cells = bar.soup.cells;
-  cells.erase(std::remove_if(cells.begin(), cells.end(), [&](const std::array<std::size_t, 4>& cell)
-              { const Vector3d p = bar.center_of_image(cell); return p[1] > 2 && p[2] > 2; }), cells.end());
+  const Body bar = l_shaped_bar();
   Hexahedron_soup_3 mesh;
   const Hexahedral_mesh_result result = bar.mesh(1, mesh);
   REQUIRE(result.status == VMP::OK);
@@ -513,12 +521,226 @@ TEST_CASE("Hexahedra are written for VTK and MEDIT")
   std::ostringstream medit, vtu;
   VMP::IO::write_MEDIT(medit, mesh);
   CHECK(medit.str().find("Vertices\n8\n0 0 0 0\n") != std::string::npos);
-  CHECK(medit.str().find("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nEnd\n") != std::string::npos);
+  CHECK(medit.str().find("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nQuadrilaterals\n6\n1 ") != std::string::npos);
   VMP::IO::write_VTU(vtu, mesh);
   const std::string text = vtu.str();
-  CHECK(text.find("NumberOfPoints=\"8\" NumberOfCells=\"1\"") != std::string::npos);
-  CHECK(array_of<std::int32_t>(text, "connectivity", "Int32") == std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7});
-  CHECK(array_of<std::uint8_t>(text, "types", "UInt8") == std::vector<std::uint8_t>{12});
-  CHECK(array_of<std::int64_t>(text, "offsets", "Int64") == std::vector<std::int64_t>{8});
+  CHECK(text.find("NumberOfPoints=\"8\" NumberOfCells=\"7\"") != std::string::npos);
+  const auto connectivity = array_of<std::int32_t>(text, "connectivity", "Int32");
+  CHECK(std::vector<std::int32_t>(connectivity.begin(), connectivity.begin() + 8)
+        == std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6, 7});
+  CHECK(array_of<std::uint8_t>(text, "types", "UInt8") == std::vector<std::uint8_t>{12, 9, 9, 9, 9, 9, 9});
+  CHECK(array_of<std::int64_t>(text, "offsets", "Int64") == std::vector<std::int64_t>{8, 12, 16, 20, 24, 28, 32});
   CHECK(array_of(text, "scaled_jacobian")[0] == Approx(1));
+  CHECK(array_of(text, "uvw")[3 * 6 + 1] == 1);
+  CHECK(array_of<std::int32_t>(text, "patch", "Int32") == std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6});
+}
+
+namespace {
+
+using Place = std::array<std::size_t, 4>; // a block, and a place in it
+
+std::map<Place, std::size_t> cells_by_place(const Hexahedron_soup_3& mesh)
+{
+  std::map<Place, std::size_t> result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    const auto [i, j, k] = mesh.cell_indices[c];
+    CHECK(result.emplace(Place{ mesh.cell_blocks[c], i, j, k }, c).second);
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Hexahedra of a block are a regular grid")
+{
+  for(const Body& body : { l_shaped_bar(), Body(8, 0, rounded) })
+  {
+    Hexahedron_soup_3 mesh;
+    const bool has_padding = body.mesh(1, mesh).has_padding;
+    REQUIRE(mesh.cell_blocks.size() == mesh.cells.size());
+    REQUIRE(mesh.cell_indices.size() == mesh.cells.size());
+    const std::map<Place, std::size_t> cells = cells_by_place(mesh);
+    std::map<std::size_t, std::array<std::size_t, 3> > sizes;
+    std::map<std::size_t, std::size_t> numbers;
+    std::size_t number_of_neighbors = 0;
+    for(const auto& [place, c] : cells)
+    {
+      ++numbers[place[0]];
+      for(std::size_t axis = 0; axis < 3; ++axis)
+      {
+        sizes[place[0]][axis] = (std::max)(sizes[place[0]][axis], place[axis + 1] + 1);
+        Place behind = place;
+        ++behind[axis + 1];
+        const auto neighbor = cells.find(behind);
+        if(neighbor == cells.end())
+          continue;
+        ++number_of_neighbors;
+        constexpr std::size_t back[3][4] = { {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7} };
+        constexpr std::size_t front[3][4] = { {0, 3, 7, 4}, {1, 0, 4, 5}, {0, 1, 2, 3} };
+        for(std::size_t i = 0; i < 4; ++i)
+          CHECK(mesh.cells[c][back[axis][i]] == mesh.cells[neighbor->second][front[axis][i]]);
+      }
+    }
+    for(const auto& [block, size] : sizes)
+      CHECK(numbers[block] == size[0] * size[1] * size[2]);
+    CHECK(numbers.size() == (has_padding ? 1 + 6 : 3)); // a cube and its layers, or an L
+    CHECK(numbers.begin()->first == 1);
+    CHECK(number_of_neighbors == (has_padding ? 3 * 7 * 64 + 6 * 2 * 7 * 8 : 3 * (3 * 4 + 2 * 8)));
+  }
+}
+
+TEST_CASE("Quadrangles of the boundary are closed, seen from outside, and tell their face of the domain")
+{
+  for(const Body& body : { l_shaped_bar(), Body(8, 0, rounded) })
+  {
+    Hexahedron_soup_3 mesh;
+    const bool has_padding = body.mesh(1, mesh).has_padding;
+    const std::vector<int> numbers = boundary_quadrangles_of_cells(mesh);
+    CHECK(mesh.facets.size() == static_cast<std::size_t>(std::accumulate(numbers.begin(), numbers.end(), 0)));
+    REQUIRE(mesh.facet_cells.size() == mesh.facets.size());
+    REQUIRE(mesh.facet_patches.size() == mesh.facets.size());
+    std::map<std::array<std::size_t, 2>, int> edges;
+    std::map<std::size_t, std::set<std::size_t> > vertices_of_patch;
+    for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+    {
+      const auto& cell = mesh.cells[mesh.facet_cells[f]];
+      for(std::size_t i = 0; i < 4; ++i)
+      {
+        const std::size_t v = mesh.facets[f][i], w = mesh.facets[f][(i + 1) % 4];
+        CHECK(std::count(cell.begin(), cell.end(), v) == 1);
+        ++edges[{ v, w }];
+        --edges[{ w, v }];
+        vertices_of_patch[mesh.facet_patches[f]].insert(v);
+      }
+    }
+    for(const auto& edge : edges)
+      CHECK(edge.second == 0);
+    CHECK(enclosed_volume(mesh) > 0);
+
+    CHECK(vertices_of_patch.size() == (has_padding ? 6 : 8));
+    CHECK(vertices_of_patch.begin()->first == 1);
+    for(const auto& [patch, vertices] : vertices_of_patch)
+    {
+      std::array<std::set<double>, 3> planes;
+      for(const std::size_t v : vertices)
+        for(std::size_t axis = 0; axis < 3; ++axis)
+          planes[axis].insert(mesh.images[v][axis]);
+      CHECK((planes[0].size() == 1 || planes[1].size() == 1 || planes[2].size() == 1));
+    }
+    const VMP::Volume_map_3 map(body.soup.points, body.soup.cells, body.images);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      const auto point = map.nearest_preimage({ mesh.images[v][0], mesh.images[v][1], mesh.images[v][2] })->point;
+      CHECK((Vector3d(point.x(), point.y(), point.z()) - vector(mesh.points[v])).norm() < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("Hexahedra know the subdomain that their centers are mapped to")
+{
+  const auto cube = cube_mesh(2, 0);
+  Tetrahedron_soup_3 soup = source_soup(cube);
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+  {
+    double x = 0;
+    for(const std::size_t v : soup.cells[c])
+      x += soup.points[v][0] / 4;
+    soup.cell_references[c] = x < 1 ? 7 : 5;
+  }
+  Cube_complex<> complex(cube, soup);
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
+  Hexahedron_soup_3 mesh;
+  REQUIRE(VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, mesh).status == VMP::OK);
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    CHECK(mesh.cell_references[c] == (mesh.points[mesh.cells[c][0]][0] < 0.5 ? 7 : 5));
+  std::ostringstream medit;
+  VMP::IO::write_MEDIT(medit, mesh);
+  CHECK(medit.str().find(" 7\n", medit.str().find("Hexahedra")) != std::string::npos);
+}
+
+namespace {
+
+// Of an input file of Abaqus: behind each line that begins with an asterisk, the words that commas separate.
+std::map<std::string, std::vector<std::string> > sections_of_inp(const std::string& text)
+{
+  std::map<std::string, std::vector<std::string> > result;
+  std::istringstream lines(text);
+  std::string line, keyword, word;
+  while(std::getline(lines, line))
+  {
+    if(line[0] == '*')
+    {
+      keyword = line;
+      CHECK(result.emplace(keyword, std::vector<std::string>()).second);
+      continue;
+    }
+    CHECK(std::count(line.begin(), line.end(), ',') <= 16);
+    std::istringstream words(line);
+    while(std::getline(words >> std::ws, word, ','))
+    {
+      CHECK(word.size() <= 20);
+      result[keyword].push_back(word);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and numbers of at most 20 characters")
+{
+  Hexahedron_soup_3 mesh;
+  REQUIRE(l_shaped_bar().mesh(1, mesh).status == VMP::OK);
+  for(std::array<double, 3>& p : mesh.points)
+    p = { p[0] * 1e-5, p[1] * -1e-120, p[2] * 100. / 3 };
+  mesh.cell_references.back() = 9;
+  std::ostringstream out;
+  VMP::IO::write_INP(out, mesh);
+  const auto sections = sections_of_inp(out.str());
+
+  const std::vector<std::string>& nodes = sections.at("*NODE, NSET=NALL");
+  REQUIRE(nodes.size() == 4 * mesh.points.size());
+  for(std::size_t i = 0; i < nodes.size(); ++i)
+    if(i % 4 == 0)
+      CHECK(std::stoul(nodes[i]) == i / 4 + 1);
+    else
+      CHECK(std::stod(nodes[i]) == Approx(mesh.points[i / 4][i % 4 - 1]).epsilon(1e-12));
+  const std::vector<std::string>& elements = sections.at("*ELEMENT, TYPE=C3D8, ELSET=EALL");
+  REQUIRE(elements.size() == 9 * mesh.cells.size());
+  for(std::size_t i = 0; i < elements.size(); ++i)
+    CHECK(std::stoul(elements[i]) == 1 + (i % 9 == 0 ? i / 9 : mesh.cells[i / 9][i % 9 - 1]));
+  CHECK(sections.at("*ELSET, ELSET=SUBDOMAIN_0").size() == mesh.cells.size() - 1);
+  CHECK(sections.at("*ELSET, ELSET=SUBDOMAIN_9") == std::vector<std::string>{ std::to_string(mesh.cells.size()) });
+
+  // the nodes of faces of elements, from the manual of CalculiX
+  constexpr std::size_t nodes_of_face[6][4]
+    = { {1, 2, 3, 4}, {5, 8, 7, 6}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 8, 4}, {4, 8, 5, 1} };
+  std::size_t number_of_facets = 0;
+  for(std::size_t patch = 1; patch <= 8; ++patch)
+  {
+    const std::string name = "PATCH_" + std::to_string(patch);
+    const std::vector<std::string>& surface = sections.at("*SURFACE, TYPE=ELEMENT, NAME=" + name);
+    std::set<std::string> nodes_of_patch;
+    std::set<std::set<std::size_t> > faces, expected;
+    for(std::size_t i = 0; i < surface.size(); i += 2)
+    {
+      std::set<std::size_t> face;
+      for(const std::size_t node : nodes_of_face[std::stoul(surface[i + 1].substr(1)) - 1])
+        face.insert(mesh.cells[std::stoul(surface[i]) - 1][node - 1]);
+      for(const std::size_t v : face)
+        nodes_of_patch.insert(std::to_string(v + 1));
+      faces.insert(face);
+    }
+    for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+      if(mesh.facet_patches[f] == patch)
+        expected.emplace(mesh.facets[f].begin(), mesh.facets[f].end());
+    CHECK(faces == expected);
+    number_of_facets += faces.size();
+    const std::vector<std::string>& set = sections.at("*NSET, NSET=" + name);
+    CHECK(std::set<std::string>(set.begin(), set.end()) == nodes_of_patch);
+    CHECK(set.size() == nodes_of_patch.size());
+  }
+  CHECK(number_of_facets == mesh.facets.size());
 }

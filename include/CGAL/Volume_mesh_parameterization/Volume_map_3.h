@@ -32,9 +32,14 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// The map of a complex as arrays.
+// The map of a complex as arrays; one of arrays has no references.
 struct Mapped_soup_3 : Tetrahedron_soup_3
 {
+  Mapped_soup_3(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells,
+                const std::vector<std::array<double, 3> >& images)
+    : Tetrahedron_soup_3{ points, cells, {}, {}, {} }, images(images)
+  {}
+
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
   {

@@ -32,6 +32,22 @@
 
 namespace CGAL::Volume_mesh_parameterization {
 
+namespace internal {
+
+template <typename ConcurrencyTag, typename NamedParameters>
+Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const double spacing, Hexahedron_soup_3& mesh,
+                                              const NamedParameters& np)
+{
+  check_named_parameters(np);
+  require(spacing > 0, "The spacing of a grid is positive.");
+  Limits<NamedParameters> limits(np);
+  Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
+  Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
+  return find_hexahedra_3(map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), limits.budget(), mesh);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
@@ -98,6 +114,7 @@ time linear in the number of hexahedra, plus the solution of a linear system.
 \sa `Polycube_boundary_parameterizer_3`
 \sa `IO::write_VTU()`
 \sa `IO::write_MEDIT()`
+\sa `IO::write_INP()`
 */
 template <typename ConcurrencyTag = Sequential_tag, typename NamedParameters = parameters::Default_named_parameters>
 Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >& points,
@@ -107,20 +124,15 @@ Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
-  internal::check_named_parameters(np);
-  internal::require(spacing > 0, "The spacing of a grid is positive.");
   internal::require(images.size() == points.size(), "There are as many images as points.");
-  internal::Limits<NamedParameters> limits(np);
-  Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
-  internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
-  return internal::find_hexahedra_3(points, cells, images, spacing, linear_solver,
-                                    internal::is_parallel<ConcurrencyTag>(), limits.budget(), mesh);
+  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(internal::Mapped_soup_3(points, cells, images), spacing, mesh, np);
 }
 
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-makes hexahedra of a complex in the same way.
+makes hexahedra of a complex in the same way. Their references are the indices of its subdomains; those of hexahedra that
+are made of arrays are 0.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -141,8 +153,7 @@ Hexahedral_mesh_result hexahedral_mesh(const C3t3& c3t3, const VertexUVWMap uvw_
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
-  const internal::Mapped_soup_3 map(c3t3, uvw_map);
-  return hexahedral_mesh<ConcurrencyTag>(map.points, map.cells, map.images, spacing, mesh, np);
+  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(internal::Mapped_soup_3(c3t3, uvw_map), spacing, mesh, np);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

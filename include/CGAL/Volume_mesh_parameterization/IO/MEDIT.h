@@ -16,18 +16,15 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <array>
-#include <charconv>
 #include <cstddef>
-#include <ios>
 #include <istream>
 #include <ostream>
 #include <string>
-#include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -38,43 +35,6 @@ inline Tetrahedron_soup_3 read_MEDIT_text(const std::string& text, const Budget&
   return MEDIT_reader(single_process(), Text_scanner(text, budget), false).read();
 }
 
-// Writes text and numbers to a stream, whatever its locale and precision. Floating-point numbers get the fewest digits
-// (at most 17) from which reading restores the same bits. A failure is left in the state of the stream.
-class Text_writer
-{
-public:
-  explicit Text_writer(std::ostream& os) : m_os(os) {}
-  Text_writer(const Text_writer&) = delete;
-  Text_writer& operator=(const Text_writer&) = delete;
-  ~Text_writer() { flush(); }
-
-  Text_writer& operator<<(const std::string_view text)
-  {
-    m_buffer += text;
-    if(m_buffer.size() >= (1 << 16)) // streams of files have small buffers
-      flush();
-    return *this;
-  }
-
-  template <typename Number, typename = std::enable_if_t<std::is_arithmetic_v<Number> > >
-  Text_writer& operator<<(const Number number)
-  {
-    char digits[32];
-    const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), number);
-    return *this << std::string_view(digits, static_cast<std::size_t>(result.ptr - digits));
-  }
-
-private:
-  void flush()
-  {
-    m_os.write(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
-    m_buffer.clear();
-  }
-
-  std::ostream& m_os;
-  std::string m_buffer;
-};
-
 inline void write_MEDIT_points(Text_writer& writer, const std::vector<std::array<double, 3> >& points)
 {
   writer << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << points.size() << "\n";
@@ -82,11 +42,11 @@ inline void write_MEDIT_points(Text_writer& writer, const std::vector<std::array
     writer << p[0] << " " << p[1] << " " << p[2] << " 0\n";
 }
 
-template <std::size_t N>
+template <std::size_t N, typename Reference>
 void write_MEDIT_cells(Text_writer& writer,
                        const char* keyword,
                        const std::vector<std::array<std::size_t, N> >& cells,
-                       const std::vector<int>& references)
+                       const std::vector<Reference>& references)
 {
   writer << keyword << "\n" << cells.size() << "\n";
   for(std::size_t i = 0; i < cells.size(); ++i)
@@ -171,7 +131,8 @@ inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format", with the reference 0.
+/// writes hexahedra and the quadrangles of their boundary in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". The
+/// references of hexahedra are their subdomains, those of quadrangles their patches.
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
@@ -179,7 +140,8 @@ inline void write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, mesh.points);
-  internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, std::vector<int>(mesh.cells.size(), 0));
+  internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, mesh.cell_references);
+  internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, mesh.facet_patches);
   writer << "End\n";
 }
 

@@ -31,15 +31,22 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
+// Cells of a type, by the number that VTK gives it.
+template <std::size_t n>
+struct VTU_cells
+{
+  const std::vector<std::array<std::size_t, n> >& cells;
+  int type;
+};
+
 // Collects an XML `UnstructuredGrid` in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays with
 // their offsets into the data behind it, where each is its number of bytes and its values, as this machine stores them.
 class VTU_writer
 {
 public:
-  // Begins with points, and cells of one type, by the number that VTK gives it.
-  template <std::size_t n>
-  VTU_writer(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, n> >& cells,
-             const int type)
+  // Begins with points, and cells of one or more types.
+  template <std::size_t... n>
+  VTU_writer(const std::vector<std::array<double, 3> >& points, const VTU_cells<n>&... cells)
     : m_xml("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
 #ifdef CGAL_LITTLE_ENDIAN
             "LittleEndian"
@@ -47,15 +54,27 @@ public:
             "BigEndian"
 #endif
             "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-            + std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string(cells.size()) + "\">\n")
+            + std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string((cells.cells.size() + ...)) + "\">\n")
   {
+    std::vector<std::size_t> vertices, ends;
+    std::vector<int> types;
+    const auto add_cells = [&](const auto& all, const int type)
+    {
+      for(const auto& cell : all)
+      {
+        vertices.insert(vertices.end(), cell.begin(), cell.end());
+        ends.push_back(vertices.size());
+        types.push_back(type);
+      }
+    };
+    (add_cells(cells.cells, cells.type), ...);
     begin("Points");
     add_points("Points", points);
     end("Points");
     begin("Cells");
-    add<std::int32_t>("connectivity", n * cells.size(), [&](const std::size_t i) { return cells[i / n][i % n]; });
-    add<std::int64_t>("offsets", cells.size(), [](const std::size_t i) { return n * (i + 1); });
-    add<std::uint8_t>("types", cells.size(), [&](std::size_t) { return type; });
+    add<std::int32_t>("connectivity", vertices.size(), [&](const std::size_t i) { return vertices[i]; });
+    add<std::int64_t>("offsets", ends.size(), [&](const std::size_t i) { return ends[i]; });
+    add<std::uint8_t>("types", types.size(), [&](const std::size_t i) { return types[i]; });
     end("Cells");
   }
 
@@ -123,10 +142,9 @@ inline void write_VTU(std::ostream& os,
                       const std::vector<std::array<double, 3> >& uvw)
 {
   const std::size_t number_of_cells = soup.cells.size();
-  const int vtk_tetra = 10;
   const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
 
-  internal::VTU_writer writer(soup.points, soup.cells, vtk_tetra);
+  internal::VTU_writer writer(soup.points, internal::VTU_cells<4>{ soup.cells, 10 });
   writer.begin("PointData");
   writer.add_points("uvw", uvw);
   writer.end("PointData");
@@ -162,19 +180,35 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra as a VTK XML file (`.vtu`). The cells have the values `scaled_jacobian`, as in
-/// `Hexahedral_mesh_result`.
+/// writes hexahedra, and the quadrangles of their boundary, as a VTK XML file (`.vtu`). The points have the vectors `uvw`,
+/// their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index` (the place
+/// (i, j, k) in the block) and `subdomain`, those of a quadrangle being those of its hexahedron, and `patch`, 0 for hexahedra.
 ///
-/// \param os the stream
+/// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra
 inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
-  const int vtk_hexahedron = 12;
+  const std::size_t number_of_hexahedra = mesh.cells.size(), number_of_cells = number_of_hexahedra + mesh.facets.size();
   const std::vector<double> quality = internal::scaled_jacobians(mesh);
+  const auto hexahedron = [&](const std::size_t i)
+  {
+    return i < number_of_hexahedra ? i : mesh.facet_cells[i - number_of_hexahedra];
+  };
 
-  internal::VTU_writer writer(mesh.points, mesh.cells, vtk_hexahedron);
+  internal::VTU_writer writer(mesh.points, internal::VTU_cells<8>{ mesh.cells, 12 }, internal::VTU_cells<4>{ mesh.facets, 9 });
+  writer.begin("PointData");
+  writer.add_points("uvw", mesh.images);
+  writer.end("PointData");
   writer.begin("CellData");
-  writer.add<double>("scaled_jacobian", quality.size(), [&](std::size_t i) { return quality[i]; });
+  writer.add<double>("scaled_jacobian", number_of_cells, [&](std::size_t i) { return quality[hexahedron(i)]; });
+  writer.add<std::int32_t>("block", number_of_cells, [&](std::size_t i) { return mesh.cell_blocks[hexahedron(i)]; });
+  writer.add<std::int32_t>("grid_index", 3 * number_of_cells,
+                           [&](std::size_t i) { return mesh.cell_indices[hexahedron(i / 3)][i % 3]; }, 3);
+  writer.add<std::int32_t>("subdomain", number_of_cells, [&](std::size_t i) { return mesh.cell_references[hexahedron(i)]; });
+  writer.add<std::int32_t>("patch", number_of_cells, [&](std::size_t i)
+  {
+    return i < number_of_hexahedra ? 0 : mesh.facet_patches[i - number_of_hexahedra];
+  });
   writer.end("CellData");
   writer.write(os);
 }

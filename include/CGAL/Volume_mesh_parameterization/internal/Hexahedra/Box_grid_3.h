@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -49,13 +50,14 @@ public:
       planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
     }
     if(check_number_of_boxes(spacing))
-      for(std::vector<double>& planes : m_planes)
-        planes = divided(planes, spacing);
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        divide(axis, spacing);
   }
 
   const Input_check_3& check() const { return m_check; }
 
-  // The boxes for whose centers, all at once, `are_inside` returns a value that is true; none if it returns nothing.
+  // The boxes for whose centers, all at once, `are_inside` returns a value that is true, in their order; none if it returns
+  // nothing.
   template <typename Predicate>
   Hexahedron_soup_3 boxes(const Predicate& are_inside) const
   {
@@ -69,18 +71,19 @@ public:
     Hexahedron_soup_3 result;
     constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
     std::vector<std::size_t> number(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none);
+    std::map<std::array<std::size_t, 3>, std::size_t> blocks;
     for(std::size_t i = 0; i < is_inside.size(); ++i)
     {
       if(!is_inside[i])
         continue;
       const std::size_t n_y = m_planes[1].size() - 1, n_z = m_planes[2].size() - 1;
+      const std::array<std::size_t, 3> box = { i / (n_y * n_z), i / n_z % n_y, i % n_z };
       std::array<std::size_t, 8> cell;
       for(std::size_t k = 0; k < 8; ++k)
       {
         constexpr std::size_t offset[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                                {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
-        const std::size_t x = i / (n_y * n_z) + offset[k][0], y = i / n_z % n_y + offset[k][1],
-                          z = i % n_z + offset[k][2];
+        const std::size_t x = box[0] + offset[k][0], y = box[1] + offset[k][1], z = box[2] + offset[k][2];
         std::size_t& n = number[(x * (n_y + 1) + y) * (n_z + 1) + z];
         if(n == none)
         {
@@ -90,7 +93,16 @@ public:
         cell[k] = n;
       }
       result.cells.push_back(cell);
+      std::array<std::size_t, 3> block, index;
+      for(std::size_t axis = 0; axis < 3; ++axis)
+      {
+        block[axis] = m_first_of_block[axis][box[axis]];
+        index[axis] = box[axis] - block[axis];
+      }
+      result.cell_blocks.push_back(blocks.emplace(block, blocks.size() + 1).first->second);
+      result.cell_indices.push_back(index);
     }
+    set_facets(result);
     return result;
   }
 
@@ -154,17 +166,20 @@ private:
     return (std::max)(1., std::round(length / spacing));
   }
 
-  static std::vector<double> divided(const std::vector<double>& planes, const double spacing)
+  void divide(const std::size_t axis, const double spacing)
   {
-    std::vector<double> result(planes.begin(), planes.begin() + (planes.empty() ? 0 : 1));
+    const std::vector<double> planes = m_planes[axis];
+    m_planes[axis].resize(planes.empty() ? 0 : 1);
     for(std::size_t i = 1; i < planes.size(); ++i)
     {
       const double n = number_of_parts(planes[i] - planes[i - 1], spacing);
-      for(double k = 1; k < n; ++k)
-        result.push_back(planes[i - 1] + (planes[i] - planes[i - 1]) * (k / n));
-      result.push_back(planes[i]);
+      const std::size_t first = m_first_of_block[axis].size();
+      for(double k = 1; k <= n; ++k)
+      {
+        m_planes[axis].push_back(k == n ? planes[i] : planes[i - 1] + (planes[i] - planes[i - 1]) * (k / n));
+        m_first_of_block[axis].push_back(first);
+      }
     }
-    return result;
   }
 
   double middle(const std::size_t axis, const std::size_t i) const
@@ -173,12 +188,14 @@ private:
   }
 
   std::array<std::vector<double>, 3> m_planes; // their coordinates, along each axis
+  // Behind each plane: the first one between the same two planes of faces.
+  std::array<std::vector<std::size_t>, 3> m_first_of_block;
   Input_check_3 m_check;
 };
 
 // Adds a layer along the boundary: each vertex of the boundary stays where it is, and the hexahedra around it get a
 // copy further inside; a hexahedron is put between each quadrangle of the boundary and its copy. So no hexahedron has
-// more than one quadrangle on the boundary, and each of its corners has a vertex inside.
+// more than one quadrangle on the boundary, and each of its corners has a vertex inside. Quadrangles keep their order.
 inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh)
 {
   constexpr double depth = 0.5; // on the way to the mean center of the hexahedra around the vertex
@@ -211,8 +228,21 @@ inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh)
   for(std::array<std::size_t, 8>& cell : result.cells)
     for(std::size_t& v : cell)
       v = inner[v];
-  for(const auto& [a, b, c, d] : boundary_quadrangles_3(mesh))
+  std::map<std::array<std::size_t, 2>, std::size_t> blocks; // of a patch on a block
+  const std::size_t number_of_blocks = *std::max_element(mesh.cell_blocks.begin(), mesh.cell_blocks.end());
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    const auto& [a, b, c, d] = mesh.facets[f];
     result.cells.push_back({ inner[a], inner[b], inner[c], inner[d], a, b, c, d });
+    const std::size_t below = mesh.facet_cells[f];
+    result.cell_blocks.push_back(blocks.emplace(std::array<std::size_t, 2>{ mesh.cell_blocks[below], mesh.facet_patches[f] },
+                                                number_of_blocks + blocks.size() + 1).first->second);
+    const auto& axes = axes_of_quadrangle[side_of_facet(mesh, f)];
+    const auto& index = mesh.cell_indices[below];
+    result.cell_indices.push_back({ index[axes[0]], index[axes[1]], 0 });
+    result.cell_references.push_back(mesh.cell_references[below]);
+    result.facet_cells[f] = mesh.cells.size() + f;
+  }
   return result;
 }
 

@@ -71,11 +71,12 @@ public:
   // With the preimages of the vertices of the domain; the spacing is that of the domain, too.
   Pulled_back_hexahedra_3(const Volume_map_3& map, const Hexahedron_soup_3& domain, const Locations_3& preimages,
                           const double spacing, Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
-    : m_map(map), m_images(domain.points), m_mesh(domain), m_spacing(spacing), m_quadrangles(domain.points.size()),
+    : m_map(map), m_mesh(domain), m_spacing(spacing), m_quadrangles(domain.points.size()),
       m_cell_of_vertex(domain.points.size()), m_moves_along(domain.points.size(), { true, true, true }),
       m_solver(solver), m_is_parallel(is_parallel), m_budget(budget)
   {
-    for(const Quadrangle& quadrangle : boundary_quadrangles_3(domain))
+    m_mesh.images = domain.points;
+    for(const Quadrangle& quadrangle : domain.facets)
     {
       const std::size_t axis = normal_axis(quadrangle);
       for(const std::size_t v : quadrangle)
@@ -84,7 +85,7 @@ public:
         m_moves_along[v][axis] = false;
       }
     }
-    for(std::size_t v = 0; v < m_images.size(); ++v)
+    for(std::size_t v = 0; v < m_mesh.images.size(); ++v)
       take(v, preimages[v] ? *preimages[v] : *m_map.nearest_preimage(image_of(v))); // padding may leave the domain
   }
 
@@ -102,14 +103,14 @@ public:
   {
     Hexahedron_soup_3 moved = m_mesh;
     improve(true, moved);
-    const std::vector<std::array<double, 3> > points = m_mesh.points, images = m_images;
+    const std::vector<std::array<double, 3> > points = m_mesh.points, images = m_mesh.images;
     const std::vector<std::size_t> cell_of_vertex = m_cell_of_vertex;
     for(const double part : {1., 0.5, 0.25, 0.125})
     {
       if(move_towards(moved.points, part))
         return true;
       m_mesh.points = points;
-      m_images = images;
+      m_mesh.images = images;
       m_cell_of_vertex = cell_of_vertex;
     }
     return false;
@@ -122,11 +123,11 @@ public:
     std::size_t cell;
   };
 
-  Place place(const std::size_t v) const { return { m_images[v], m_mesh.points[v], m_cell_of_vertex[v] }; }
+  Place place(const std::size_t v) const { return { m_mesh.images[v], m_mesh.points[v], m_cell_of_vertex[v] }; }
 
   void put(const std::size_t v, const Place& place)
   {
-    m_images[v] = place.image;
+    m_mesh.images[v] = place.image;
     m_mesh.points[v] = place.point;
     m_cell_of_vertex[v] = place.cell;
   }
@@ -138,7 +139,7 @@ public:
     {
       if(is_on_boundary(v) && offset[axis] != 0 && !m_moves_along[v][axis])
         return false;
-      (is_on_boundary(v) ? m_images : m_mesh.points)[v][axis] += offset[axis];
+      (is_on_boundary(v) ? m_mesh.images : m_mesh.points)[v][axis] += offset[axis];
     }
     if(!is_on_boundary(v))
       return true;
@@ -175,7 +176,7 @@ private:
   {
     const auto edge_to = [&](const std::size_t k) -> Eigen::Vector3d
     {
-      return to_vector(m_images[quadrangle[k % 4]]) - to_vector(m_images[quadrangle[i]]);
+      return to_vector(m_mesh.images[quadrangle[k % 4]]) - to_vector(m_mesh.images[quadrangle[i]]);
     };
     return edge_to(i + 1).cross(edge_to(i + 3))[axis];
   }
@@ -185,7 +186,7 @@ private:
     std::size_t axis = 0;
     const auto has_coordinate_of_first = [&](const std::size_t v)
     {
-      return m_images[v][axis] == m_images[quadrangle[0]][axis];
+      return m_mesh.images[v][axis] == m_mesh.images[quadrangle[0]][axis];
     };
     while(!std::all_of(quadrangle.begin(), quadrangle.end(), has_coordinate_of_first))
       ++axis;
@@ -194,7 +195,7 @@ private:
 
   Volume_map_3::Point_3 image_of(const std::size_t v) const
   {
-    return Volume_map_3::Point_3(m_images[v][0], m_images[v][1], m_images[v][2]);
+    return Volume_map_3::Point_3(m_mesh.images[v][0], m_mesh.images[v][1], m_mesh.images[v][2]);
   }
 
   void take(const std::size_t v, const Volume_map_3::Location& location)
@@ -252,20 +253,19 @@ private:
     const auto image = m_map.nearest_image(Volume_map_3::Point_3(p[0], p[1], p[2]));
     if(!image) // not finite
       return;
-    std::array<double, 3> q = m_images[v];
+    std::array<double, 3> q = m_mesh.images[v];
     for(std::size_t axis = 0; axis < 3; ++axis)
       if(m_moves_along[v][axis])
         q[axis] = image->point[static_cast<int>(axis)];
     if(const auto location = m_map.preimage(Volume_map_3::Point_3(q[0], q[1], q[2])))
     {
-      m_images[v] = q;
+      m_mesh.images[v] = q;
       take(v, *location);
     }
   }
 
   const Volume_map_3& m_map;
-  std::vector<std::array<double, 3> > m_images; // of the vertices, in the domain
-  Hexahedron_soup_3 m_mesh;
+  Hexahedron_soup_3 m_mesh; // with the images of its boundary
   double m_spacing;
   std::vector<std::vector<Boundary_quadrangle> > m_quadrangles; // around each vertex
   std::vector<std::size_t> m_cell_of_vertex; // of the tetrahedral mesh

@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,17 +30,16 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Has the map a cell, and only finite coordinates at the vertices of cells?
-inline Input_check_3 check_map_3(const std::vector<std::array<double, 3> >& points,
-                                 const std::vector<std::array<std::size_t, 4> >& cells,
-                                 const std::vector<std::array<double, 3> >& images)
+inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
 {
-  if(cells.empty())
+  if(soup.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const std::array<std::size_t, 4>& cell : cells)
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
     for(const std::size_t v : cell)
-      if(!to_vector(points.at(v)).allFinite() || !to_vector(images.at(v)).allFinite())
+      if(!to_vector(soup.points.at(v)).allFinite() || !to_vector(soup.images.at(v)).allFinite())
         return failed_check(ERROR_NON_FINITE_COORDINATE, "Point ", v, " has the coordinates ",
-                            describe(to_vector(points[v])), " and the image ", describe(to_vector(images[v])), ".");
+                            describe(to_vector(soup.points[v])), " and the image ", describe(to_vector(soup.images[v])),
+                            ".");
   return {};
 }
 
@@ -63,6 +63,20 @@ inline Locations_3 preimages_3(const Volume_map_3& map, const std::vector<std::a
     block.clear();
   }
   return result;
+}
+
+// Finds the images of vertices inside.
+inline void set_inner_images(const Volume_map_3& map, const bool is_parallel, Hexahedron_soup_3& mesh)
+{
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for_each_index(is_parallel, 0, mesh.points.size(), [&](const std::size_t v)
+  {
+    const std::array<double, 3>& p = mesh.points[v];
+    if(is_outer[v])
+      return;
+    if(const auto image = map.nearest_image(Volume_map_3::Point_3(p[0], p[1], p[2])))
+      mesh.images[v] = { image->point.x(), image->point.y(), image->point.z() };
+  });
 }
 
 // The result where the input does not allow a mesh.
@@ -153,24 +167,26 @@ inline Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3& hexahed
 
 // Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with and without a layer along the
 // boundary. The mesh is written if all corners are positive, as the status then tells, and only then.
-inline Hexahedral_mesh_result find_hexahedra_3(const std::vector<std::array<double, 3> >& points,
-                                               const std::vector<std::array<std::size_t, 4> >& cells,
-                                               const std::vector<std::array<double, 3> >& images, const double spacing,
+inline Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing,
                                                Linear_solver_3& solver, const bool is_parallel, const Budget& budget,
                                                Hexahedron_soup_3& mesh)
 {
-  const Input_check_3 check = check_map_3(points, cells, images);
+  const Input_check_3 check = check_map_3(soup);
   if(check.status != OK)
     return refused_result(check);
-  const Box_grid_3 grid(cells, images, spacing);
+  const Box_grid_3 grid(soup.cells, soup.images, spacing);
   if(grid.check().status != OK)
     return refused_result(grid.check());
 
-  const Volume_map_3 map(points, cells, images);
-  const Hexahedron_soup_3 boxes = grid.boxes([&](const std::vector<std::array<double, 3> >& centers)
+  const Volume_map_3 map(soup.points, soup.cells, soup.images);
+  Locations_3 places;
+  Hexahedron_soup_3 boxes = grid.boxes([&](const std::vector<std::array<double, 3> >& centers)
   {
-    return preimages_3(map, centers, is_parallel, budget);
+    return places = preimages_3(map, centers, is_parallel, budget);
   });
+  for(const std::optional<Volume_map_3::Location>& place : places)
+    if(place)
+      boxes.cell_references.push_back(soup.cell_references.empty() ? 0 : soup.cell_references[place->cell]);
   if(boxes.cells.empty() && !budget.is_exhausted())
     return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
                                        get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
@@ -196,7 +212,10 @@ inline Hexahedral_mesh_result find_hexahedra_3(const std::vector<std::array<doub
   }
   result.is_interrupted = budget.is_exhausted();
   if(result.status == OK)
+  {
+    set_inner_images(map, is_parallel, best);
     mesh = std::move(best);
+  }
   else if(result.is_interrupted)
     result.status = ERROR_INTERRUPTED;
   if(result.is_interrupted)

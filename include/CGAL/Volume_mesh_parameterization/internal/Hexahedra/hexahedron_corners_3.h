@@ -21,6 +21,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -30,9 +32,11 @@ constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
   = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
        {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
 
-// The quadrangles of a hexahedron, seen from outside.
+// The quadrangles of a hexahedron, seen from outside, from the first vertex along the axes of the hexahedron; and these.
 constexpr std::array<std::array<std::size_t, 4>, 6> quadrangles_of_hexahedron
-  = {{ {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7} }};
+  = {{ {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {3, 7, 6, 2}, {0, 4, 7, 3} }};
+constexpr std::array<std::array<std::size_t, 2>, 6> axes_of_quadrangle
+  = {{ {1, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 0}, {2, 1} }};
 
 // Calls `f` with the four points of each corner, eight times for each hexahedron.
 template <typename Function>
@@ -76,24 +80,88 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
   return result;
 }
 
-// The quadrangles that belong to one hexahedron only, seen from outside.
-inline std::vector<std::array<std::size_t, 4> > boundary_quadrangles_3(const Hexahedron_soup_3& mesh)
+// A quadrangle: the index of a hexahedron, and its own one there.
+struct Quadrangle_of_hexahedron
 {
-  std::vector<std::array<std::size_t, 4> > quadrangles;
-  for(const std::array<std::size_t, 8>& cell : mesh.cells)
-    for(const auto& [a, b, c, d] : quadrangles_of_hexahedron)
-      quadrangles.push_back({ cell[a], cell[b], cell[c], cell[d] });
-  return faces_of_one_cell(quadrangles);
+  std::size_t cell, side;
+};
+
+inline std::array<std::size_t, 4> vertices_of(const Hexahedron_soup_3& mesh, const Quadrangle_of_hexahedron& quadrangle)
+{
+  std::array<std::size_t, 4> result;
+  for(std::size_t i = 0; i < 4; ++i)
+    result[i] = mesh.cells[quadrangle.cell][quadrangles_of_hexahedron[quadrangle.side][i]];
+  return result;
+}
+
+// Which quadrangle of its hexahedron is a facet of the boundary?
+inline std::size_t side_of_facet(const Hexahedron_soup_3& mesh, const std::size_t f)
+{
+  std::size_t side = 0;
+  while(vertices_of(mesh, { mesh.facet_cells[f], side }) != mesh.facets[f])
+    ++side;
+  return side;
+}
+
+// Those that belong to one hexahedron only.
+inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahedron_soup_3& mesh)
+{
+  std::vector<std::pair<std::array<std::size_t, 4>, std::size_t> > quadrangles; // with vertices sorted, and their index
+  quadrangles.reserve(6 * mesh.cells.size());
+  for(std::size_t i = 0; i < 6 * mesh.cells.size(); ++i)
+  {
+    quadrangles.emplace_back(vertices_of(mesh, { i / 6, i % 6 }), i);
+    std::sort(quadrangles.back().first.begin(), quadrangles.back().first.end());
+  }
+  std::vector<Quadrangle_of_hexahedron> result;
+  for_each_group(std::move(quadrangles), [&](const auto begin, const auto end)
+  {
+    if(end - begin == 1)
+      result.push_back({ begin->second / 6, begin->second % 6 });
+  });
+  return result;
 }
 
 // Of each vertex: is it on the boundary?
 inline std::vector<bool> is_on_boundary(const Hexahedron_soup_3& mesh)
 {
   std::vector<bool> result(mesh.points.size(), false);
-  for(const std::array<std::size_t, 4>& quadrangle : boundary_quadrangles_3(mesh))
+  for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
     for(const std::size_t v : quadrangle)
       result[v] = true;
   return result;
+}
+
+// Collects the boundary of boxes in a domain. Two quadrangles are of one patch if they share an edge and are normal to the
+// same direction.
+inline void set_facets(Hexahedron_soup_3& domain)
+{
+  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t> > edges; // with their directions, and quadrangles
+  for(const Quadrangle_of_hexahedron& quadrangle : boundary_quadrangles_3(domain))
+  {
+    const std::array<std::size_t, 4> v = vertices_of(domain, quadrangle);
+    const auto edge_to = [&](const std::size_t i) -> Eigen::Vector3d
+    {
+      return to_vector(domain.points[v[i]]) - to_vector(domain.points[v[0]]);
+    };
+    const Eigen::Vector3d normal = edge_to(1).cross(edge_to(3));
+    Eigen::Index axis;
+    normal.cwiseAbs().maxCoeff(&axis);
+    for(std::size_t i = 0; i < 4; ++i)
+      edges.push_back({ { (std::min)(v[i], v[(i + 1) % 4]), (std::max)(v[i], v[(i + 1) % 4]),
+                          2 * static_cast<std::size_t>(axis) + (normal[axis] > 0) }, domain.facets.size() });
+    domain.facets.push_back(v);
+    domain.facet_cells.push_back(quadrangle.cell);
+  }
+  Disjoint_sets patches(domain.facets.size());
+  for_each_group(std::move(edges), [&](const auto begin, const auto end)
+  {
+    if(end - begin == 2)
+      patches.unite(begin->second, (begin + 1)->second);
+  });
+  std::map<std::size_t, std::size_t> numbers;
+  for(std::size_t f = 0; f < domain.facets.size(); ++f)
+    domain.facet_patches.push_back(numbers.emplace(patches.find(f), numbers.size() + 1).first->second);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

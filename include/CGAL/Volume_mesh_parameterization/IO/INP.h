@@ -1,0 +1,117 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+//
+// This file is intended for CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_IO_INP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_IO_INP_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <map>
+#include <ostream>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// As many digits of a number as its field has room for: all 17 of most.
+inline std::string INP_number(const double number)
+{
+  constexpr std::ptrdiff_t room = 20;
+  char digits[32];
+  std::to_chars_result end = std::to_chars(digits, digits + sizeof(digits), number);
+  for(int precision = 17; end.ptr - digits > room; --precision)
+    end = std::to_chars(digits, digits + sizeof(digits), number, std::chars_format::general, precision);
+  return std::string(digits, end.ptr);
+}
+
+// Numbers from 1, at most 16 a line.
+template <typename Indices>
+void write_INP_set(Text_writer& writer, const std::string& keyword, const Indices& indices)
+{
+  writer << keyword << "\n";
+  std::size_t number_in_line = 0;
+  for(const std::size_t i : indices)
+  {
+    writer << (number_in_line == 0 ? "" : number_in_line % 16 == 0 ? ",\n" : ", ") << i + 1;
+    ++number_in_line;
+  }
+  writer << "\n";
+}
+
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgVolumeMeshParameterizationHexahedra
+///
+/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements of the type `C3D8`,
+/// numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each face of the polycube the set
+/// `PATCH_1`, `PATCH_2`, ... of its nodes, for supports, and the surface of the same name, of faces of elements, for pressures.
+/// The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
+///
+/// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
+/// a negative exponent, fewer are written, but at least 13.
+///
+/// \param os the stream
+/// \param mesh the hexahedra
+inline void write_INP(std::ostream& os, const Hexahedron_soup_3& mesh)
+{
+  internal::Text_writer writer(os);
+  writer << "*NODE, NSET=NALL\n";
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    writer << v + 1;
+    for(const double x : mesh.points[v])
+      writer << ", " << internal::INP_number(x);
+    writer << "\n";
+  }
+  writer << "*ELEMENT, TYPE=C3D8, ELSET=EALL\n";
+  std::map<int, std::vector<std::size_t> > subdomains;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    writer << c + 1;
+    for(const std::size_t v : mesh.cells[c])
+      writer << ", " << v + 1;
+    writer << "\n";
+    subdomains[mesh.cell_references[c]].push_back(c);
+  }
+  for(const auto& [reference, cells] : subdomains)
+    internal::write_INP_set(writer, "*ELSET, ELSET=SUBDOMAIN_" + std::to_string(reference), cells);
+
+  std::map<std::size_t, std::vector<std::size_t> > patches;
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+    patches[mesh.facet_patches[f]].push_back(f);
+  for(const auto& [patch, facets] : patches)
+  {
+    const std::string name = "PATCH_" + std::to_string(patch);
+    std::set<std::size_t> vertices;
+    for(const std::size_t f : facets)
+      vertices.insert(mesh.facets[f].begin(), mesh.facets[f].end());
+    internal::write_INP_set(writer, "*NSET, NSET=" + name, vertices);
+    writer << "*SURFACE, TYPE=ELEMENT, NAME=" << name << "\n";
+    for(const std::size_t f : facets) // the faces of an element are numbered as its quadrangles here
+      writer << mesh.facet_cells[f] + 1 << ", S" << internal::side_of_facet(mesh, f) + 1 << "\n";
+  }
+}
+
+} // namespace IO
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_INP_H
