@@ -593,8 +593,11 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   folder.write("target.mesh", source);
   REQUIRE(folder.run("source.mesh target.mesh --quiet --hexahedra 1.5 hexahedra.mesh") == 0);
   CHECK(folder.text("hexahedra.mesh").find("\nHexahedra\n8\n") != std::string::npos);
+  REQUIRE(folder.run("source.mesh target.mesh --quiet --hexahedra 1 hexahedra.inp") == 0);
+  CHECK(folder.text("hexahedra.inp").find("*NSET, NSET=PATCH_6\n") != std::string::npos);
+  CHECK(folder.text("hexahedra.inp").find("*ELSET, ELSET=SUBDOMAIN_") != std::string::npos);
   REQUIRE(folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.vtu --report report.json") == 0);
-  CHECK(folder.text("hexahedra.vtu").find("NumberOfCells=\"27\"") != std::string::npos);
+  CHECK(folder.text("hexahedra.vtu").find("NumberOfCells=\"81\"") != std::string::npos); // 27 hexahedra, 54 facets
   CHECK(folder.text("stdout").find("27 hexahedra, scaled Jacobian: minimal 1") != std::string::npos);
   CHECK(keys(folder.text("report.json")) == report_keys_with(hexahedra_keys));
   const std::string report = hexahedra_of(folder.text("report.json"));
@@ -613,7 +616,7 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   CHECK(folder.text("stderr").find("The map is complete. There are no hexahedra: The facet at (") == 0);
   CHECK(folder.text("stderr").find("not orthogonal to an axis") != std::string::npos);
   CHECK(folder.names()
-        == Names({"source.mesh", "target.mesh", "hexahedra.mesh", "hexahedra.vtu", "map.mesh", "report.json"}));
+        == Names({"source.mesh", "target.mesh", "hexahedra.mesh", "hexahedra.vtu", "hexahedra.inp", "map.mesh", "report.json"}));
   CHECK(folder.soup("map.mesh").cells == source.cells); // the map is written all the same
   CHECK(keys(folder.text("report.json")) == report_keys_with(hexahedra_keys));
   CHECK(folder.text("report.json").find("\"has_valid_map\": true") != std::string::npos);
