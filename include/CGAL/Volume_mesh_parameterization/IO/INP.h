@@ -1,8 +1,8 @@
 // Copyright (c) 2026  the Volume_mesh_parameterization authors.
 // All rights reserved.
-//
 // This file is intended for CGAL (www.cgal.org).
-//
+// $URL$
+// $Id$
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : the Volume_mesh_parameterization authors
