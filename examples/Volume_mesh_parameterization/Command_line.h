@@ -87,7 +87,7 @@ inline boost::program_options::options_description describe(Options& options)
      "what is minimized: stretch, symmetric_dirichlet, mips (angles only), arap, dirichlet, lscm or lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
     ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
-     "end where ten Newton steps lower the energy by less than this part of it; 0: at a minimum")
+     "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum")
     ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
      "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2")

@@ -404,7 +404,7 @@ TEST_CASE("a facet between two lines of the same edge is named")
 
 TEST_CASE("a boundary with fewer vertices than a box has corners is too coarse")
 {
-  Complex tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, { 1 } });
+  Complex tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, { 1 }, {}, {} });
   CHECK(tetrahedron.parameterize() == VMP::ERROR_BOUNDARY_TOO_COARSE);
   CHECK(tetrahedron.image.empty());
 }

@@ -758,6 +758,82 @@ TEST_CASE("The reference cells of a system can be exchanged")
         == Approx(std::pow(regular.unit, 3) * VMP::internal::volume(mesh, mesh.target)));
 }
 
+TEST_CASE("A system of some of the unknowns is a part of that of all")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(5, 0.15);
+  const VMP::Stretch_energy_3 stretch;
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> solver;
+  VMP::internal::Linear_solver_of linear_solver(solver);
+  const VMP::internal::Newton_system_3 whole(mesh, free_vertices(mesh), linear_solver, false);
+  VMP::internal::Newton_system_3 part(whole, whole.unknowns().without([](const int v) { return v % 3 == 0; }), linear_solver);
+  const auto& some = part.unknowns();
+  REQUIRE(some.size() > 20);
+  Matrix3Xd u = whole.unit() * mesh.source;
+  u.leftCols(mesh.number_of_free_vertices) += noise(mesh.number_of_free_vertices, 0.02);
+  REQUIRE(whole.evaluate(energy, u).is_flip_free());
+
+  // the gradient of the whole, by the unknowns of the part
+  const auto gradient = [&](const Matrix3Xd& positions)
+  {
+    const Matrix3Xd of_all = whole.gradient(energy, positions);
+    Eigen::VectorXd result(3 * some.size());
+    for(int row = 0; row < some.size(); ++row)
+      result.segment<3>(3 * row) = of_all.col(whole.unknowns().row(some.vertex(row)));
+    return result;
+  };
+  const Matrix3Xd own = part.gradient(energy, u);
+  CHECK((Eigen::Map<const Eigen::VectorXd>(own.data(), own.size()) - gradient(u)).norm() < 1e-12 * own.norm());
+
+  // its Newton direction, by differences of that gradient
+  constexpr double h = 1e-6;
+  Eigen::MatrixXd H(3 * some.size(), 3 * some.size());
+  for(int k = 0; k < H.cols(); ++k)
+  {
+    Matrix3Xd above = u, below = u;
+    above(k % 3, some.vertex(k / 3)) += h;
+    below(k % 3, some.vertex(k / 3)) -= h;
+    H.col(k) = (gradient(above) - gradient(below)) / (2 * h);
+  }
+  const Eigen::VectorXd expected = H.fullPivLu().solve(-gradient(u));
+  const auto direction = part.direction(energy, u, 1, 1e-10);
+  REQUIRE(direction.status == VMP::Linear_solver_status::SUCCESS);
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    if(some.contains(v))
+      CHECK((direction.vectors.col(v) - expected.segment<3>(3 * some.row(v))).norm() < 1e-5 * expected.norm());
+    else
+      CHECK(direction.vectors.col(v).isZero(0));
+  CHECK(direction.slopes.sum() == Approx(direction.slope));
+  CHECK(direction.slope == Approx(gradient(u).dot(expected)).epsilon(1e-5));
+}
+
+TEST_CASE("A cell that is nearly flat takes steps of a few vertices, and hardly any of all")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(10);
+  const auto [v, far] = middle_and_corner(mesh);
+  // the free vertex v moves until it is 1e-9 away from the plane of a facet opposite to it
+  const auto flat_cell = std::find_if(mesh.cells.begin(), mesh.cells.end(), [v = v](const std::array<int, 4>& cell)
+  { return std::count(cell.begin(), cell.end(), v) > 0; });
+  Vector3d center = Vector3d::Zero();
+  for(const int w : *flat_cell)
+    if(w != v)
+      center += mesh.source.col(w) / 3;
+  Matrix3Xd start = mesh.source;
+  start.col(v) = center + 1e-9 * (mesh.source.col(v) - center);
+  REQUIRE(number_of_inverted_cells(mesh, start) == 0);
+
+  const VMP::Stretch_energy_3 stretch;
+  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
+  Solver<> solver;
+  VMP::internal::Linear_solver_of linear_solver(solver);
+  VMP::internal::Newton_system_3 system(mesh, free_vertices(mesh), linear_solver, false);
+  VMP::internal::Progress_3 progress = patient_progress();
+  const auto result = minimize_energy_3(system, energy, start, progress);
+  CHECK(result.status == VMP::OK);
+  CHECK((result.positions - mesh.source).colwise().norm().maxCoeff() < 1e-5);
+  CHECK(progress.number_of_steps() < 20); // the height of the cell grows by a factor in each step, and of all vertices 34 are needed
+}
+
 TEST_CASE("Untangling ends without success where there is no map")
 {
   Numbered_mesh_3 mesh = cube_mesh(2); // a corner is drawn beyond the opposite one
@@ -887,13 +963,13 @@ TEST_CASE("A minimization stagnates where neither the energy nor the decrement f
   };
   CHECK(is_noticed(0.99995, 1));
   CHECK(is_noticed(0.99995, 0.9));
-  CHECK(!is_noticed(0.99995, 0.7)); // near a minimum
-  CHECK(!is_noticed(0.9998, 1));
+  CHECK(!is_noticed(0.99995, 0.6)); // near a minimum
+  CHECK(!is_noticed(0.9995, 1));
 }
 
 TEST_CASE("A search crawls where a few cells hold most of the energy, and it falls for them alone")
 {
-  // Every ten steps, the first cell becomes higher by a tenth, and all of the mesh by the rate.
+  // In ten steps, the first cell becomes higher by a tenth, and all of the mesh by the rate.
   const Numbered_mesh_3 mesh = cube_mesh(6);
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy{VMP::Stretch_energy_3()};
   const auto first_notice = [&](const double first_height, const double rate, const bool is_stagnating)
@@ -914,11 +990,11 @@ TEST_CASE("A search crawls where a few cells hold most of the energy, and it fal
     }
     return 0;
   };
-  CHECK(first_notice(1e-5, 1, false) == 110);
-  CHECK(first_notice(1e-5, 0.99, false) == 110); // the others become worse
+  CHECK(first_notice(1e-5, 1, false) == 105);
+  CHECK(first_notice(1e-5, 0.99, false) == 105); // the others become worse
   CHECK(first_notice(1e-5, 1.01, false) == 0);   // or better
-  CHECK(first_notice(1e-5, 1.01, true) == 20);   // the first ten steps have nothing to be compared with
-  CHECK(first_notice(0.05, 1, true) == -20);     // no cell holds most of the energy
+  CHECK(first_notice(1e-5, 1.01, true) == 10);   // the first five steps have nothing to be compared with
+  CHECK(first_notice(0.05, 1, true) == -10);     // no cell holds most of the energy
   CHECK(first_notice(0.05, 1, false) == 0);
 }
 

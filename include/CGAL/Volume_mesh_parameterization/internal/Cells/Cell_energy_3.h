@@ -39,6 +39,9 @@ struct alignas(64) Cell_pack_3
   std::array<Indices, 10> blocks;   // the positions in the matrix of the pairs a <= b; -1 if a vertex is not unknown
 
   static constexpr int index_of_block(const int a, const int b) { return a * (7 - a) / 2 + b; }
+
+  std::array<int, 4> cell(const std::size_t lane) const
+  { return { vertices[0][lane], vertices[1][lane], vertices[2][lane], vertices[3][lane] }; }
 };
 
 // What one pass over the cells tells.

@@ -63,6 +63,35 @@ public:
     distribute_to_rounds(unknowns.size());
   }
 
+  // Those of the cells of others that an unknown vertex belongs to, with their reference cells and weights.
+  Cell_packs_3(const Cell_packs_3& whole, const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
+  {
+    std::vector<std::size_t> places; // in the whole
+    for(std::size_t i = 0; i < whole.m_cells.size(); ++i)
+    {
+      const std::array<int, 4> cell = whole.m_packs[i / cells_per_pack].cell(i % cells_per_pack);
+      if(is_padding(whole.m_cells[i])
+         || std::none_of(cell.begin(), cell.end(), [&](const int v) { return unknowns.contains(v); }))
+        continue;
+      places.push_back(i);
+      m_cells.push_back(whole.m_cells[i]);
+    }
+    append_padding(cells_per_pack, m_cells);
+    m_number_of_own_packs = m_cells.size() / cells_per_pack;
+    m_packs.resize(m_number_of_own_packs);
+    for(std::size_t i = 0; i < m_cells.size(); ++i)
+    {
+      const std::size_t place = places[(std::min)(i, places.size() - 1)], lane = i % cells_per_pack;
+      const Cell_pack_3& from = whole.m_packs[place / cells_per_pack];
+      Cell_pack_3& pack = m_packs[i / cells_per_pack];
+      set_cell(pack, lane, from.cell(place % cells_per_pack), is_padding(m_cells[i]), unknowns, pattern);
+      pack.weight[lane] = is_padding(m_cells[i]) ? 0 : from.weight[place % cells_per_pack];
+      for(int k = 0; k < 9; ++k)
+        pack.inverse_source[k][lane] = from.inverse_source[k][place % cells_per_pack];
+    }
+    distribute_to_rounds(unknowns.size());
+  }
+
   // Takes these reference cells and weights from now on.
   void set_references(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns)
   {
@@ -120,20 +149,26 @@ private:
     std::vector<Cell_pack_3> packs(cells.size() / cells_per_pack);
     for(std::size_t i = 0; i < cells.size(); ++i)
     {
-      Cell_pack_3& pack = packs[i / cells_per_pack];
-      const int lane = static_cast<int>(i % cells_per_pack);
       std::array<int, 4> cell = mesh.cells[cell_of(cells[i])];
       std::sort(cell.begin(), cell.end(), [&](const int v, const int w) { return order(unknowns, v) < order(unknowns, w); });
-      for(int a = 0; a < 4; ++a)
-      {
-        pack.vertices[a][lane] = cell[a];
-        pack.rows[a][lane] = is_padding(cells[i]) ? -1 : unknowns.row(cell[a]);
-        for(int b = a; b < 4; ++b)
-          pack.blocks[Cell_pack_3::index_of_block(a, b)][lane] = !is_padding(cells[i]) && unknowns.contains(cell[b])
-            ? pattern.position(unknowns.row(cell[a]), unknowns.row(cell[b])) : -1;
-      }
+      set_cell(packs[i / cells_per_pack], i % cells_per_pack, cell, is_padding(cells[i]), unknowns, pattern);
     }
     return packs;
+  }
+
+  // The unknown vertices of the cell are in the order of their rows.
+  static void set_cell(Cell_pack_3& pack, const std::size_t lane, const std::array<int, 4>& cell, const bool is_padding,
+                       const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
+  {
+    for(int a = 0; a < 4; ++a)
+    {
+      pack.vertices[a][lane] = cell[a];
+      pack.rows[a][lane] = is_padding ? -1 : unknowns.row(cell[a]);
+      for(int b = a; b < 4; ++b)
+        pack.blocks[Cell_pack_3::index_of_block(a, b)][lane]
+          = !is_padding && unknowns.contains(cell[a]) && unknowns.contains(cell[b])
+            ? pattern.position(unknowns.row(cell[a]), unknowns.row(cell[b])) : -1;
+    }
   }
 
   static void set_references(const std::vector<int>& cells, const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled,

@@ -12,17 +12,21 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -54,6 +58,7 @@ public:
   }
 
   const Newton_iterate_3& iterate() const { return m_iterate; }
+  double slope() const { return m_iterate.direction.slope; }
 
   // The full Hessian is tried, or a part of its negative curvature; less of it where that fails.
   void step(const Budget& budget)
@@ -62,6 +67,13 @@ public:
     // far from the minimum, the semi-definite Hessian does as well, and the full one mostly proves indefinite
     if(m_iterate.step_length >= 1 && -m_iterate.direction.slope < 0.1 * m_iterate.evaluation.energy)
       m_negative_curvature.raise();
+  }
+
+  // Takes what a minimization of a part of the energy found.
+  void take(const Newton_iterate_3& part)
+  {
+    m_iterate.u = part.u;
+    m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
   }
 
   bool is_converged() const { return m_iterate.direction.is_exact() && relative_gain() <= 1e-8; }
@@ -108,6 +120,63 @@ private:
   Negative_curvature m_negative_curvature;
 };
 
+// The unknowns that hold most of what a step gains, with rings of others that make room for them, if they are few.
+inline std::optional<Unknowns_3> few_with_most_of_slope_3(const Newton_system_3& system, const Newton_direction_3& direction)
+{
+  constexpr double most = 0.9, very_few = 0.01, few = 0.1;
+  constexpr int number_of_rings = 5;
+  const Unknowns_3& unknowns = system.unknowns();
+  std::vector<int> rows(unknowns.size());
+  std::iota(rows.begin(), rows.end(), 0);
+  const auto end = rows.begin() + static_cast<std::ptrdiff_t>(very_few * unknowns.size());
+  std::partial_sort(rows.begin(), end, rows.end(), [&](const int a, const int b)
+  { return std::make_pair(direction.slopes[a], a) < std::make_pair(direction.slopes[b], b); });
+  double slope = 0;
+  std::vector<bool> is_near(unknowns.number_of_vertices());
+  for(auto row = rows.begin(); row != end && slope > most * direction.slope; ++row)
+  {
+    slope += direction.slopes[*row];
+    is_near[unknowns.vertex(*row)] = true;
+  }
+  std::optional<Unknowns_3> result;
+  for(int ring = 0; ring < number_of_rings && slope <= most * direction.slope; ++ring)
+  {
+    const std::vector<bool> was_near = is_near;
+    for(const std::array<int, 4>& cell : system.mesh().cells)
+      if(std::any_of(cell.begin(), cell.end(), [&](const int v) { return was_near[v]; }))
+        for(const int v : cell)
+          is_near[v] = true;
+    Unknowns_3 near = unknowns.without([&](const int v) { return !is_near[v]; });
+    if(near.size() > few * unknowns.size())
+      break;
+    result = std::move(near);
+  }
+  return result;
+}
+
+// Where few unknowns hold most of what a step gains, they move alone until they hold a tenth of it, or have taken about as
+// long as the step: cells that are nearly flat need many steps, over the whole mesh, too, but steps of few cost little.
+inline void minimize_few_3(Newton_system_3& system, const Cell_energy_3& energy, Minimizer_3& minimizer, const Budget& budget)
+{
+  constexpr int most_steps = 30;
+  constexpr double enough = 0.1;
+  std::optional<Unknowns_3> few = few_with_most_of_slope_3(system, minimizer.iterate().direction);
+  if(!few)
+    return;
+  const int number_of_steps = (std::min)(most_steps, system.unknowns().size() / few->size());
+  Conjugate_gradient_solver_traits_3<Sequential_tag, double> traits;
+  Linear_solver_of solver(traits);
+  Newton_system_3 part(system, std::move(*few), solver);
+  Minimizer_3 moves(part, energy, minimizer.iterate().u / system.unit(), Negative_curvature());
+  for(int step = 0; step < number_of_steps && !budget.is_exhausted(); ++step)
+  {
+    moves.step(budget);
+    if(moves.iterate().step_length == 0 || moves.slope() > enough * minimizer.slope())
+      break;
+  }
+  minimizer.take(moves.iterate());
+}
+
 // With what status is it to end after this step, although it is no minimum? `positions()` returns the images of all vertices
 // then.
 using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&,
@@ -137,6 +206,8 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return result(OK);
     if(iterate.step_length == 0)
       return result(ERROR_NOT_CONVERGED);
+    if(system.mesh().is_whole())
+      minimize_few_3(system, energy, minimizer, progress.budget());
     if(const std::optional<Error_code> status = ends_here ? ends_here(iterate, current_positions) : std::nullopt)
       return result(*status);
   }

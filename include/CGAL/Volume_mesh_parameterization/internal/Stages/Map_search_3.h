@@ -96,7 +96,7 @@ struct Map_options_3
   Improvement_3 improve = nullptr;       // by what follows, if that is wanted; otherwise it need not be compiled
   bool do_slide = false;
   std::vector<bool> is_held;             // of each vertex: must it not slide? None if there are no entries
-  double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if ten steps gain it
+  double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it
   double maximal_angle_distortion = std::numeric_limits<double>::infinity();
   bool minimize_maximal_angle_distortion = false;
   bool is_parallel = false;

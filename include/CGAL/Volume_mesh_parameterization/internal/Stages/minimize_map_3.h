@@ -68,7 +68,7 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
   return result;
 }
 
-// Judges, every ten steps, whether a minimization still gains. The energy stagnates if it has fallen by less than a
+// Judges, every five steps, whether a minimization still gains. The energy stagnates if it has fallen by less than a
 // tolerance times itself, and the squared Newton decrement, which falls fast near a minimum, hardly at all: nothing that
 // one sees is gained any more. Where a few cells hold most of the energy, it may also fall for these cells alone: then the
 // mean of the logarithms, in which these cells count as little as others, has not become notably lower for a hundred steps.
@@ -136,7 +136,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t interval = 10;
+  static constexpr std::size_t interval = 5;
 
   const Numbered_mesh_3& m_mesh;
   const Cell_energy_3& m_energy;

@@ -36,6 +36,7 @@ struct Newton_direction_3
   Eigen::Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
   double gradient_norm = 0;
   double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
+  Eigen::VectorXd slopes;    // what each row has of it, of this process
 
   // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
   bool is_usable() const
@@ -95,6 +96,20 @@ public:
       m_packs(mesh, scaled, m_unknowns, m_pattern),
       m_system(solver.make_system(std::move(m_pattern), m_communicator)),
       m_is_parallel(is_parallel)
+  {}
+
+  // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
+  Newton_system_3(const Newton_system_3& whole, Unknowns_3 some, Linear_solver_3& solver)
+    : m_mesh(whole.m_mesh),
+      m_communicator(whole.m_communicator),
+      m_number_of_own_rows(some.size()),
+      m_unknowns(std::move(some)),
+      m_penalty(nullptr),
+      m_unit(whole.m_unit),
+      m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)),
+      m_packs(whole.m_packs, m_unknowns, m_pattern),
+      m_system(solver.make_system(std::move(m_pattern), m_communicator)),
+      m_is_parallel(false)
   {}
 
   const Numbered_mesh_3& mesh() const { return m_mesh; }
@@ -208,6 +223,7 @@ private:
         result.status = Linear_solver_status::NOT_POSITIVE_DEFINITE;
       Positions direction = Eigen::Map<const Positions>(solution.data(), 3, columns.cols());
       m_unknowns.project(direction);
+      result.slopes = columns.cwiseProduct(direction).colwise().sum();
       result.vectors = m_unknowns.to_vertices(direction);
     }
     return result;
