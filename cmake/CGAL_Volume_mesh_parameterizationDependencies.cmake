@@ -4,6 +4,13 @@ find_dependency(CGAL)
 find_dependency(Eigen3) # 3.3 or newer; asking for that version would refuse version 5
 include(CGAL_Eigen3_support)
 
+# Compilers without #include_next find CGAL's list of named parameters by a header that names its place.
+find_file(CGAL_PARAMETERS_INTERFACE CGAL/STL_Extension/internal/parameters_interface.h HINTS ${CGAL_INCLUDE_DIRS})
+mark_as_advanced(CGAL_PARAMETERS_INTERFACE)
+set(CGAL_parameters_interface_folder ${CMAKE_CURRENT_BINARY_DIR}/CGAL_parameters_interface)
+file(CONFIGURE OUTPUT ${CGAL_parameters_interface_folder}/CGAL_parameters_interface.h
+  CONTENT "#include \"${CGAL_PARAMETERS_INTERFACE}\"\n")
+
 # All optional: threads, the faster direct solver, and several processes.
 find_package(TBB QUIET)
 include(CGAL_TBB_support)

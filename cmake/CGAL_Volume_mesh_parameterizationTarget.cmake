@@ -13,6 +13,9 @@ target_compile_features(${PROJECT_NAME} INTERFACE cxx_std_17)
 target_include_directories(${PROJECT_NAME} INTERFACE
   $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
   $<INSTALL_INTERFACE:${_include_dir}>)
+if(MSVC)
+  target_include_directories(${PROJECT_NAME} INTERFACE $<BUILD_INTERFACE:${CGAL_parameters_interface_folder}>)
+endif()
 # The optional parts are decided where the headers are compiled, not where they were installed.
 target_link_libraries(${PROJECT_NAME} INTERFACE
   CGAL::CGAL CGAL::Eigen3_support

@@ -11,7 +11,9 @@
 // of the same name. There is no guard: CGAL reads the list several times, each time with another
 // meaning of CGAL_add_named_parameter.
 
-#pragma GCC system_header // #include_next is an extension, which -pedantic would report
+#ifdef __GNUC__
+#  pragma GCC system_header // #include_next is an extension, which -pedantic would report
+#endif
 
 // Tells the public headers that this file was found before CGAL's.
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
@@ -31,5 +33,10 @@ CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, s
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
 CGAL_add_named_parameter(use_volume_weights_t, use_volume_weights, use_volume_weights)
 
-// Comes last: since CGAL 6 the original undefines CGAL_add_named_parameter.
-#include_next <CGAL/STL_Extension/internal/parameters_interface.h>
+// Comes last: since CGAL 6 the original undefines CGAL_add_named_parameter. Compilers without extensions find it by a header
+// that CMake writes.
+#if defined(__GNUC__) && !defined(CGAL_VOLUME_MESH_PARAMETERIZATION_NO_EXTENSIONS)
+#  include_next <CGAL/STL_Extension/internal/parameters_interface.h>
+#else
+#  include <CGAL_parameters_interface.h>
+#endif

@@ -56,7 +56,7 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
 // The kernels are compiled for the instructions of this unit, and for longer ones that the processor may have.
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Cell_kernels_3.inc>
 
-#if defined(__GNUC__) && defined(__x86_64__)
+#if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS) && defined(__x86_64__)
 #  if !(defined(__AVX512F__) && defined(__AVX512DQ__))
 #    define CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX512
 #    if !(defined(__AVX2__) && defined(__FMA__))

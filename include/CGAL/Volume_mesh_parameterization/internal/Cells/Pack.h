@@ -18,8 +18,10 @@
 
 #include <boost/config.hpp>
 
-#ifdef __x86_64__
+#if defined(__x86_64__)
 #  include <immintrin.h>
+#elif defined(__aarch64__)
+#  include <arm_neon.h>
 #endif
 
 #include <array>
@@ -28,6 +30,11 @@
 #include <cstring>
 #include <type_traits>
 #include <utility>
+
+// Vectors are an extension of GNU's compilers. Without it, a register is a double; so one can ask for elsewhere, too.
+#if defined(__GNUC__) && !defined(CGAL_VOLUME_MESH_PARAMETERIZATION_NO_EXTENSIONS)
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS
+#endif
 
 // The instructions for which this unit is compiled, and the doubles in a register of theirs. The namespace of the
 // arithmetic is named after them, so that units for different processors do not share functions.
