@@ -21,7 +21,7 @@
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
@@ -277,22 +277,26 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     result.status = VMP::Ball_boundary_parameterizer_3().parameterize(
       c3t3, boundary_map, parameters::maximum_running_time(limits.seconds()).visitor(std::ref(limits.visitor())));
     result.message
-      = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(c3t3, result.status);
+      = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> >(c3t3), result.status);
     if(result.status != VMP::OK)
       return result;
   }
 
   const auto remaining_np = np.maximum_running_time(limits.seconds() - budget.seconds());
-  return VMP::internal::run_problem<ConcurrencyTag, Vertex_handle>(remaining_np, boundary_map, [&](const auto& problem)
+  return VMP::internal::run_problem<ConcurrencyTag>(remaining_np, [&](const VMP::internal::Map_problem_3& problem)
   {
-    // what refines is compiled only where it can be asked for
-    if constexpr(!std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map))
-    {
-      if(choose_parameter(get_parameter(np, internal_np::do_refine), true))
-        return VMP::internal::refine_and_parameterize_complex_3(c3t3, problem, uvw_map);
-    }
-    using Numbered_complex = VMP::internal::Numbered_complex_3<std::remove_const_t<C3t3> >;
-    return VMP::internal::parameterize_complex_3<Numbered_complex>(c3t3, problem, uvw_map);
+    constexpr bool may_refine = !std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map);
+    VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
+    std::vector<VMP::internal::Insertion_3> insertions;
+    std::vector<std::array<double, 3> > images;
+    const VMP::Parameterization_result result = VMP::internal::parameterize_body_3<Vertex_handle, may_refine>(
+      body, np, boundary_map, [&](const std::size_t v) { return body.vertices[v]; }, problem, insertions, images);
+    if constexpr(may_refine)
+      VMP::internal::insert_vertices(c3t3, body, insertions);
+    if(result.has_valid_map)
+      for(std::size_t v = 0; v < images.size(); ++v)
+        put(uvw_map, body.vertices[v], Point_3(images[v][0], images[v][1], images[v][2]));
+    return result;
   });
 }
 

@@ -67,10 +67,11 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   CGAL::stretch_minimizing_volume_parameterization(c3t3, boost::make_assoc_property_map(numbers));
 #elif defined CONSTANT_COMPLEX_IS_REFINED
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::do_refine(true));
-#elif defined ARRAYS_ARE_REFINED
-  std::vector<std::array<double, 3> > points;
-  CGAL::stretch_minimizing_volume_parameterization(points, std::vector<std::array<std::size_t, 4> >(), points, points,
-                                                   params::do_refine(true));
+#elif defined CONSTANT_ARRAYS_ARE_REFINED
+  const std::vector<std::array<double, 3> > points;
+  const std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<std::array<double, 3> > images;
+  CGAL::stretch_minimizing_volume_parameterization(points, cells, points, images, params::do_refine(true));
 #elif defined TARGETS_BY_INDICES
   std::unordered_map<std::size_t, K::Point_3> targets;
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::boundary_map(VMP::make_vertex_point_map(targets)));

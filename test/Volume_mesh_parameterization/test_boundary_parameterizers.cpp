@@ -467,7 +467,7 @@ TEST_CASE("the derivatives of the radial distortion agree with differences")
 TEST_CASE("coarsening to a tetrahedron is undone exactly")
 {
   Complex complex(bent_rod());
-  const auto surface = VMP::internal::numbered_surface_3(complex.c3t3, VMP::internal::Boundary_facets(complex.c3t3));
+  const auto surface = VMP::internal::surface_of(VMP::internal::Body_of_complex_3(complex.c3t3));
   VMP::internal::Boundary_mesh_3 mesh;
   REQUIRE(VMP::internal::build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const VMP::internal::Vertex_rings_3 original(mesh);

@@ -57,5 +57,21 @@ CGAL::Volume_mesh_parameterization::Error_code
 parameterize(const C3t3& c3t3, VertexPointMap target,
              const NamedParameters& np = CGAL::parameters::default_values()) const;
 
+/*!
+writes the image of each point on the boundary of a mesh that is given by arrays, in the same way.
+
+\param points the points, a random access range as `CGAL::stretch_minimizing_volume_parameterization()` takes it
+\param cells four indices of points each, such that all cells are positive
+\param targets receives an image for each point; of those that are not on the boundary, coordinates that are not numbers
+\param np the same named parameters
+
+\return the same. `Input_error` is thrown as by `CGAL::stretch_minimizing_volume_parameterization()`.
+*/
+template <typename PointRange, typename CellRange, typename TargetRange,
+          typename NamedParameters = CGAL::parameters::Default_named_parameters>
+CGAL::Volume_mesh_parameterization::Error_code
+parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
+             const NamedParameters& np = CGAL::parameters::default_values()) const;
+
 /// @}
 };

@@ -16,9 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
-#include <CGAL/Named_function_parameters.h>
-
-
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
@@ -33,39 +30,24 @@ With the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03} the surface is coar
 collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
 energy, which compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
 
+`parameterize()` writes points of the unit sphere, up to rounding, and returns `OK`; or, with nothing written,
+`ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
+`ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_INTERRUPTED`.
+The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
+
 \cgalModels{BoundaryParameterizer_3}
 
 \sa `Cube_boundary_parameterizer_3`
 */
 class Ball_boundary_parameterizer_3
+  : public internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>
 {
-public:
-  /// writes the image of each vertex of the boundary of the complex, a point of the unit sphere up to rounding.
-  ///
-  /// \param c3t3 the complex
-  /// \param target receives the images
-  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
-  ///        `BoundaryParameterizer_3`
-  ///
-  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
-  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
-  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
-  ///
-  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
-  ///         `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, or `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding
-  ///         spoilt the map, or `ERROR_INTERRUPTED`
-  ///
-  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+  friend internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>;
+
+  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
+                 const internal::Budget& budget) const
   {
-    return internal::parameterize_boundary_3(
-      c3t3, target, np, [](const auto&, const auto& surface, auto& images, const auto& budget)
-      {
-        return internal::map_to_sphere_3(surface, images, budget);
-      });
+    return internal::map_to_sphere_3(surface, images, budget);
   }
 };
 

@@ -44,12 +44,25 @@ are mapped from the sphere by mean value coordinates \cgalCite{cgal:f-mvc-03}, w
 to the area of the box, is lowered: vertices move in their face or along their edge of the box, in at most 100 sweeps
 over all vertices.
 
+Unless corners are given, they are chosen such that the patches have areas in the ratio of those of the faces of the box,
+turned such that the map is similar to the scaling of the bounding box of the boundary to the box, and close to the
+corners of the bounding box.
+
+`parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
+`ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if
+rounding spoilt the map, or `ERROR_INTERRUPTED`. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices,
+if their degrees are bounded, plus the solution of two sparse linear systems for each face of the box.
+
 \cgalModels{BoundaryParameterizer_3}
 
 \sa `Ball_boundary_parameterizer_3`
 */
 class Cube_boundary_parameterizer_3
+  : public internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>
 {
+  friend internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>;
+
 public:
   /// chooses the unit cube.
   Cube_boundary_parameterizer_3()
@@ -65,38 +78,7 @@ public:
                       "The lengths of a box are positive and finite.");
   }
 
-  /// writes the image of each vertex of the boundary of the complex.
-  ///
-  /// The corners are chosen such that the patches have areas in the ratio of those of the faces of the box, turned
-  /// such that the map is similar to the scaling of the bounding box of the boundary to the box, and close to the
-  /// corners of the bounding box.
-  ///
-  /// \param c3t3 the complex
-  /// \param target receives the images
-  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
-  ///        `BoundaryParameterizer_3`
-  ///
-  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
-  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
-  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
-  ///
-  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
-  ///         `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found,
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_INTERRUPTED`
-  ///
-  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded, plus the
-  /// solution of two sparse linear systems for each face of the box.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const
-  {
-    return internal::parameterize_boundary_3(
-      c3t3, target, np, [this](const auto&, const auto& surface, auto& images, const auto& budget)
-      {
-        return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images, budget);
-      });
-  }
+  using internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>::parameterize;
 
   /// writes the image of each vertex of the boundary of the complex, for given corners.
   ///
@@ -115,22 +97,43 @@ public:
                           VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    return internal::parameterize_boundary_3(
-      c3t3, target, np, [&](const auto& boundary, const auto& surface, auto& images, const auto& budget)
-      {
-        std::array<int, 8> indices;
-        for(std::size_t k = 0; k < 8; ++k)
-        {
-          const auto found = boundary.indices.find(corners[k]);
-          if(found == boundary.indices.end() || std::count(corners.begin(), corners.end(), corners[k]) > 1)
-            return ERROR_INVALID_CORNERS;
-          indices[k] = static_cast<int>(found->second);
-        }
-        return internal::map_to_box_3(surface, m_half_lengths, indices, images, budget);
-      });
+    const internal::Body_of_complex_3<C3t3> body(c3t3);
+    std::array<std::size_t, 8> points;
+    for(std::size_t k = 0; k < 8; ++k)
+      points[k] = std::find(body.vertices.begin(), body.vertices.end(), corners[k]) - body.vertices.begin();
+    return this->parameterize_complex(body, target, np, points);
+  }
+
+  /// writes the image of each point on the boundary of a mesh that is given by arrays, for given corners, as for a complex.
+  template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+            typename = internal::Iterator_of<PointRange> >
+  Error_code parameterize(const PointRange& points, const CellRange& cells, const std::array<std::size_t, 8>& corners,
+                          TargetRange& targets, const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    return this->parameterize_arrays(internal::body_of(points, cells), targets, np, corners);
   }
 
 private:
+  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
+                 const internal::Budget& budget) const
+  {
+    return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images, budget);
+  }
+
+  Error_code map(const internal::Numbered_surface_3& surface, const std::array<std::size_t, 8>& corners,
+                 std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
+  {
+    std::array<int, 8> indices;
+    for(std::size_t k = 0; k < 8; ++k)
+    {
+      const auto found = std::find(surface.vertices.begin(), surface.vertices.end(), corners[k]);
+      if(found == surface.vertices.end() || std::count(corners.begin(), corners.end(), *found) > 1)
+        return ERROR_INVALID_CORNERS;
+      indices[k] = static_cast<int>(found - surface.vertices.begin());
+    }
+    return internal::map_to_box_3(surface, m_half_lengths, indices, images, budget);
+  }
+
   Eigen::Vector3d m_half_lengths;
 };
 

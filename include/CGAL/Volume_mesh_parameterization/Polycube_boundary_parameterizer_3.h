@@ -50,12 +50,31 @@ The boundary may have handles, and charts may have holes. Labels are proposed fr
 mechanical part should be turned such that the most important ones are along the axes. The more the boundary differs
 from a polycube, the more distorted is the map, and the less certain that labels with a polycube are found.
 
+Unless labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13} : those of
+facets, of small regions and of charts are changed as long as that lowers the cost. Where opposite directions would be
+neighbours, another one is put between them. Charts that no polycube can have, and their neighbours, get other
+labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
+the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the
+mean square of the logarithms of the singular values. If its map is not valid, the next one is taken, and if there
+is none, a topological sphere is mapped to its bounding box.
+
+`parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, `ERROR_BOUNDARY_TOO_COARSE` if facets
+between edges of the polycube would be flipped or flat, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
+`ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`. The
+running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights, with \f$ n \f$ boundary vertices of
+bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse
+linear systems for each chart of the polycubes found.
+
 \cgalModels{BoundaryParameterizer_3}
 
 \sa `Cube_boundary_parameterizer_3`
 */
 class Polycube_boundary_parameterizer_3
+  : public internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>
 {
+  friend internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>;
+
 public:
   /// chooses the spacing of the grid, in the units of the complex; 0 for faces with any coordinates.
   ///
@@ -65,44 +84,7 @@ public:
     internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is not negative.");
   }
 
-  /// writes the image of each vertex of the boundary of the complex, with labels that are proposed.
-  ///
-  /// The labels are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13} : those of facets, of
-  /// small regions and of charts are changed as long as that lowers the cost. Where opposite directions would be
-  /// neighbours, another one is put between them. Charts that no polycube can have, and their neighbours, get other
-  /// labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
-  /// the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the
-  /// mean square of the logarithms of the singular values. If its map is not valid, the next one is taken, and if there
-  /// is none, a topological sphere is mapped to its bounding box.
-  ///
-  /// \param c3t3 the complex
-  /// \param target receives the images
-  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
-  ///        `BoundaryParameterizer_3`
-  ///
-  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
-  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
-  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
-  ///
-  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels,
-  ///         `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat,
-  ///         `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, `ERROR_SPACING_TOO_COARSE` if there is a
-  ///         polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`
-  ///
-  /// The running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights, with \f$ n \f$ boundary vertices of
-  /// bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse
-  /// linear systems for each chart of the polycubes found.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const
-  {
-    return internal::parameterize_boundary_3(
-      c3t3, target, np, [this](const auto&, const auto& surface, auto& images, const auto& budget)
-      {
-        return internal::map_to_polycube_3(surface, {}, m_spacing, images, budget);
-      });
-  }
+  using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
 
   /// writes the image of each vertex of the boundary of the complex, for given labels.
   ///
@@ -119,24 +101,48 @@ public:
   ///
   /// \pre The labels are 0 to 5; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   /// \return the same as without labels
-  template <typename C3t3, typename FacetLabelMap, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  template <typename C3t3, typename FacetLabelMap, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+            typename = typename C3t3::Triangulation>
   Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
-    return internal::parameterize_boundary_3(
-      c3t3, target, np, [&](const auto& boundary, const auto& surface, auto& images, const auto& budget)
-      {
-        std::vector<std::size_t> label_of_facet;
-        for(const auto& facet : boundary.facets_of_complex)
-        {
-          label_of_facet.push_back(get(labels, facet));
-          internal::require(label_of_facet.back() < 6, "The labels of a polycube are 0 to 5.");
-        }
-        return internal::map_to_polycube_3(surface, label_of_facet, m_spacing, images, budget);
-      });
+    const internal::Body_of_complex_3<C3t3> body(c3t3);
+    std::vector<std::size_t> label_of_facet;
+    for(const std::size_t side : body.sides)
+      label_of_facet.push_back(get(labels, typename C3t3::Facet(body.cells[side / 4], static_cast<int>(side % 4))));
+    return this->parameterize_complex(body, target, np, label_of_facet);
+  }
+
+  /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels, as for a complex:
+  /// `labels[c][i]` is that of the facet opposite to vertex `i` of cell `c`.
+  template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
+            typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::Iterator_of<LabelRange> >
+  Error_code parameterize(const PointRange& points, const CellRange& cells, const LabelRange& labels, TargetRange& targets,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    const internal::Body_3 body = internal::body_of(points, cells);
+    internal::require(labels.size() == cells.size(), "There are labels for each cell.");
+    std::vector<std::size_t> label_of_facet;
+    for(const std::size_t side : body.sides)
+      label_of_facet.push_back(static_cast<std::size_t>(labels[side / 4][side % 4]));
+    return this->parameterize_arrays(body, targets, np, label_of_facet);
   }
 
 private:
+  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
+                 const internal::Budget& budget) const
+  {
+    return internal::map_to_polycube_3(surface, {}, m_spacing, images, budget);
+  }
+
+  Error_code map(const internal::Numbered_surface_3& surface, const std::vector<std::size_t>& label_of_facet,
+                 std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
+  {
+    for(const std::size_t label : label_of_facet)
+      internal::require(label < 6, "The labels of a polycube are 0 to 5.");
+    return internal::map_to_polycube_3(surface, label_of_facet, m_spacing, images, budget);
+  }
+
   double m_spacing;
 };
 

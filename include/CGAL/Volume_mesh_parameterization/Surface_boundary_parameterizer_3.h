@@ -47,51 +47,37 @@ Whether the target intersects itself or is turned inside out is not checked here
 
 \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 
+`parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
+`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a face of the surfaces, or
+`ERROR_INTERRUPTED`. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the surfaces.
+
 \cgalModels{BoundaryParameterizer_3}
 
 \sa `Polycube_boundary_parameterizer_3`
 */
 template <typename TriangleMesh>
 class Surface_boundary_parameterizer_3
+  : public internal::Boundary_parameterizer_base_3<Surface_boundary_parameterizer_3<TriangleMesh> >
 {
+  friend internal::Boundary_parameterizer_base_3<Surface_boundary_parameterizer_3<TriangleMesh> >;
+
 public:
   /// stores references to both surfaces, which must outlive this object.
   Surface_boundary_parameterizer_3(const TriangleMesh& boundary, const TriangleMesh& target)
     : m_boundary(boundary), m_target(target)
   {}
 
-  /// writes the image of each vertex of the boundary of the complex.
-  ///
-  /// \param c3t3 the complex
-  /// \param target receives the images
-  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
-  ///        `BoundaryParameterizer_3`
-  ///
-  /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
-  /// \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
-  ///         `C3t3::Triangulation::Geom_traits::Point_3` as value type
-  ///
-  /// \return `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-  ///         `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a
-  ///         face of the surfaces, or `ERROR_INTERRUPTED`
-  ///
-  /// The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the surfaces.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const
-  {
-    return internal::parameterize_boundary_3(
-      c3t3, target, np, [this](const auto&, const auto& surface, auto& images, const auto& budget)
-      {
-        internal::Boundary_mesh_3 mesh;
-        const Error_code status = internal::build_boundary_mesh_3(surface, mesh);
-        return status == OK ? find_images(surface, images, budget) : status;
-      });
-  }
-
 private:
   using Coordinates = std::array<double, 3>;
   using Face = std::array<std::size_t, 3>; // with the smallest index first
+
+  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
+                 const internal::Budget& budget) const
+  {
+    internal::Boundary_mesh_3 mesh;
+    const Error_code status = internal::build_boundary_mesh_3(surface, mesh);
+    return status == OK ? find_images(surface, images, budget) : status;
+  }
 
   Error_code find_images(const internal::Numbered_surface_3& boundary, std::vector<Eigen::Vector3d>& images,
                          const internal::Budget& budget) const

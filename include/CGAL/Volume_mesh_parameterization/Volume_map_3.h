@@ -26,19 +26,21 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// The map of a complex as arrays; one of arrays has no references.
+// The map of a complex or of arrays.
 struct Mapped_soup_3 : Tetrahedron_soup_3
 {
-  Mapped_soup_3(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells,
-                const std::vector<std::array<double, 3> >& images)
-    : Tetrahedron_soup_3{ points, cells, {}, {}, {} }, images(images)
-  {}
+  Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images)
+    : Tetrahedron_soup_3(std::move(soup)), images(std::move(images))
+  {
+    require(this->images.size() == points.size(), "There are as many images as points.");
+  }
 
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
@@ -98,12 +100,13 @@ public:
   Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map))
   {}
 
-  /// takes the points and cells of a mesh, as in `Tetrahedron_soup_3`, and the image of each point.
-  /// Throws `std::out_of_range` if there is a cell without all points, or a point without image.
-  Volume_map_3(const std::vector<std::array<double, 3> >& points,
-               const std::vector<std::array<std::size_t, 4> >& cells,
-               const std::vector<std::array<double, 3> >& images)
-    : m_source(points, cells), m_target(images, cells)
+  /// takes the points and cells of a mesh that is given by arrays, as `CGAL::stretch_minimizing_volume_parameterization()`
+  /// does, and the image of each point. Throws `std::out_of_range` if there is a cell without all points, or a point without
+  /// image.
+  template <typename PointRange, typename CellRange, typename ImageRange>
+  Volume_map_3(const PointRange& points, const CellRange& cells, const ImageRange& images)
+    : m_source(internal::coordinates_of(points), internal::indices_of(cells)),
+      m_target(internal::coordinates_of(images), internal::indices_of(cells))
   {}
 
   /// returns the image of a point; empty if the point is outside.
@@ -169,7 +172,9 @@ public:
   /// @}
 
 private:
-  explicit Volume_map_3(const internal::Mapped_soup_3& map) : Volume_map_3(map.points, map.cells, map.images) {}
+  explicit Volume_map_3(const internal::Mapped_soup_3& map)
+    : m_source(map.points, map.cells), m_target(map.images, map.cells)
+  {}
 
   static std::optional<Location> carried(const std::optional<internal::Place_3>& place,
                                          const internal::Cell_locator_3& other)

@@ -13,62 +13,44 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <iterator>
-#include <string>
-#include <unordered_map>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// The facets with a cell of a complex on one side and none on the other, as triples of indices of their vertices, which
-// turn counterclockwise as seen from outside.
-template <typename C3t3>
-struct Boundary_facets
+inline Numbered_surface_3 surface_of(const Body_3& body)
 {
-  using Vertex_handle = typename C3t3::Vertex_handle;
-
-  std::vector<Vertex_handle> vertices;
-  std::unordered_map<Vertex_handle, std::size_t> indices;
-  std::vector<std::array<std::size_t, 3> > facets;
-  std::vector<typename C3t3::Facet> facets_of_complex; // on the side of the cell
-
-  explicit Boundary_facets(const C3t3& c3t3)
-  {
-    for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  Numbered_surface_3 surface;
+  surface.facets = body.boundary;
+  std::vector<std::size_t> numbers(body.soup.points.size(), none);
+  for(std::array<std::size_t, 3>& facet : surface.facets)
+    for(std::size_t& v : facet)
     {
-      const typename C3t3::Cell_handle c = it;
-      for(int i = 0; i < 4; ++i)
-        if(!c3t3.is_in_complex(c->neighbor(i)))
-          add_facet(c3t3, c, i);
+      if(numbers[v] == none)
+      {
+        numbers[v] = surface.vertices.size();
+        surface.vertices.push_back(v);
+        surface.points.push_back(to_vector(body.soup.points[v]));
+      }
+      v = numbers[v];
     }
-  }
+  return surface;
+}
 
-private:
-  // The vertex triple of a facet turns counterclockwise as seen from inside the cell.
-  void add_facet(const C3t3& c3t3, const typename C3t3::Cell_handle c, const int i)
-  {
-    std::array<std::size_t, 3> facet;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Vertex_handle v = c->vertex(c3t3.triangulation().vertex_triple_index(i, 2 - k));
-      const auto inserted = indices.emplace(v, vertices.size());
-      if(inserted.second)
-        vertices.push_back(v);
-      facet[k] = inserted.first->second;
-    }
-    facets.push_back(facet);
-    facets_of_complex.emplace_back(c, i);
-  }
-};
+inline std::vector<std::size_t> non_manifold_points(const Body_3& body)
+{
+  const Numbered_surface_3 surface = surface_of(body);
+  std::vector<std::size_t> result;
+  for(const std::size_t v : non_manifold_vertices(surface.vertices.size(), surface.facets))
+    result.push_back(surface.vertices[v]);
+  return result;
+}
 
 } // namespace internal
 
@@ -90,11 +72,25 @@ The time is linear in the number of cells.
 
 \sa `non_manifold_boundary_vertices()`
 */
-template <typename C3t3, typename OutputIterator>
+template <typename C3t3, typename OutputIterator, typename = typename C3t3::Triangulation>
 OutputIterator boundary_vertices(const C3t3& c3t3, OutputIterator out)
 {
-  const internal::Boundary_facets<C3t3> boundary(c3t3);
-  return std::copy(boundary.vertices.begin(), boundary.vertices.end(), out);
+  const internal::Body_of_complex_3<C3t3> body(c3t3);
+  for(const std::size_t v : internal::surface_of(body).vertices)
+    *out++ = body.vertices[v];
+  return out;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+returns the points on the boundary of a mesh that is given by arrays, as indices. Throws `Input_error` as
+`CGAL::stretch_minimizing_volume_parameterization()` does.
+*/
+template <typename PointRange, typename CellRange, typename = internal::Iterator_of<PointRange> >
+std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellRange& cells)
+{
+  return internal::surface_of(internal::body_of(points, cells)).vertices;
 }
 
 /*!
@@ -116,27 +112,36 @@ The time is linear in the number of cells, and O(n log n) for n facets of the bo
 
 \sa `boundary_vertices()`
 */
-template <typename C3t3, typename OutputIterator>
+template <typename C3t3, typename OutputIterator, typename = typename C3t3::Triangulation>
 OutputIterator non_manifold_boundary_vertices(const C3t3& c3t3, OutputIterator out)
 {
-  const internal::Boundary_facets<C3t3> boundary(c3t3);
-  for(const std::size_t v : internal::non_manifold_vertices(boundary.vertices.size(), boundary.facets))
-    *out++ = boundary.vertices[v];
+  const internal::Body_of_complex_3<C3t3> body(c3t3);
+  for(const std::size_t v : internal::non_manifold_points(body))
+    *out++ = body.vertices[v];
   return out;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+returns those points of a mesh that is given by arrays, as indices.
+*/
+template <typename PointRange, typename CellRange, typename = internal::Iterator_of<PointRange> >
+std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points, const CellRange& cells)
+{
+  return internal::non_manifold_points(internal::body_of(points, cells));
 }
 
 namespace internal {
 
-// Where the boundary of a complex is not a manifold, as a sentence; empty for other errors.
-template <typename C3t3>
-std::string place_of_boundary_error(const C3t3& c3t3, const Error_code status)
+// Where the boundary of a body is not a manifold, as a sentence; empty for other errors.
+inline std::string place_of_boundary_error(const Body_3& body, const Error_code status)
 {
   if(status != ERROR_NON_MANIFOLD_BOUNDARY)
     return "";
-  std::vector<typename C3t3::Vertex_handle> vertices;
-  non_manifold_boundary_vertices(c3t3, std::back_inserter(vertices));
-  const auto p = point_of_vertex(c3t3.triangulation(), vertices.front());
-  return sentence(" It is none at ", vertices.size(), " vertices, among them the one at ", describe(to_vector(p)), ".");
+  const std::vector<std::size_t> points = non_manifold_points(body);
+  return sentence(" It is none at ", points.size(), " vertices, among them the one at ",
+                  describe(to_vector(body.soup.points[points.front()])), ".");
 }
 
 } // namespace internal

@@ -74,7 +74,8 @@ scaled Jacobian. That all corners are positive is checked with exact predicates 
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param points the points of the tetrahedral mesh
+\param points the points of the tetrahedral mesh, a random access range as
+       `CGAL::stretch_minimizing_volume_parameterization()` takes it
 \param cells four indices of points each, such that all cells are positive
 \param images the image of each point under a map that inverts no cell, as
        `CGAL::stretch_minimizing_volume_parameterization()` writes it
@@ -116,16 +117,30 @@ time linear in the number of hexahedra, plus the solution of a linear system.
 \sa `IO::write_MEDIT()`
 \sa `IO::write_INP()`
 */
-template <typename ConcurrencyTag = Sequential_tag, typename NamedParameters = parameters::Default_named_parameters>
-Hexahedral_mesh_result hexahedral_mesh(const std::vector<std::array<double, 3> >& points,
-                                       const std::vector<std::array<std::size_t, 4> >& cells,
-                                       const std::vector<std::array<double, 3> >& images,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename CellRange, typename ImageRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Hexahedral_mesh_result hexahedral_mesh(const PointRange& points, const CellRange& cells, const ImageRange& images,
                                        const double spacing,
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
-  internal::require(images.size() == points.size(), "There are as many images as points.");
-  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(internal::Mapped_soup_3(points, cells, images), spacing, mesh, np);
+  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(
+    internal::Mapped_soup_3(internal::soup_of(points, cells), internal::coordinates_of(images)), spacing, mesh, np);
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationHexahedra
+
+makes hexahedra of a soup in the same way, with its references.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename ImageRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Hexahedral_mesh_result hexahedral_mesh(const Tetrahedron_soup_3& soup, const ImageRange& images, const double spacing,
+                                       Hexahedron_soup_3& mesh,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(
+    internal::Mapped_soup_3(soup, internal::coordinates_of(images)), spacing, mesh, np);
 }
 
 /*!

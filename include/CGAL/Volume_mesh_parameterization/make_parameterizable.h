@@ -13,8 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>
@@ -27,6 +28,47 @@
 #endif
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+template <typename Vertex, typename NamedParameters, typename VertexOfPoint>
+std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParameters& np, const VertexOfPoint& vertex)
+{
+  check_named_parameters<internal_np::boundary_map_t, internal_np::vertex_is_constrained_t, internal_np::output_iterator_t>(np);
+  Limits<NamedParameters> limits(np);
+  const Budget budget = limits.budget();
+  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
+  {
+    const std::vector<bool> is_prescribed
+      = prescribed_points(body, prescription_3<Vertex>(body, np, Constant_property_map<Vertex, Exact_point_3>(), vertex).is_constrained);
+    const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
+    return Simplex_removal_3(body, is_bad).run(budget);
+  }
+  else
+  {
+    const Prescription_3 prescription
+      = prescription_3<Vertex>(body, np, parameters::get_parameter(np, internal_np::boundary_map), vertex);
+    return remove_degenerate_simplices(body, prescription, budget);
+  }
+}
+
+template <typename NamedParameters, typename VertexOfPoint>
+std::size_t tell_insertions(const std::vector<Insertion_3>& insertions, const NamedParameters& np,
+                            const VertexOfPoint& vertex)
+{
+  using Vertex = decltype(vertex(0));
+  auto out = parameters::choose_parameter(parameters::get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
+  for(const Insertion_3& insertion : insertions)
+  {
+    Inserted_vertex_3<Vertex> inserted = { vertex(insertion.point), {} };
+    for(const std::size_t v : insertion.simplex)
+      inserted.simplex.push_back(vertex(v));
+    *out++ = inserted;
+  }
+  return insertions.size();
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -97,39 +139,59 @@ The time is O(n + m d (d + log m)) for n cells and m simplices to be removed, wi
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`
 */
-template <typename C3t3,
-          typename NamedParameters = parameters::Default_named_parameters>
-std::size_t make_parameterizable(C3t3& c3t3, const NamedParameters& np = parameters::default_values())
+template <typename C3t3, typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t make_parameterizable(C3t3& c3t3, const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-
   using Vertex_handle = typename C3t3::Vertex_handle;
   static_assert(internal::Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation does not tell which cells are meant.");
-  internal::check_named_parameters<internal_np::boundary_map_t, internal_np::vertex_is_constrained_t,
-                                   internal_np::output_iterator_t>(np);
+  internal::Body_of_complex_3<C3t3> body(c3t3);
+  const std::vector<internal::Insertion_3> insertions = internal::make_parameterizable_3<Vertex_handle>(
+    body, np, [&](const std::size_t v) { return body.vertices[v]; });
+  internal::insert_vertices(c3t3, body, insertions);
+  return internal::tell_insertions(insertions, np, [&](const std::size_t v) { return body.vertices[v]; });
+}
 
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                               Static_boolean_property_map<Vertex_handle, false>());
-  const auto out = choose_parameter(get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
-  internal::Limits<NamedParameters> limits(np);
-  const internal::Budget budget = limits.budget();
-  const auto remove = [&](const auto& is_bad)
-  {
-    return internal::Simplex_removal_3(c3t3, is_bad).run(out, budget);
-  };
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
 
-  const internal::Boundary_facets<C3t3> boundary(c3t3);
-  if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
-  {
-    const auto prescribed = internal::prescribed_vertices(c3t3, boundary, is_constrained);
-    return remove([&](const auto& simplex) { return internal::contains(prescribed, simplex); });
-  }
-  else
-  {
-    auto target = get_parameter(np, internal_np::boundary_map);
-    return remove(internal::Degenerate_simplices_3<Vertex_handle, decltype(target)>(c3t3, boundary, is_constrained, target));
-  }
+refines a mesh that is given by arrays in the same way: the same points are inserted.
+
+\param points the points, a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it; new ones are appended
+\param cells four indices of points each, such that all cells are positive. A cell that is split becomes one of its parts, the
+       other parts are appended.
+\param np the same as for a complex, with `std::size_t` for `C3t3::Vertex_handle`, and an array or another property map as
+       `boundary_map`
+
+\return the number of new points
+*/
+template <typename PointRange, typename CellRange, typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , typename = internal::Iterator_of<CellRange> // otherwise it is another overload
+#endif
+          >
+std::size_t make_parameterizable(PointRange& points, CellRange& cells,
+                                 const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
+  const std::size_t result = make_parameterizable(soup, np);
+  if(result > 0)
+    internal::assign_refined(soup, points, cells);
+  return result;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+refines a soup in the same way. New cells and marked facets have the references of those they come from.
+*/
+template <typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t make_parameterizable(Tetrahedron_soup_3& soup, const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const auto point = [](const std::size_t v) { return v; };
+  internal::Body_3 body = internal::body_of(soup);
+  const std::vector<internal::Insertion_3> insertions = internal::make_parameterizable_3<std::size_t>(body, np, point);
+  soup = std::move(body.soup);
+  return internal::tell_insertions(insertions, np, point);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -13,11 +13,22 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-
-#include <CGAL/property_map.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// All points count as prescribed, so that the map is their target.
+inline Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images)
+{
+  require(images.size() == soup.points.size(), "There are as many images as points.");
+  const Numbered_mesh_3 mesh = Numbered_body_3(soup, std::vector<bool>(soup.points.size(), true), images).mesh;
+  return measure_distortion_3(mesh, mesh.target);
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -42,10 +53,25 @@ The time is O(n log n) for n vertices, linear in the number of cells.
 template <typename C3t3, typename VertexUVWMap>
 Distortion_3 measure_distortion(const C3t3& c3t3, const VertexUVWMap uvw_map)
 {
-  // all vertices count as prescribed, so that the map is their target
-  const Static_boolean_property_map<typename C3t3::Vertex_handle, true> is_prescribed;
-  const internal::Numbered_complex_3<C3t3> numbered(c3t3, is_prescribed, uvw_map);
-  return internal::measure_distortion_3(numbered.mesh(), numbered.mesh().target);
+  const internal::Body_of_complex_3<C3t3> body(c3t3);
+  return internal::distortion_of_soup_3(body.soup, internal::points_of(body.vertices, uvw_map));
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+measures the distortions of a map of a mesh that is given by arrays, in the same way.
+
+\param points the points, a random access range as `CGAL::stretch_minimizing_volume_parameterization()` takes it
+\param cells four indices of points each, such that all cells are positive
+\param images the image of each point
+*/
+template <typename PointRange, typename CellRange, typename ImageRange>
+Distortion_3 measure_distortion(const PointRange& points, const CellRange& cells, const ImageRange& images)
+{
+  const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
+  internal::check_simplices(soup);
+  return internal::distortion_of_soup_3(soup, internal::coordinates_of(images));
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

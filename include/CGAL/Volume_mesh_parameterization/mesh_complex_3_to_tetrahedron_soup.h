@@ -13,12 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-
-#include <array>
-#include <cstddef>
-#include <unordered_map>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -52,25 +47,11 @@ void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3,
                                         Tetrahedron_soup_3& soup,
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
 {
-  std::unordered_map<typename C3t3::Vertex_handle, std::size_t> indices;
-  soup = Tetrahedron_soup_3();
-  vertices.clear();
-  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
-  {
-    soup.cells.emplace_back();
-    soup.cell_references.push_back(static_cast<int>(c3t3.subdomain_index(it)));
-    for(int i = 0; i < 4; ++i)
-    {
-      const auto v = it->vertex(i);
-      const auto [entry, is_new] = indices.emplace(v, vertices.size());
-      soup.cells.back()[i] = entry->second;
-      if(is_new)
-      {
-        vertices.push_back(v);
-        soup.points.push_back(internal::coordinates(internal::point_of_vertex(c3t3.triangulation(), v)));
-      }
-    }
-  }
+  internal::Body_of_complex_3<C3t3> body(c3t3);
+  for(std::size_t c = 0; c < body.cells.size(); ++c)
+    body.soup.cell_references[c] = static_cast<int>(c3t3.subdomain_index(body.cells[c]));
+  soup = std::move(body.soup);
+  vertices = std::move(body.vertices);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

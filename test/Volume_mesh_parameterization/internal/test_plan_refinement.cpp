@@ -1,16 +1,11 @@
 // What a search that was blocked leads to: the cells to refine, and whether the approach of the boundary goes on.
 #include "catch.h"
-#include "cube_complex.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
-
-#include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 
@@ -19,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -26,7 +22,6 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = CGAL::Volume_mesh_parameterization::internal;
 
-using Complex = Cube_complex<>;
 using Eigen::Matrix3Xd;
 using internal::Blocked_approach_3;
 using internal::Found_map_3;
@@ -270,48 +265,41 @@ namespace {
 
 Refinement_plan_3 plan_of(const Blocked_approach_3& approach) { return { {}, approach, {} }; }
 
-// Four cells around the edge of two vertices, with a ring of four around it.
+// Four cells around the edge of two points, with a ring of four around it.
 struct Four_cells
 {
-  using Numbered_complex = internal::Numbered_complex_3<Complex::C3t3>;
-  using Inserted = std::vector<VMP::Inserted_vertex_3<Complex::Vertex_handle> >;
+  Matrix3Xd source;
+  internal::Body_3 body;
 
-  Complex complex;
-
-  Four_cells() : complex(mesh()) {}
-
-  static Numbered_mesh_3 mesh()
+  Four_cells() : source(3, 6)
   {
-    Numbered_mesh_3 result;
-    result.source.resize(3, 6);
-    result.source << 1, 1, 0, 1, 2, 1,
-                     0, 0, 0, -1, 0, 1,
-                    -1, 1, 0, 0, 0, 0;
-    for(int i = 0; i < 4; ++i)
-      result.cells.push_back({ 0, 1, 2 + i, 2 + (i + 1) % 4 });
-    result.target = result.source;
-    return result;
+    source << 1, 1, 0, 1, 2, 1,
+              0, 0, 0, -1, 0, 1,
+             -1, 1, 0, 0, 0, 0;
+    VMP::Tetrahedron_soup_3 soup;
+    for(int v = 0; v < 6; ++v)
+      soup.points.push_back({ source(0, v), source(1, v), source(2, v) });
+    for(std::size_t i = 0; i < 4; ++i)
+      soup.cells.push_back({ 0, 1, 2 + i, 2 + (i + 1) % 4 });
+    soup.cell_references.resize(4);
+    body = internal::body_of(soup);
   }
 
-  Numbered_complex numbered()
+  internal::Numbered_body_3 numbered() const
   {
-    return Numbered_complex(complex.c3t3, CGAL::Static_boolean_property_map<Complex::Vertex_handle, false>(),
-                            complex.boundary_map());
+    return internal::Numbered_body_3(body.soup, internal::prescribed_points(body), body.soup.points);
   }
 
-  // The images of the vertices in the order of the numbered complex, from those in the order of the mesh.
-  Matrix3Xd image(const Numbered_complex& numbers, const Matrix3Xd& positions) const
+  // The images of the vertices in the order of the numbered mesh, from those of the points.
+  Matrix3Xd image(const internal::Numbered_body_3& numbers, const Matrix3Xd& positions) const
   {
     Matrix3Xd result(3, positions.cols());
     for(Eigen::Index v = 0; v < positions.cols(); ++v)
-      result.col(numbers.number(complex.vertices[v])) = positions.col(v);
+      result.col(numbers.vertices[v]) = positions.col(v);
     return result;
   }
 
-  Inserted split()
-  {
-    return internal::split_edges_3(complex.c3t3, { { complex.vertices[0], complex.vertices[1] } });
-  }
+  std::vector<internal::Insertion_3> split() { return internal::split_edges_3(body, { { 0, 1 } }); }
 };
 
 } // namespace
@@ -320,20 +308,20 @@ TEST_CASE("An approach that goes on has the images of all vertices, with midpoin
 {
   Four_cells cells;
   const auto before = cells.numbered();
-  const Matrix3Xd image = 2 * cells.image(before, cells.complex.mesh.source);
+  const Matrix3Xd image = 2 * cells.image(before, cells.source);
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  internal::Carried_search_3<Complex::C3t3> carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
+  internal::Carried_search_3 carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
 
   const auto after = cells.numbered();
-  REQUIRE(after.vertices().size() == 7);
+  REQUIRE(after.points.size() == 7);
   const internal::Approach_start_3 start = carried.approach_start(after, 2);
   CHECK(start.patience == 2);
   CHECK(start.number_of_raises == 3);
   REQUIRE(start.positions.cols() == 7);
-  CHECK(start.positions.col(after.number(inserted[0].vertex)) == Eigen::Vector3d(2, 0, 0));
+  CHECK(start.positions.col(after.vertices[inserted[0].point]) == Eigen::Vector3d(2, 0, 0));
   for(int v = 0; v < 6; ++v)
-    CHECK(start.positions.col(after.number(cells.complex.vertices[v])) == 2 * cells.complex.mesh.source.col(v));
+    CHECK(start.positions.col(after.vertices[v]) == 2 * cells.source.col(v));
   CHECK(carried.blocked().goes_on);
   CHECK(carried.blocked().distance == 0.5);
 }
@@ -343,15 +331,15 @@ TEST_CASE("Images that rounding has spoilt are given up")
   Four_cells cells;
   const auto before = cells.numbered();
   // the midpoint of the edge is rounded to a vertex of the ring
-  Matrix3Xd positions = cells.complex.mesh.source;
+  Matrix3Xd positions = cells.source;
   positions(0, 1) = std::nextafter(1., 2.);
   positions(0, 2) = 1;
   const Matrix3Xd image = cells.image(before, positions);
-  REQUIRE(internal::inverted_cells(before.mesh(), image).number == 0);
+  REQUIRE(internal::inverted_cells(before.mesh, image).number == 0);
 
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  internal::Carried_search_3<Complex::C3t3> carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
+  internal::Carried_search_3 carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
   REQUIRE(carried.blocked().goes_on);
   const internal::Approach_start_3 start = carried.approach_start(cells.numbered(), 2);
   CHECK(start.positions.cols() == 0);
@@ -364,8 +352,8 @@ TEST_CASE("An approach that starts again carries no images")
 {
   Four_cells cells;
   const auto before = cells.numbered();
-  const Matrix3Xd image = cells.image(before, cells.complex.mesh.source);
-  internal::Carried_search_3<Complex::C3t3> carried(before, image, cells.split(), plan_of({ false, 3, 0.5 }));
+  const Matrix3Xd image = cells.image(before, cells.source);
+  internal::Carried_search_3 carried(before, image, cells.split(), plan_of({ false, 3, 0.5 }));
   const internal::Approach_start_3 start = carried.approach_start(cells.numbered(), 1);
   CHECK(start.positions.cols() == 0);
   CHECK(start.number_of_raises == 0);
@@ -376,16 +364,16 @@ TEST_CASE("Untangling that goes on has the images of all vertices, although they
 {
   Four_cells cells;
   const auto before = cells.numbered();
-  const Matrix3Xd image = -cells.image(before, cells.complex.mesh.source);
+  const Matrix3Xd image = -cells.image(before, cells.source);
   Refinement_plan_3 plan;
   plan.untangling.goes_on = true;
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  const internal::Carried_search_3<Complex::C3t3> carried(before, image, inserted, plan);
+  const internal::Carried_search_3 carried(before, image, inserted, plan);
   const auto after = cells.numbered();
   const internal::Untangling_start_3 start = carried.untangling_start(after, true);
   REQUIRE(start.positions.cols() == 7);
-  CHECK(start.positions.col(after.number(inserted[0].vertex)) == Eigen::Vector3d(-1, 0, 0));
+  CHECK(start.positions.col(after.vertices[inserted[0].point]) == Eigen::Vector3d(-1, 0, 0));
   CHECK(start.most_inverted_cells_to_split > 0);
   CHECK(carried.untangling_start(after, false).most_inverted_cells_to_split == 0);
 }
@@ -396,34 +384,93 @@ TEST_CASE("A search that has given up splitting leaves inverted cells to the sof
   const auto before = cells.numbered();
   Refinement_plan_3 plan;
   plan.untangling.has_given_up = true;
-  const internal::Carried_search_3<Complex::C3t3> carried(before, cells.complex.mesh.source, {}, plan);
+  const internal::Carried_search_3 carried(before, cells.source, {}, plan);
   CHECK(carried.untangling_start(before, true).most_inverted_cells_to_split == 0);
   CHECK(carried.untangling_start(before, true).positions.cols() == 0);
 }
 
 TEST_CASE("Given edges are split, longest first, and others are ignored")
 {
-  Complex complex(cube_mesh(2));
+  const Numbered_mesh_3 mesh = cube_mesh(2);
+  internal::Body_3 body = internal::body_of(source_soup(mesh));
   const auto at = [&](const double x, const double y, const double z)
   {
-    int v = 0;
-    while(complex.mesh.source.col(v) != Eigen::Vector3d(x, y, z))
+    std::size_t v = 0;
+    while(mesh.source.col(v) != Eigen::Vector3d(x, y, z))
       ++v;
-    return complex.vertices[v];
+    return v;
   };
-  const auto center = at(1, 1, 1), corner = at(0, 0, 0);
-  const auto inserted = internal::split_edges_3(complex.c3t3, {
+  const std::size_t center = at(1, 1, 1), corner = at(0, 0, 0);
+  const auto inserted = internal::split_edges_3(body, {
     { at(1, 1, 0), center }, { at(1, 0, 0), center },
     { corner, center }, { center, corner },
     { corner, at(1, 0, 0) },                      // an edge of the boundary
     { corner, at(2, 2, 2) }, { corner, corner } }); // no edges
   REQUIRE(inserted.size() == 3);
-  const std::vector<std::vector<Complex::Vertex_handle> > expected
+  const std::vector<internal::Simplex_3> expected
     = { { corner, center }, { at(1, 0, 0), center }, { at(1, 1, 0), center } };
   for(std::size_t i = 0; i < 3; ++i)
   {
     CHECK(inserted[i].simplex == expected[i]);
-    CHECK(inserted[i].vertex->point() == CGAL::midpoint(expected[i][0]->point(), expected[i][1]->point()));
+    CHECK(inserted[i].point == mesh.source.cols() + i);
+    CHECK(internal::to_vector(body.soup.points[inserted[i].point])
+          == (mesh.source.col(expected[i][0]) + mesh.source.col(expected[i][1])) / 2);
   }
-  CHECK(complex.c3t3.number_of_cells_in_complex() == 48 + 6 + 4 + 6);
+  CHECK(body.soup.cells.size() == 48 + 6 + 4 + 6);
+}
+
+TEST_CASE("Cells and marked facets of a soup keep their references where they are split, and the body its volume")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(2);
+  VMP::Tetrahedron_soup_3 soup = source_soup(mesh);
+  std::map<int, double> volumes, areas;
+  const auto measure = [&](const VMP::Tetrahedron_soup_3& s, std::map<int, double>& volume, std::map<int, double>& area)
+  {
+    const auto p = [&](const std::size_t v) { return internal::to_vector(s.points[v]); };
+    for(std::size_t c = 0; c < s.cells.size(); ++c)
+    {
+      const auto& [i, j, k, l] = s.cells[c];
+      const double six_volumes = (p(j) - p(i)).cross(p(k) - p(i)).dot(p(l) - p(i));
+      CHECK(six_volumes > 0);
+      volume[s.cell_references[c]] += six_volumes;
+    }
+    for(std::size_t f = 0; f < s.facets.size(); ++f)
+    {
+      const auto& [i, j, k] = s.facets[f];
+      area[s.facet_references[f]] += (p(j) - p(i)).cross(p(k) - p(i)).norm();
+    }
+  };
+  soup.facets.clear();
+  soup.facet_references.clear();
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+  {
+    const auto& cell = soup.cells[c];
+    double x = 0;
+    for(const std::size_t v : cell)
+      x += mesh.source(0, v) / 4;
+    soup.cell_references[c] = x < 1 ? 5 : 7;
+    for(std::size_t i = 0; i < 4; ++i) // the plane between both parts, from one side
+      if(x < 1 && mesh.source(0, cell[(i + 1) % 4]) == 1 && mesh.source(0, cell[(i + 2) % 4]) == 1
+         && mesh.source(0, cell[(i + 3) % 4]) == 1)
+      {
+        soup.facets.push_back({ cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4] });
+        soup.facet_references.push_back(9);
+      }
+  }
+  measure(soup, volumes, areas);
+  REQUIRE(volumes == std::map<int, double>{ { 5, 24. }, { 7, 24. } });
+  REQUIRE(areas == std::map<int, double>{ { 9, 8. } });
+
+  internal::Body_3 body = internal::body_of(soup);
+  REQUIRE(internal::Simplex_removal_3(body, [](const internal::Simplex_3& s)
+  {
+    return *std::max_element(s.begin(), s.end()) < 27; // each with old points only
+  }).run(internal::Budget()).size() > 8);
+  std::map<int, double> refined_volumes, refined_areas;
+  measure(body.soup, refined_volumes, refined_areas);
+  for(const int reference : { 5, 7 })
+    CHECK(refined_volumes.at(reference) == Approx(24));
+  CHECK(refined_areas.at(9) == Approx(8));
+  CHECK(body.soup.facets.size() > soup.facets.size());
+  CHECK(internal::body_of(body.soup).boundary.size() == body.boundary.size()); // which throws if cells overlap
 }

@@ -14,60 +14,60 @@
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_complex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_body_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>
 
-#include <boost/property_map/property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
-#include <Eigen/Core>
-
-#include <array>
 #include <cstddef>
-#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The numbered mesh of a tetrahedron soup, whose vertices are the indices of its points.
-class Numbered_soup_3
-  : public Numbered_vertices_3<std::size_t>
+// What complexes and arrays have in common. `vertex(p)` is what the user calls the point p.
+template <typename Vertex, bool may_refine, typename NamedParameters, typename BoundaryMap, typename VertexOfPoint>
+Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, const BoundaryMap& boundary_map,
+                                            const VertexOfPoint& vertex, const Map_problem_3& problem,
+                                            std::vector<Insertion_3>& insertions,
+                                            std::vector<std::array<double, 3> >& images)
 {
-public:
-  template <typename VertexIsConstrainedMap, typename BoundaryMap>
-  Numbered_soup_3(const Tetrahedron_soup_3& soup, const VertexIsConstrainedMap is_constrained, const BoundaryMap target,
-                  const bool has_volume_weights)
-    : m_number_of_points(soup.points.size())
+  const Prescription_3 prescription = prescription_3<Vertex>(body, np, boundary_map, vertex);
+  if constexpr(may_refine) // it is compiled only where it can be asked for
   {
-    check_simplices(soup);
-    std::vector<std::array<int, 4> > cells;
-    cells.reserve(soup.cells.size());
-    reserve(soup.points.size());
-    for(const std::array<std::size_t, 4>& cell : soup.cells)
-      cells.push_back({ add_vertex(cell[0]), add_vertex(cell[1]), add_vertex(cell[2]), add_vertex(cell[3]) });
-
-    const std::vector<bool> is_point_on_boundary = Facet_matching_3(soup).points_on_boundary();
-    std::vector<bool> is_on_boundary;
-    for(const std::size_t v : vertices())
-      is_on_boundary.push_back(is_point_on_boundary[v]);
-    set_mesh(cells, [&](const std::size_t v) { return soup.points[v]; }, is_on_boundary, is_constrained, target,
-             has_volume_weights);
+    if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::do_refine), true))
+      return refine_and_parameterize_body_3(body, prescription, problem, insertions, images);
   }
+  return parameterize_body_3(body, prescription, problem, images);
+}
 
-  void write(const Eigen::Matrix3Xd& image, std::vector<std::array<double, 3> >& images) const
+// `take(body)` takes over what refinement has changed.
+template <typename ConcurrencyTag, typename TargetRange, typename ImageRange, typename NamedParameters, typename Take>
+Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const TargetRange& targets, ImageRange& images,
+                                              const NamedParameters& np, const Take& take)
+{
+  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
+                "boundary_map must not be passed for arrays: the targets are an argument.");
+  constexpr bool may_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
+  require(targets.size() == soup.points.size(), "There are as many targets as points.");
+  Body_3 body = body_of(std::move(soup));
+  const auto target_map
+    = boost::make_function_property_map<std::size_t>([&](const std::size_t v) { return coordinates(targets[v]); });
+  return run_problem<ConcurrencyTag>(np, [&](const Map_problem_3& problem)
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    images.assign(m_number_of_points, { nan, nan, nan });
-    for(std::size_t v = 0; v < vertices().size(); ++v)
-      images[vertices()[v]] = { image(0, v), image(1, v), image(2, v) };
-  }
-
-private:
-  std::size_t m_number_of_points;
-};
+    std::vector<Insertion_3> insertions;
+    std::vector<std::array<double, 3> > images_of_points;
+    const Parameterization_result result = parameterize_body_3<std::size_t, may_refine>(
+      body, np, target_map, [](const std::size_t v) { return v; }, problem, insertions, images_of_points);
+    if(result.has_valid_map)
+      assign_coordinates(images_of_points, images);
+    if(!insertions.empty())
+      take(body.soup);
+    return result;
+  });
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
@@ -77,44 +77,83 @@ namespace CGAL {
 \ingroup PkgVolumeMeshParameterizationRef
 
 computes the same map for those whose mesh is arrays, without a complex. Vertices are indices of points, counted from 0.
+The result is the same as through a complex, bit for bit, whose cells and vertices come in the same order.
 
-\param points the points
-\param cells four indices of points each, such that all cells are positive
+\tparam PointRange a model of `RandomAccessContainer` with a `value_type` that has three coordinates by `operator[]` and can be
+        constructed from `{x, y, z}`, as `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d` can. What is not
+        modified may be any random access range with the functions `begin()`, `end()` and `size()`.
+\tparam CellRange a model of `RandomAccessContainer` whose `value_type` has four indices by `operator[]`
+\tparam TargetRange as `PointRange`
+\tparam ImageRange as `PointRange`
+
+\param points the points; new ones are appended if the mesh may be refined (see `do_refine`), and may be constant otherwise
+\param cells four indices of points each, such that all cells are positive; modified only if the mesh may be refined. A cell
+       that is split becomes one of its parts, the other parts are appended.
 \param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
        read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing
        target.
-\param images receives the image of each point if the map is valid, and is left alone otherwise. Points without a cell
-       receive coordinates that are not numbers. May be the same array as `points` or `targets`.
+\param images receives the image of each point, also of the new ones, if the map is valid, and is left alone otherwise.
+       Points without a cell receive coordinates that are not numbers. May be the same array as `targets`, or, without
+       refinement, as `points`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function for a complex,
-       with `std::size_t` for `C3t3::Vertex_handle`, except `boundary_map` and `do_refine`, which are not compiled
+       with `std::size_t` for `C3t3::Vertex_handle`, except `boundary_map`, which is not compiled. The default of
+       `do_refine` is `false`.
 
 \return the same as for a complex
 
 `Volume_mesh_parameterization::Input_error` is thrown if a cell has an index that does not exist or an index twice, or
 if a facet has more than two cells or two on the same side; `CGAL::Precondition_exception` if there are not as many
 targets as points.
+
+\sa `CGAL::Volume_mesh_parameterization::make_parameterizable()`
+\sa `CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3`
 */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename PointRange, typename CellRange, typename TargetRange, typename ImageRange,
+          typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , typename = Volume_mesh_parameterization::internal::Iterator_of<PointRange> // otherwise it is another overload
+#endif
+          >
 Volume_mesh_parameterization::Parameterization_result
-stretch_minimizing_volume_parameterization(const std::vector<std::array<double, 3> >& points,
-                                           const std::vector<std::array<std::size_t, 4> >& cells,
-                                           const std::vector<std::array<double, 3> >& targets,
-                                           std::vector<std::array<double, 3> >& images,
+stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cells, const TargetRange& targets,
+                                           ImageRange& images,
                                            const NamedParameters& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
-                "boundary_map must not be passed for arrays: the targets are an argument.");
-  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
-                "do_refine must not be passed for arrays, which are not refined: make a complex of them.");
-  VMP::internal::require(targets.size() == points.size(), "There are as many targets as points.");
-
-  const VMP::Tetrahedron_soup_3 soup = { points, cells, std::vector<int>(cells.size()), {}, {} };
-  const auto target_map = boost::make_iterator_property_map(targets.begin(), boost::identity_property_map());
-  return VMP::internal::run_problem<ConcurrencyTag, std::size_t>(np, target_map, [&](const auto& problem)
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag>(
+    VMP::internal::soup_of(points, cells), targets, images, np, [&](const VMP::Tetrahedron_soup_3& refined)
   {
-    return VMP::internal::parameterize_complex_3<VMP::internal::Numbered_soup_3>(soup, problem, images);
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value)
+      VMP::internal::assign_refined(refined, points, cells);
+  });
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+computes the same map for a soup. If it may be refined, new cells and marked facets have the references of those they come
+from.
+
+\tparam Soup `Volume_mesh_parameterization::Tetrahedron_soup_3`, which may be `const` if it is not refined
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename Soup, typename TargetRange, typename ImageRange,
+          typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , typename = Volume_mesh_parameterization::internal::If_soup<Soup> // otherwise it is another overload
+#endif
+          >
+Volume_mesh_parameterization::Parameterization_result
+stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& targets, ImageRange& images,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  namespace VMP = Volume_mesh_parameterization;
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag>(
+    soup, targets, images, np, [&](VMP::Tetrahedron_soup_3& refined)
+  {
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value)
+      soup = std::move(refined);
   });
 }
 

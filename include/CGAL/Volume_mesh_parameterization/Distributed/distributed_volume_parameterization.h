@@ -16,10 +16,11 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <array>
@@ -33,14 +34,14 @@ namespace CGAL {
 namespace Volume_mesh_parameterization::internal {
 
 // From the slices of a mesh to the images of their points.
-template <typename Problem>
+template <typename IsConstrained>
 Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3& communicator,
                                                         const Distributed_tetrahedron_soup_3& soup,
                                                         const std::vector<std::array<double, 3> >& targets,
-                                                        const Problem& problem,
+                                                        const IsConstrained& is_constrained,
+                                                        const Map_problem_3& problem,
                                                         std::vector<std::array<double, 3> >& images)
 {
-  const auto is_constrained = [&](const std::size_t v) { return get(problem.is_constrained, v); };
   const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights);
   const Numbered_mesh_3& mesh = distributed.mesh();
   const Input_check_3 check = check_input_3(mesh);
@@ -138,10 +139,13 @@ stretch_minimizing_volume_parameterization(
   return communicator.together([&]() -> Result
   {
     VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");
-    return VMP::internal::run_problem<Sequential_tag, std::size_t>(
-      np.verbose(is_printing), nullptr, [&](const auto& problem)
+    const auto map = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
+                                      Static_boolean_property_map<std::size_t, false>());
+    return VMP::internal::run_problem<Sequential_tag>(
+      np.verbose(is_printing), [&](const VMP::internal::Map_problem_3& problem)
     {
-      return VMP::internal::parameterize_distributed_mesh_3(communicator, soup, targets, problem, images);
+      return VMP::internal::parameterize_distributed_mesh_3(
+        communicator, soup, targets, [&](const std::size_t v) { return get(map, v); }, problem, images);
     }, communicator);
   });
 }

@@ -110,14 +110,13 @@ public:
   // the same facet seen from the other cell, or `none` on the boundary
   std::size_t mirror(std::size_t facet) const { return m_mirrors[facet]; }
 
-  // Is each point in a facet of one cell only?
-  std::vector<bool> points_on_boundary() const
+  // the facets of one cell only
+  std::vector<std::size_t> sides_on_boundary() const
   {
-    std::vector<bool> result(m_soup.points.size(), false);
+    std::vector<std::size_t> result;
     for(std::size_t facet = 0; facet < m_mirrors.size(); ++facet)
       if(m_mirrors[facet] == none)
-        for(std::size_t k = 1; k < 4; ++k)
-          result[m_soup.cells[facet / 4][(facet + k) % 4]] = true;
+        result.push_back(facet);
     return result;
   }
 

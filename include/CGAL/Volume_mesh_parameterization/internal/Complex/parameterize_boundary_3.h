@@ -13,41 +13,91 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-template <typename C3t3>
-Numbered_surface_3 numbered_surface_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary)
+// From a body to the images of its points on the boundary, which `map(surface, images, budget)` finds. What that returns does
+// not matter once the budget is exhausted. Calls `write(point, image)` only if this succeeds.
+template <typename NamedParameters, typename Map, typename Write>
+Error_code parameterize_boundary_3(const Body_3& body, const NamedParameters& np, const Map& map, const Write& write)
 {
-  Numbered_surface_3 surface;
-  surface.facets = boundary.facets;
-  for(const auto v : boundary.vertices)
-    surface.points.push_back(to_vector(point_of_vertex(c3t3.triangulation(), v)));
-  return surface;
-}
-
-// From a complex to the images of its boundary vertices, which `map(boundary, surface, images, budget)` finds. What that
-// returns does not matter once the budget is exhausted. Writes nothing unless this succeeds.
-template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename Map>
-Error_code parameterize_boundary_3(const C3t3& c3t3, VertexPointMap target, const NamedParameters& np, const Map& map)
-{
-  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
-
   check_named_parameters(np);
   Limits<NamedParameters> limits(np);
   const Budget budget = limits.budget();
-  const Boundary_facets<C3t3> boundary(c3t3);
+  const Numbered_surface_3 surface = surface_of(body);
   std::vector<Eigen::Vector3d> images;
-  const Error_code status = map(boundary, numbered_surface_3(c3t3, boundary), images, budget);
+  const Error_code status = map(surface, images, budget);
   if(budget.is_exhausted())
     return ERROR_INTERRUPTED;
   if(status == OK)
     for(std::size_t v = 0; v < images.size(); ++v)
-      put(target, boundary.vertices[v], Point_3(images[v][0], images[v][1], images[v][2]));
+      write(surface.vertices[v], images[v]);
   return status;
 }
+
+// The functions of all models of `BoundaryParameterizer_3`: `Model::map(surface, images, budget)` finds the images.
+template <typename Model>
+class Boundary_parameterizer_base_3
+{
+public:
+  /// writes the image of each vertex of the boundary of a complex.
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    return parameterize_complex(Body_of_complex_3<C3t3>(c3t3), target, np);
+  }
+
+  /// writes the image of each point on the boundary of a mesh that is given by arrays.
+  template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+            typename = Iterator_of<PointRange> >
+  Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    return parameterize_arrays(body_of(points, cells), targets, np);
+  }
+
+protected:
+  // With what the user has given for this boundary behind, which `map()` takes as well.
+  template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename... Given>
+  Error_code parameterize_complex(const Body_of_complex_3<C3t3>& body, VertexPointMap target, const NamedParameters& np,
+                                  const Given&... given) const
+  {
+    using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+    return parameterize_boundary_3(body, np, map(given...), [&](const std::size_t v, const Eigen::Vector3d& image)
+    {
+      put(target, body.vertices[v], Point_3(image[0], image[1], image[2]));
+    });
+  }
+
+  // Of points inside, coordinates that are not numbers.
+  template <typename TargetRange, typename NamedParameters, typename... Given>
+  Error_code parameterize_arrays(const Body_3& body, TargetRange& targets, const NamedParameters& np,
+                                 const Given&... given) const
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::array<double, 3> > images(body.soup.points.size(), { nan, nan, nan });
+    const Error_code status
+      = parameterize_boundary_3(body, np, map(given...), [&](const std::size_t v, const Eigen::Vector3d& image)
+    {
+      images[v] = coordinates(image);
+    });
+    if(status == OK)
+      assign_coordinates(images, targets);
+    return status;
+  }
+
+private:
+  template <typename... Given>
+  auto map(const Given&... given) const
+  {
+    return [&](const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+    {
+      return static_cast<const Model&>(*this).map(surface, given..., images, budget);
+    };
+  }
+};
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
@@ -45,7 +45,8 @@ public:
     const Star_forest all(communicator, m_size_of_slice, vertices);
     const std::vector<int> owner = all.get(owner_in_slice);
     // of the own vertices; the other cell of a facet without one may be with another process
-    const std::vector<bool> is_on_boundary = Facet_matching_3(cells, numbers).points_on_boundary();
+    const std::vector<bool> is_on_boundary = points_of_facets(
+      cells.points.size(), facets_of_sides(cells.cells, Facet_matching_3(cells, numbers).sides_on_boundary()));
     std::vector<PetscInt> own;
     std::vector<std::size_t> places_of_own;
     std::vector<char> is_own_prescribed, is_prescribed_in_slice(m_size_of_slice, 0);

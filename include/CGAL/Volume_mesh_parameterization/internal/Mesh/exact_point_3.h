@@ -25,14 +25,12 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The point with coordinates in double precision, for which predicates are exact.
 using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-// From points of any kernel, from vectors and from arrays.
+// Of points of any kernel, of vectors and of arrays.
 template <typename Point>
 std::array<double, 3> coordinates(const Point& p)
 {
-  return { CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) };
+  return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) };
 }
-
-inline const std::array<double, 3>& coordinates(const std::array<double, 3>& p) { return p; }
 
 template <typename Point>
 Eigen::Vector3d to_vector(const Point& p)

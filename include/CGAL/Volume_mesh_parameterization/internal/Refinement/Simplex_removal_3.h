@@ -12,62 +12,46 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
-
-#include <boost/container/static_vector.hpp>
 
 #include <queue>
 #include <tuple>
-#include <unordered_set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The vertices on the boundary, and those that `is_constrained` tells.
-template <typename C3t3, typename VertexIsConstrainedMap>
-std::unordered_set<typename C3t3::Vertex_handle>
-prescribed_vertices(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary, const VertexIsConstrainedMap is_constrained)
+// Are all vertices prescribed? No new point is.
+inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const Simplex_3& simplex)
 {
-  std::unordered_set<typename C3t3::Vertex_handle> result(boundary.vertices.begin(), boundary.vertices.end());
-  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
-    for(int i = 0; i < 4; ++i)
-      if(get(is_constrained, it->vertex(i)))
-        result.insert(it->vertex(i));
-  return result;
-}
-
-template <typename VertexHandle>
-bool contains(const std::unordered_set<VertexHandle>& vertices, const Simplex_3<VertexHandle>& simplex)
-{
-  return std::all_of(simplex.begin(), simplex.end(), [&](const VertexHandle v) { return vertices.count(v) != 0; });
+  return std::all_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
+  {
+    return v < is_prescribed.size() && is_prescribed[v];
+  });
 }
 
 // The prescribed simplices that no map with these images of its boundary can map well: their image, the
 // hull of the targets of their vertices, is degenerate, or inverted for a cell; or it begins in the image of the boundary,
 // as an edge does between two vertices of a side of a cube, though cells lie all around the simplex. With a coordinate that
 // is no number there is no image.
-template <typename VertexHandle, typename BoundaryMap>
 class Degenerate_simplices_3
 {
 public:
-  template <typename C3t3, typename VertexIsConstrainedMap>
-  Degenerate_simplices_3(const C3t3& c3t3, const Boundary_facets<C3t3>& boundary,
-                         const VertexIsConstrainedMap is_constrained, const BoundaryMap target)
-    : m_prescribed(prescribed_vertices(c3t3, boundary, is_constrained)), m_target(target)
+  Degenerate_simplices_3(const Body_3& body, const std::vector<bool>& is_prescribed,
+                         const std::vector<std::array<double, 3> >& targets)
+    : m_is_prescribed(is_prescribed), m_targets(targets), m_links(is_prescribed.size())
   {
-    for(const auto& facet : boundary.facets)
-      for(int i = 0; i < 3; ++i)
-        m_links[boundary.vertices[facet[i]]].push_back({ boundary.vertices[facet[(i + 1) % 3]],
-                                                         boundary.vertices[facet[(i + 2) % 3]] });
+    for(const std::array<std::size_t, 3>& facet : body.boundary)
+      for(std::size_t i = 0; i < 3; ++i)
+        m_links[facet[i]].push_back({ facet[(i + 1) % 3], facet[(i + 2) % 3] });
   }
 
-  bool operator()(const Simplex_3<VertexHandle>& simplex) const
+  bool operator()(const Simplex_3& simplex) const
   {
-    if(!contains(m_prescribed, simplex))
+    if(!is_prescribed_simplex(m_is_prescribed, simplex))
       return false;
     boost::container::static_vector<Exact_point_3, 4> points;
-    for(const VertexHandle v : simplex)
+    for(const std::size_t v : simplex)
       points.push_back(target(v));
     if(!std::all_of(points.begin(), points.end(), is_finite_point))
       return false;
@@ -81,21 +65,19 @@ public:
   }
 
 private:
-  Exact_point_3 target(const VertexHandle v) const { return exact_point(get(m_target, v)); }
+  Exact_point_3 target(const std::size_t v) const { return exact_point(m_targets[v]); }
 
   // At one of the vertices, if it is no simplex of the boundary itself.
-  bool begins_in_boundary(const Simplex_3<VertexHandle>& simplex) const
+  bool begins_in_boundary(const Simplex_3& simplex) const
   {
-    return std::any_of(simplex.begin(), simplex.end(), [&](const VertexHandle v)
+    return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
     {
-      const auto link = m_links.find(v);
-      if(link == m_links.end()) // constrained, but inside
-        return false;
-      Simplex_3<VertexHandle> others;
-      std::copy_if(simplex.begin(), simplex.end(), std::back_inserter(others), [v](const VertexHandle w) { return w != v; });
-      const auto is_face = [&](const Simplex_3<VertexHandle>& edge) { return contains(edge, others); };
-      return std::none_of(link->second.begin(), link->second.end(), is_face)
-        && std::any_of(link->second.begin(), link->second.end(), [&](const Simplex_3<VertexHandle>& edge)
+      const std::vector<Simplex_3>& link = m_links[v]; // none if it is constrained, but inside
+      Simplex_3 others;
+      std::copy_if(simplex.begin(), simplex.end(), std::back_inserter(others), [v](const std::size_t w) { return w != v; });
+      const auto is_face = [&](const Simplex_3& edge) { return contains(edge, others); };
+      return std::none_of(link.begin(), link.end(), is_face)
+        && std::any_of(link.begin(), link.end(), [&](const Simplex_3& edge)
       {
         return others.size() == 1 ? is_in_angle(v, edge, others[0])
                                   : is_in_angle(v, others, edge[0]) && is_in_angle(v, others, edge[1]);
@@ -104,7 +86,7 @@ private:
   }
 
   // Does the half-line from v to w run in the angle at v of the triangle of v and an edge?
-  bool is_in_angle(const VertexHandle v, const Simplex_3<VertexHandle>& edge, const VertexHandle w) const
+  bool is_in_angle(const std::size_t v, const Simplex_3& edge, const std::size_t w) const
   {
     const Exact_point_3 p = target(v), q = target(edge[0]), r = target(edge[1]), s = target(w);
     return is_finite_point(q) && is_finite_point(r) && is_finite_point(s) && CGAL::coplanar(p, q, r, s)
@@ -112,35 +94,29 @@ private:
       && CGAL::coplanar_orientation(p, r, q, s) != CGAL::NEGATIVE;
   }
 
-  std::unordered_set<VertexHandle> m_prescribed;
-  BoundaryMap m_target;
-  std::unordered_map<VertexHandle, std::vector<Simplex_3<VertexHandle> > > m_links; // in the boundary, as edges
+  const std::vector<bool>& m_is_prescribed;
+  const std::vector<std::array<double, 3> >& m_targets;
+  std::vector<std::vector<Simplex_3> > m_links; // in the boundary, as edges
 };
 
-// Removes bad interior edges, facets and cells from a complex by the insertion of few vertices.
+// Removes bad interior edges, facets and cells from a body by the insertion of few points.
 //
-// A vertex inserted into a simplex removes all bad simplices that contain it. IsBad(simplex) is a condition on old
-// vertices, which a simplex with a new vertex does not fulfil: no insertion makes anything bad. So the numbers of bad
+// A point inserted into a simplex removes all bad simplices that contain it. IsBad(simplex) is a condition on old
+// points, which a simplex with a new one does not fulfil: no insertion makes anything bad. So the numbers of bad
 // simplices around the candidates only fall, and it suffices to update the one at the top of the queue.
-template <typename C3t3, typename IsBad>
+template <typename IsBad>
 class Simplex_removal_3
 {
-  using Vertex_handle = typename C3t3::Vertex_handle;
-  using Cell_handle = typename C3t3::Cell_handle;
-  using Simplex = Simplex_3<Vertex_handle>;
-
 public:
-  Simplex_removal_3(C3t3& c3t3, const IsBad& is_bad) : m_c3t3(c3t3), m_is_bad(is_bad), m_refinement(c3t3) {}
+  Simplex_removal_3(Body_3& body, const IsBad& is_bad) : m_body(body), m_is_bad(is_bad), m_refinement(body) {}
 
-  // Writes an `Inserted_vertex_3` for each insertion and returns their number. If the budget does not suffice to find all
-  // bad simplices, nothing is inserted.
-  template <typename OutputIterator>
-  std::size_t run(OutputIterator out, const Budget& budget)
+  // If the budget does not suffice to find all bad simplices, nothing is inserted.
+  std::vector<Insertion_3> run(const Budget& budget)
   {
-    for(auto it = m_c3t3.cells_in_complex_begin(); it != m_c3t3.cells_in_complex_end() && !budget.is_exhausted(); ++it)
-      collect_candidates(it);
+    for(std::size_t c = 0; c < m_body.soup.cells.size() && !budget.is_exhausted(); ++c)
+      collect_candidates(m_refinement.cell(c));
 
-    std::size_t number_of_insertions = 0;
+    std::vector<Insertion_3> result;
     while(!m_queue.empty() && !budget.is_exhausted())
     {
       Candidate candidate = m_queue.top();
@@ -154,19 +130,16 @@ public:
         m_queue.push(candidate);
         continue;
       }
-      const Vertex_handle v = m_refinement.insert(candidate.simplex);
-      if(v == Vertex_handle())
-        continue;
-      *out++ = Inserted_vertex_3<Vertex_handle>{ v, { candidate.simplex.begin(), candidate.simplex.end() } };
-      ++number_of_insertions;
+      if(const std::optional<Insertion_3> insertion = m_refinement.insert(candidate.simplex))
+        result.push_back(*insertion);
     }
-    return number_of_insertions;
+    return result;
   }
 
 private:
   struct Candidate
   {
-    Simplex simplex;
+    Simplex_3 simplex;
     bool is_bad_edge;
     std::size_t number_of_bad;
     double size;
@@ -180,33 +153,36 @@ private:
     }
   };
 
-  void collect_candidates(const Cell_handle c)
+  bool is_interior(const Simplex_3& simplex) const
   {
-    for_each_face(vertices_of_cell(c), [&](const Simplex& simplex)
+    return m_refinement.is_interior(simplex, m_refinement.cells_around(simplex));
+  }
+
+  void collect_candidates(const Simplex_3& cell)
+  {
+    for_each_face(cell, [&](const Simplex_3& simplex)
     {
-      if(m_is_bad(simplex) && is_interior(m_c3t3, simplex, c))
-        for_each_face(simplex, [&](const Simplex& face) { add_candidate(face, c); });
+      if(m_is_bad(simplex) && is_interior(simplex))
+        for_each_face(simplex, [&](const Simplex_3& face) { add_candidate(face); });
     });
   }
 
-  void add_candidate(const Simplex& simplex, const Cell_handle c)
+  void add_candidate(const Simplex_3& simplex)
   {
-    if(!m_refinement.choose(simplex, c) || !is_interior(m_c3t3, simplex, c))
+    Simplex_3 sorted = simplex;
+    std::sort(sorted.begin(), sorted.end());
+    if(!m_known.insert(sorted).second || !is_interior(simplex))
       return;
     const bool is_bad_edge = simplex.size() == 2 && m_is_bad(simplex);
-    m_queue.push({ simplex, is_bad_edge, count_bad(simplex), squared_size(m_c3t3.triangulation(), simplex),
-                   m_number_of_candidates++ });
+    m_queue.push({ simplex, is_bad_edge, count_bad(simplex), m_refinement.squared_size(simplex), m_queue.size() });
   }
 
   // The number of bad simplices that contain a candidate, counted in each cell around it.
-  std::size_t count_bad(const Simplex& simplex) const
+  std::size_t count_bad(const Simplex_3& simplex) const
   {
-    const Cell_handle c = m_refinement.cell(simplex);
-    if(c == Cell_handle())
-      return 0;
     std::size_t count = 0;
-    for(const Cell_handle around : cells_around(m_c3t3.triangulation(), simplex, c))
-      for_each_face(vertices_of_cell(around), [&](const Simplex& face)
+    for(const std::size_t c : m_refinement.cells_around(simplex))
+      for_each_face(m_refinement.cell(c), [&](const Simplex_3& face)
       {
         if(contains(face, simplex) && m_is_bad(face))
           ++count;
@@ -214,12 +190,21 @@ private:
     return count;
   }
 
-  C3t3& m_c3t3;
+  const Body_3& m_body;
   const IsBad& m_is_bad;
-  Refinement_3<C3t3> m_refinement;
+  Refinement_3 m_refinement;
+  std::set<Simplex_3> m_known; // candidates, sorted
   std::priority_queue<Candidate> m_queue;
-  std::size_t m_number_of_candidates = 0;
 };
+
+// Removes those that the targets make degenerate whatever the map is.
+inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription,
+                                                            const Budget& budget)
+{
+  const std::vector<bool> is_prescribed = prescribed_points(body, prescription.is_constrained);
+  const Degenerate_simplices_3 is_bad(body, is_prescribed, prescription.targets);
+  return Simplex_removal_3(body, is_bad).run(budget);
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

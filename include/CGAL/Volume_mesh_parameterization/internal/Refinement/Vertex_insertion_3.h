@@ -12,96 +12,13 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-
-#include <boost/container/static_vector.hpp>
-
-#include <utility>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// An edge, facet or cell, given by its two, three or four vertices. Those of a cell are in its order.
-template <typename VertexHandle>
-using Simplex_3 = boost::container::static_vector<VertexHandle, 4>;
-
-template <typename CellHandle>
-auto vertices_of_cell(const CellHandle c)
-{
-  const auto vertices = { c->vertex(0), c->vertex(1), c->vertex(2), c->vertex(3) };
-  return Simplex_3<typename decltype(vertices)::value_type>(vertices.begin(), vertices.end());
-}
-
-template <typename VertexHandle>
-bool contains(const Simplex_3<VertexHandle>& simplex, const VertexHandle v)
-{
-  return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
-}
-
-template <typename VertexHandle>
-bool contains(const Simplex_3<VertexHandle>& simplex, const Simplex_3<VertexHandle>& face)
-{
-  return std::all_of(face.begin(), face.end(), [&](const VertexHandle v) { return contains(simplex, v); });
-}
-
-// Calls f for the edges, facets and cells that are faces of the simplex, itself included.
-template <typename VertexHandle, typename Function>
-void for_each_face(const Simplex_3<VertexHandle>& simplex, const Function& f)
-{
-  for(unsigned int subset = 0; subset < (1u << simplex.size()); ++subset)
-  {
-    Simplex_3<VertexHandle> face;
-    for(unsigned int i = 0; i < simplex.size(); ++i)
-      if(subset & (1u << i))
-        face.push_back(simplex[i]);
-    if(face.size() >= 2)
-      f(face);
-  }
-}
-
-// The squared length of the longest edge.
-template <typename Tr>
-double squared_size(const Tr& tr, const Simplex_3<typename Tr::Vertex_handle>& simplex)
-{
-  double result = 0;
-  for(const auto v : simplex)
-    for(const auto w : simplex)
-      result = (std::max)(result, CGAL::squared_distance(exact_point(point_of_vertex(tr, v)),
-                                                         exact_point(point_of_vertex(tr, w))));
-  return result;
-}
-
-// The cells that contain a simplex of the cell c.
-template <typename Tr>
-std::vector<typename Tr::Cell_handle> cells_around(const Tr& tr, const Simplex_3<typename Tr::Vertex_handle>& simplex,
-                                                   const typename Tr::Cell_handle c)
-{
-  if(simplex.size() == 4)
-    return { c };
-  if(simplex.size() == 3)
-    return { c, c->neighbor(6 - c->index(simplex[0]) - c->index(simplex[1]) - c->index(simplex[2])) };
-
-  std::vector<typename Tr::Cell_handle> cells;
-  auto circulator = tr.incident_cells(c, c->index(simplex[0]), c->index(simplex[1]));
-  const auto end = circulator;
-  do
-    cells.push_back(circulator);
-  while(++circulator != end);
-  return cells;
-}
-
-// Does a simplex of the cell c lie inside the complex, that is not in a facet between the complex and the outside?
-template <typename C3t3>
-bool is_interior(const C3t3& c3t3, const Simplex_3<typename C3t3::Vertex_handle>& simplex,
-                 const typename C3t3::Cell_handle c)
-{
-  const auto cells = cells_around(c3t3.triangulation(), simplex, c);
-  return std::all_of(cells.begin(), cells.end(), [&](const auto around) { return c3t3.is_in_complex(around); });
-}
-
 // Makes a vertex of a point of an interior edge, facet or cell of a complex. The new cells, facets and feature
 // edges belong to the complex with the indices of those that contain them, and the new vertex gets the
-// dimension and the index of the face of the complex it lies in.
+// dimension and the index of the face of the complex it lies in. `Refinement_3` has found that all cells become positive.
 template <typename C3t3>
 class Vertex_insertion_3
 {
@@ -112,9 +29,10 @@ class Vertex_insertion_3
   using Subdomain_index = typename C3t3::Subdomain_index;
   using Surface_patch_index = typename C3t3::Surface_patch_index;
   using Index = typename C3t3::Index;
+  using Simplex = boost::container::static_vector<Vertex_handle, 4>;
 
 public:
-  Vertex_insertion_3(C3t3& c3t3, const Simplex_3<Vertex_handle>& simplex, const std::vector<Cell_handle>& cells_around)
+  Vertex_insertion_3(C3t3& c3t3, const Simplex& simplex, const std::vector<Cell_handle>& cells_around)
     : m_c3t3(c3t3), m_simplex(simplex), m_cells(cells_around)
   {}
 
@@ -135,7 +53,7 @@ public:
     return v;
   }
 
-  // The cells around the new vertex.
+  // The cells around the new vertex: of each old one, in their order, those without one vertex of the simplex after the other.
   std::vector<Cell_handle> new_cells() const
   {
     std::vector<Cell_handle> cells;
@@ -160,7 +78,7 @@ private:
   void for_each_split_facet(const Cell_handle c, const Function& f) const
   {
     for(int i = 0; i < 4; ++i)
-      if(!contains(m_simplex, c->vertex(i)))
+      if(std::find(m_simplex.begin(), m_simplex.end(), c->vertex(i)) == m_simplex.end())
         f(i);
   }
 
@@ -224,13 +142,38 @@ private:
   }
 
   C3t3& m_c3t3;
-  const Simplex_3<Vertex_handle>& m_simplex;
+  const Simplex& m_simplex;
   const std::vector<Cell_handle>& m_cells;
   std::vector<Outer_facet> m_outer_facets;
   int m_dimension = 3;
   Subdomain_index m_subdomain = Subdomain_index();
   Surface_patch_index m_surface_patch = Surface_patch_index();
 };
+
+// Makes the insertions into the body of a complex in the complex, too.
+template <typename C3t3>
+void insert_vertices(C3t3& c3t3, Body_of_complex_3<C3t3>& body, const std::vector<Insertion_3>& insertions)
+{
+  for(const Insertion_3& insertion : insertions)
+  {
+    boost::container::static_vector<typename C3t3::Vertex_handle, 4> simplex;
+    for(const std::size_t v : insertion.simplex)
+      simplex.push_back(body.vertices[v]);
+    std::vector<typename C3t3::Cell_handle> cells;
+    for(const std::size_t c : insertion.cells)
+      cells.push_back(body.cells[c]);
+
+    Vertex_insertion_3<C3t3> in_complex(c3t3, simplex, cells);
+    body.vertices.push_back(in_complex.insert(exact_point(body.soup.points[insertion.point])));
+    // in the order of `Incident_simplices_3::insert()`
+    const std::vector<typename C3t3::Cell_handle> new_cells = in_complex.new_cells();
+    for(std::size_t i = 0; i < new_cells.size(); ++i)
+      if(i % simplex.size() == 0)
+        body.cells[insertion.cells[i / simplex.size()]] = new_cells[i];
+      else
+        body.cells.push_back(new_cells[i]);
+  }
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -7,19 +7,17 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_BODY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_BODY_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/property_map.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <iomanip>
 #include <iostream>
@@ -45,14 +43,9 @@ inline void print(const Parameterization_step& step)
             << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
 }
 
-// What is asked for, and with what means: the engine's options, and what depends on the type of the complex.
-template <typename Vertex, typename VertexIsConstrainedMap, typename BoundaryMap>
-struct Complex_problem_3
+// What is asked for, and with what means.
+struct Map_problem_3
 {
-  VertexIsConstrainedMap is_constrained;
-  BoundaryMap target;
-  std::function<Eigen::Vector3d(const Vertex&)> initial; // image of a vertex to start from; empty if there are none
-  std::vector<Linear_constraint_3<Vertex> > constraints;
   Map_options_3 options;
   bool use_volume_weights;
   bool verbose;
@@ -61,20 +54,19 @@ struct Complex_problem_3
   Progress_3& progress;
 };
 
-// A complex or a soup with its numbers, and what the check of these has found.
-template <typename Numbered>
-struct Checked_complex_3
+// A body with its numbers, and what the check of these has found.
+struct Checked_body_3
 {
-  Numbered numbered;
+  Numbered_body_3 numbered;
   Input_check_3 check;
 
-  template <typename Mesh, typename Problem>
-  Checked_complex_3(const Mesh& mesh, const Problem& problem)
-    : numbered(mesh, problem.is_constrained, problem.target, problem.use_volume_weights)
+  Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem)
+    : numbered(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
+               problem.use_volume_weights)
   {
-    if(problem.initial)
-      numbered.set_initial(problem.initial);
-    check = check_input_3(numbered.mesh());
+    if(!prescription.initial.empty())
+      numbered.mesh.initial = numbered.columns(prescription.initial);
+    check = check_input_3(numbered.mesh);
     problem.progress.end_numbering();
   }
 
@@ -85,21 +77,27 @@ struct Checked_complex_3
 };
 
 // The stages that are allowed, one after the other.
-template <typename Numbered, typename Problem>
-Found_map_3 find_map_of_complex_3(const Checked_complex_3<Numbered>& complex, const Problem& problem,
-                                  const Untangling_start_3& untangling, const Approach_start_3& approach)
+inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Prescription_3& prescription,
+                                      const Map_problem_3& problem, const Untangling_start_3& untangling,
+                                      const Approach_start_3& approach)
 {
-  const Numbered& numbered = complex.numbered;
+  const Numbered_body_3& numbered = body.numbered;
   if(problem.verbose)
-    print(numbered.mesh(), problem.solver);
+    print(numbered.mesh, problem.solver);
   Map_options_3 options = problem.options;
   options.untangling = untangling;
   options.approach = approach;
-  options.constraints = numbered.constraints(problem.constraints);
+  for(const Linear_constraint_3<std::size_t>& constraint : prescription.constraints)
+  {
+    options.constraints.emplace_back();
+    options.constraints.back().value = constraint.value;
+    for(const auto& term : constraint.terms)
+      options.constraints.back().terms.push_back({ numbered.vertices[term.vertex], term.coefficient });
+  }
   if(options.do_slide)
-    for(const auto v : numbered.vertices())
-      options.is_held.push_back(get(problem.is_constrained, v));
-  return find_map_3(numbered.mesh(), complex.check, problem.energy, problem.solver, options, problem.progress);
+    for(const std::size_t p : numbered.points)
+      options.is_held.push_back(prescription.is_constrained[p]);
+  return find_map_3(numbered.mesh, body.check, problem.energy, problem.solver, options, problem.progress);
 }
 
 // The result where the check does not allow a search, without counts.
@@ -112,39 +110,46 @@ inline Parameterization_result refused_result(const Input_check_3& check, const 
   return result;
 }
 
-// The result of a search, if there was one; writes the images of the vertices if they are a map.
-template <typename Numbered, typename Problem, typename Images>
-Parameterization_result written_result(const Checked_complex_3<Numbered>& complex, const Problem& problem,
-                                       const std::optional<Found_map_3>& found, Images& images)
+// The result of a search, if there was one; writes the images of the points if they are a map.
+inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
+                                              const Map_problem_3& problem, const std::optional<Found_map_3>& found,
+                                              std::vector<std::array<double, 3> >& images)
 {
-  const auto& [numbered, check] = complex;
+  const auto& [numbered, check] = checked;
   Parameterization_result result
-    = found ? make_result_3(numbered.mesh(), check, *found, problem.energy, problem.solver, problem.progress)
+    = found ? make_result_3(numbered.mesh, check, *found, problem.energy, problem.solver, problem.progress)
             : refused_result(check, problem.progress);
-  result.number_of_vertices = numbered.vertices().size();
-  result.number_of_cells = numbered.mesh().cells.size();
-  result.number_of_boundary_vertices = numbered.number_of_boundary_vertices();
+  result.number_of_vertices = numbered.points.size();
+  result.number_of_cells = numbered.mesh.cells.size();
+  const std::vector<bool> is_on_boundary = prescribed_points(body);
+  result.number_of_boundary_vertices = std::count(is_on_boundary.begin(), is_on_boundary.end(), true);
   if(result.has_valid_map)
-    numbered.write(found->map.positions, images);
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    images.assign(numbered.vertices.size(), { nan, nan, nan });
+    for(std::size_t v = 0; v < numbered.points.size(); ++v)
+      images[numbered.points[v]] = coordinates(found->map.positions.col(v));
+  }
   return result;
 }
 
-// From a complex to the images of its vertices.
-template <typename Numbered, typename Mesh, typename Problem, typename Images>
-Parameterization_result parameterize_complex_3(const Mesh& mesh, const Problem& problem, Images& images)
+// From a body to the images of its points.
+inline Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
+                                                   const Map_problem_3& problem,
+                                                   std::vector<std::array<double, 3> >& images)
 {
-  const Checked_complex_3<Numbered> complex(mesh, problem);
+  const Checked_body_3 checked(body, prescription, problem);
   Approach_start_3 approach;
   approach.patience = 2; // where nothing can be refined, larger weights get a chance
   std::optional<Found_map_3> found;
-  if(complex.allows(problem.options.mode))
-    found = find_map_of_complex_3(complex, problem, Untangling_start_3(), approach);
-  return written_result(complex, problem, found, images);
+  if(checked.allows(problem.options.mode))
+    found = find_map_of_body_3(checked, prescription, problem, Untangling_start_3(), approach);
+  return written_result(body, checked, problem, found, images);
 }
 
-// Reads the named parameters that do not depend on where the cells come from, and returns `run(problem)`.
-template <typename ConcurrencyTag, typename Vertex, typename NamedParameters, typename BoundaryMap, typename Run>
-Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap& boundary_map, const Run& run,
+// Reads the named parameters that are not about vertices, and returns `run(problem)`.
+template <typename ConcurrencyTag, typename NamedParameters, typename Run>
+Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                                     const Communicator_3& communicator = single_process())
 {
   using parameters::choose_parameter;
@@ -158,18 +163,6 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
                          internal_np::positional_constraints_t, internal_np::soft_boundary_parameters_t,
                          internal_np::solver_traits_t, internal_np::use_volume_weights_t, internal_np::verbose_t,
                          internal_np::vertex_is_constrained_t>(np);
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                               Static_boolean_property_map<Vertex, false>());
-
-  std::function<Eigen::Vector3d(const Vertex&)> initial;
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
-  {
-    const auto initial_map = get_parameter(np, internal_np::initial_map);
-    static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
-                  "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
-    initial = [initial_map](const Vertex& v) { return to_vector(get(initial_map, v)); };
-  }
-
   using Energy = typename internal_np::Lookup_named_param_def<
     internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
   const Energy energy = choose_parameter<Energy>(get_parameter(np, internal_np::energy));
@@ -213,16 +206,11 @@ Parameterization_result run_problem(const NamedParameters& np, const BoundaryMap
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
-  const Complex_problem_3<Vertex, std::remove_const_t<decltype(is_constrained)>, BoundaryMap> problem = {
-    is_constrained, boundary_map, initial,
-    choose_parameter(get_parameter(np, internal_np::positional_constraints),
-                     std::vector<Linear_constraint_3<Vertex> >()),
-    options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false), verbose,
-    cell_energy, linear_solver, progress
-  };
+  const Map_problem_3 problem = { options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false),
+                                  verbose, cell_energy, linear_solver, progress };
   return run(problem);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_COMPLEX_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_PARAMETERIZE_BODY_3_H
