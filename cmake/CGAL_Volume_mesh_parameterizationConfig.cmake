@@ -10,3 +10,12 @@ endforeach()
 if(MSVC)
   target_include_directories(CGAL::Volume_mesh_parameterization INTERFACE ${CGAL_parameters_interface_folder})
 endif()
+
+if(TARGET CGAL::Volume_mesh_parameterization_engine AND NOT TARGET CGAL::TBB_support)
+  get_target_property(is_built_with_tbb CGAL::Volume_mesh_parameterization_engine IS_BUILT_WITH_TBB)
+  if(is_built_with_tbb)
+    set(${CMAKE_FIND_PACKAGE_NAME}_FOUND FALSE)
+    string(CONCAT ${CMAKE_FIND_PACKAGE_NAME}_NOT_FOUND_MESSAGE "The installed engine was built with TBB, which is not found "
+      "here: install TBB, or install the package with CGAL_Volume_mesh_parameterization_ENGINE=OFF.")
+  endif()
+endif()

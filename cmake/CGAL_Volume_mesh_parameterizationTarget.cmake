@@ -57,6 +57,16 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, std::vect
   if(${PROJECT_NAME}_NATIVE)
     target_compile_options(${PROJECT_NAME}_engine PUBLIC -march=native)
   endif()
+  # The package's configuration asks for what the engine was built with.
+  if(TARGET CGAL::TBB_support)
+    set_target_properties(${PROJECT_NAME}_engine PROPERTIES
+      IS_BUILT_WITH_TBB TRUE EXPORT_PROPERTIES IS_BUILT_WITH_TBB)
+  endif()
+  # Who configures and installs gets the engine, too.
+  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${PROJECT_NAME}_engine>\")
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target ${PROJECT_NAME}_engine
+      --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" COMMAND_ERROR_IS_FATAL ANY)
+  endif()")
   install(TARGETS ${PROJECT_NAME}_engine EXPORT ${PROJECT_NAME}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 

@@ -28,9 +28,10 @@ R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [
 Maps a tetrahedral mesh onto another domain. The boundary goes to the domain with that name, or where TARGET
 tells; the vertices inside are placed such that no cell is inverted or flat, and that the distortion is low.
 
-  SOURCE.mesh  the mesh, an ASCII MEDIT file
+  SOURCE.mesh  the mesh: a MEDIT file (*.mesh or *.meshb), or one of VTK (*.vtu) without compression
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
                the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates
+Each file may be a pipe, or - for the standard input or output; then the summary goes to the standard error.
 )";
 
 constexpr const char* help_after_options = R"(
@@ -140,6 +141,14 @@ inline bool parse(int argc, char* argv[], Options& options)
               << ")\n";
     return false;
   }
+  for(std::string* name : { &options.source, &options.target })
+    if(*name == "-")
+      *name = "/dev/stdin";
+  if(!options.hexahedra.empty() && options.hexahedra.back() == "-")
+    options.hexahedra.back() = "/dev/stdout";
+  for(std::string* name : { &options.output, &options.refined_source, &options.report })
+    if(*name == "-")
+      *name = "/dev/stdout";
   if(options.source.empty() || options.target.empty() == options.domain.empty())
     throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET and --to DOMAIN; --help tells more");
   return true;

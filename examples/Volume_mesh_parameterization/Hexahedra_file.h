@@ -10,12 +10,19 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+inline bool is_mesh_name(const std::string& name)
+{
+  const std::string extension = std::filesystem::path(name).extension().string();
+  return extension == ".mesh" || extension == ".vtu";
+}
 
 class Hexahedra_file
 {
@@ -32,7 +39,7 @@ public:
     m_name = words[1];
     if(*end != '\0' || !(m_spacing > 0))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a positive number");
-    if(extension() != ".mesh" && extension() != ".vtu" && extension() != ".inp")
+    if(!Output_file::is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
       throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu nor with .inp");
   }
 
@@ -40,14 +47,14 @@ public:
   double spacing() const { return m_spacing; }       // 0 if there is none
 
   // Writes the file only if the status is `OK`.
-  template <typename C3t3, typename VertexUVWMap>
   CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
-  write(const C3t3& c3t3, const VertexUVWMap& uvw_map, Progress_line& progress) const
+  write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
+        const std::vector<std::array<double, 3> >& uvw, Progress_line& progress) const
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
-      c3t3, uvw_map, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
+      source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
     if(result.status == VMP::OK)
     {
       Output_file file(m_name);

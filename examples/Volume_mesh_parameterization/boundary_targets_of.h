@@ -2,9 +2,9 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 
-#include "Mesh_file.h"
 #include "Progress_line.h"
 #include "find_name.h"
+#include "read_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
@@ -15,8 +15,6 @@
 
 #include <cmath>
 #include <functional>
-#include <iterator>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -32,15 +30,15 @@ struct Boundary_error : CGAL::Volume_mesh_parameterization::Input_error
   CGAL::Volume_mesh_parameterization::Error_code status;
 };
 
-using Boundary_parameterizer
-  = std::function<CGAL::Volume_mesh_parameterization::Error_code(const C3t3&, const Point_map&, Progress_line&)>;
+using Boundary_parameterizer = std::function<CGAL::Volume_mesh_parameterization::Error_code(
+  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3&, Points&, Progress_line&)>;
 
 template <typename Parameterizer>
 Boundary_parameterizer boundary_parameterizer(const Parameterizer& parameterizer)
 {
-  return [parameterizer](const C3t3& c3t3, const Point_map& target, Progress_line& progress)
+  return [parameterizer](const auto& mesh, Points& targets, Progress_line& progress)
   {
-    return parameterizer.parameterize(c3t3, target, CGAL::parameters::visitor(std::ref(progress)));
+    return parameterizer.parameterize(mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress)));
   };
 }
 
@@ -71,43 +69,41 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
 }
 
 // Of each point of the file; not numbers where there is none.
-inline Points targets_of_file(const std::string& filename, const Mesh_file& mesh, Progress_line& progress)
+inline Points targets_of_file(const std::string& filename,
+                              const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Points targets;
-  if(VMP::IO::read_boundary_targets(filename, mesh.soup, targets, CGAL::parameters::visitor(std::ref(progress)))
+  if(VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress)))
      == VMP::ERROR_INTERRUPTED)
     throw Interruption();
 
-  // The library would find a missing target too, but it does not know the index in the file.
-  std::vector<Vertex_handle> vertices;
-  VMP::boundary_vertices(mesh.c3t3, std::back_inserter(vertices));
-  for(const Vertex_handle v : vertices)
-    if(std::isnan(targets[mesh.indices.at(v)][0]))
-      throw VMP::Input_error(filename + ": vertex " + std::to_string(mesh.indices.at(v))
+  // The library would find a missing target too, but it would name it by its place.
+  for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
+    if(std::isnan(targets[v][0]))
+      throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
                              + " (counted from 0) is on the boundary of the source, but has no target");
   return targets;
 }
 
-inline Points targets_on_domain(const std::string& domain, const double spacing, Mesh_file& mesh, Progress_line& progress)
+inline Points targets_on_domain(const std::string& domain, const double spacing,
+                                const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  Points targets(mesh.soup.points.size(), {none, none, none});
-  const VMP::Error_code status
-    = named_boundary_parameterizer(domain, spacing)(mesh.c3t3, Point_map{&mesh.indices, &targets}, progress);
+  Points targets;
+  const VMP::Error_code status = named_boundary_parameterizer(domain, spacing)(mesh, targets, progress);
   if(status == VMP::OK)
     return targets;
   if(status == VMP::ERROR_INTERRUPTED)
     throw Interruption();
 
   std::string message = VMP::get_error_message(status);
-  std::vector<Vertex_handle> vertices;
+  std::vector<std::size_t> vertices;
   if(status == VMP::ERROR_NON_MANIFOLD_BOUNDARY)
-    VMP::non_manifold_boundary_vertices(mesh.c3t3, std::back_inserter(vertices));
+    vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
   if(!vertices.empty())
     message += " It is none at " + std::to_string(vertices.size()) + " vertices, among them vertex "
-      + std::to_string(mesh.indices.at(vertices.front())) + " (counted from 0).";
+      + std::to_string(vertices.front()) + " (counted from 0).";
   throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
 }
 

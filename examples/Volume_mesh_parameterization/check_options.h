@@ -31,19 +31,30 @@ inline void check_number_of_threads(const Options& options)
               << " processors are not faster than " << number_of_processors << std::endl;
 }
 
+inline std::vector<std::string> outputs(const Options& options)
+{
+  return { options.output, options.refined_source, options.report, Hexahedra_file(options.hexahedra).name() };
+}
+
+inline bool writes_to_standard_output(const Options& options)
+{
+  const std::vector<std::string> names = outputs(options);
+  return std::count(names.begin(), names.end(), "/dev/stdout") > 0;
+}
+
 inline void check_files(const Options& options)
 {
   namespace fs = std::filesystem;
-  const fs::path extension = fs::path(options.output).extension();
-  if(!options.output.empty() && extension != ".mesh" && extension != ".vtu")
+  if(!options.output.empty() && !Output_file::is_stream(options.output) && !is_mesh_name(options.output))
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu; "
                              "other formats can be made of both: meshio convert map.vtu map.OTHER");
 
+  if(options.source == options.target && Output_file::is_stream(options.source))
+    throw std::runtime_error(options.source + ": this has two roles, it can be read only once");
   std::vector<fs::path> others = {Output_file::path(options.source)};
   if(!options.target.empty())
     others.push_back(Output_file::path(options.target));
-  for(const std::string& name : {options.output, options.refined_source, options.report,
-                                 Hexahedra_file(options.hexahedra).name()})
+  for(const std::string& name : outputs(options))
   {
     if(name.empty())
       continue;

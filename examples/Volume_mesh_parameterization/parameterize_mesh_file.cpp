@@ -1,13 +1,13 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, a ball, a box or a polycube.
 #include "Command_line.h"
 #include "Hexahedra_file.h"
-#include "Mesh_file.h"
 #include "Named_choices.h"
 #include "Output_file.h"
 #include "Progress_line.h"
 #include "Report.h"
 #include "boundary_targets_of.h"
 #include "check_options.h"
+#include "read_source.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
@@ -18,6 +18,7 @@
 #endif
 
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -32,25 +33,18 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
-Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Progress_line& progress,
-                    Points& uvw)
+Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Points& targets, const Options& options,
+                    Progress_line& progress, Points& uvw)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(options.number_of_threads));
 #endif
-  // a vertex without a cell keeps its place, or takes the prescribed one
-  uvw = mesh.soup.points;
-  for(std::size_t v = 0; v < uvw.size(); ++v)
-    if(!std::isnan(targets[v][0]))
-      uvw[v] = targets[v];
-
   Result result = std::visit([&](const auto& solver)
   {
     return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
-      mesh.c3t3, Point_map{&mesh.indices, &uvw},
-      params::boundary_map(Point_map{&mesh.indices, &targets})
-        .boundary_mode(named_boundary_mode(options.boundary))
+      mesh, targets, uvw,
+      params::boundary_mode(named_boundary_mode(options.boundary))
         .do_refine(options.do_refine)
         .do_slide_boundary(options.do_slide)
         .energy(named_energy(options.energy))
@@ -62,12 +56,14 @@ Result parameterize(Mesh_file& mesh, Points& targets, const Options& options, Pr
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(std::ref(progress)));
   }, named_solver(options.solver));
+  // a vertex without a cell keeps its place, or takes the prescribed one
+  for(std::size_t v = 0; v < uvw.size(); ++v)
+    if(std::isnan(uvw[v][0]))
+      uvw[v] = std::isnan(targets[v][0]) ? mesh.points[v] : targets[v];
   result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(progress.reason()) + (result.has_valid_map
       ? " The map is valid, but the energy is not minimal yet." : " There is no map without inverted cells yet.");
-  if(result.number_of_added_vertices > 0 && result.has_valid_map)
-    mesh.update_soup(uvw.size());
   return result;
 }
 
@@ -95,7 +91,8 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
 }
 
 // Makes hexahedra of a map that has been written, if it meets the boundary, and adds to its outcome what became of them.
-void make_hexahedra(const Options& options, Mesh_file& mesh, Points& uvw, Progress_line& progress, Outcome& outcome)
+void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh, const Points& uvw,
+                    Progress_line& progress, Outcome& outcome)
 {
   if(outcome.exit_code != SUCCESS)
   {
@@ -103,8 +100,7 @@ void make_hexahedra(const Options& options, Mesh_file& mesh, Points& uvw, Progre
     return;
   }
   progress.show("making hexahedra");
-  const VMP::Hexahedral_mesh_result hexahedra
-    = Hexahedra_file(options.hexahedra).write(mesh.c3t3, Point_map{&mesh.indices, &uvw}, progress);
+  const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh, uvw, progress);
   outcome.hexahedra = hexahedra;
   if(hexahedra.status == VMP::OK && !hexahedra.is_interrupted)
     return;
@@ -123,13 +119,11 @@ void make_hexahedra(const Options& options, Mesh_file& mesh, Points& uvw, Progre
 Outcome run(const Options& options, Progress_line& progress)
 {
   progress.begin("reading " + options.source);
-  Mesh_file mesh(options.source, progress);
-  progress.begin("building a complex of " + std::to_string(mesh.soup.cells.size()) + " cells");
-  mesh.make_complex();
+  VMP::Tetrahedron_soup_3 mesh = read_source(options.source, progress);
   const bool has_file = !options.target.empty();
   progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
-  Points targets = has_file ? targets_of_file(options.target, mesh, progress)
-                            : targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), mesh, progress);
+  const Points targets = has_file ? targets_of_file(options.target, mesh, progress)
+    : targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), mesh, progress);
 
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
@@ -139,9 +133,9 @@ Outcome run(const Options& options, Progress_line& progress)
     return outcome;
   progress.show("writing"); // also if the computation was interrupted
   if(!options.output.empty())
-    write_map(options.output, mesh.soup, uvw);
+    write_map(options.output, mesh, uvw);
   if(!options.refined_source.empty())
-    write_mesh(options.refined_source, mesh.soup);
+    write_mesh(options.refined_source, mesh);
   try
   {
     if(!options.hexahedra.empty())
@@ -194,6 +188,10 @@ int main(int argc, char* argv[])
     if(!parse(argc, argv, options))
       return SUCCESS;
     check(options);
+    // what is written there must be all; what is printed goes to the standard error
+    if(writes_to_standard_output(options))
+      std::cout.rdbuf(std::cerr.rdbuf());
+    std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error with a sentence
 
     Progress_line progress(!options.is_quiet, options.time_limit);
     const Outcome outcome = run_and_catch(options, progress);

@@ -17,8 +17,8 @@ std::vector<T> array_of(const std::string& file, const std::string& name, const 
 {
   std::smatch match;
   REQUIRE(std::regex_search(file, match, std::regex("type=\"" + type + "\" Name=\"" + name
-    + "\" NumberOfComponents=\"[13]\" format=\"appended\" offset=\"([0-9]+)\"")));
-  const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(match[1]);
+    + "\"( NumberOfComponents=\"3\")? format=\"appended\" offset=\"([0-9]+)\"")));
+  const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(match[2]);
   std::uint64_t number_of_bytes = 0;
   REQUIRE(begin + sizeof(number_of_bytes) <= file.size());
   std::memcpy(&number_of_bytes, file.data() + begin, sizeof(number_of_bytes));

@@ -74,6 +74,37 @@ def bend(points):
     return numpy.column_stack([(1 + x) * numpy.cos(angle), y, (1 + x) * numpy.sin(angle)])
 
 
+def check_sources(driver, cube_file, target_file, folder):
+    """The same map comes of what meshio writes of the source, in each format that is read."""
+    map_file = folder / "map.mesh"
+    run(driver, cube_file, target_file, "--output", map_file)
+    expected = map_file.read_text()
+    mesh = meshio.read(cube_file)
+    mesh = meshio.Mesh(mesh.points, mesh.cells, cell_data={"medit:ref": [numpy.full(len(block.data), 7) for block in mesh.cells]})
+    names = {"source.meshb": {}, "text.vtu": {"binary": False}, "binary.vtu": {"compression": None},
+             "long.vtu": {"compression": None, "header_type": "UInt64"}}
+    for name, options in names.items():
+        meshio.write(folder / name, mesh, **options)
+        run(driver, folder / name, target_file, "--output", map_file)
+        image = meshio.read(map_file)
+        assert image.cell_data["medit:ref"][-1].tolist() == [7] * len(mesh.cells_dict["tetra"]), name
+        lines = [line.rsplit(" ", 1)[0] for line in map_file.read_text().split("Triangles")[0].split("Tetrahedra")[0].splitlines()]
+        assert lines == [line.rsplit(" ", 1)[0] for line in
+                         expected.split("Triangles")[0].split("Tetrahedra")[0].splitlines()], name
+
+
+def check_conversion(driver, cube_file, target_file, folder):
+    """Other formats take the arrays of a map, with one number a cell."""
+    vtu_file = folder / "map.vtu"
+    run(driver, cube_file, target_file, "--output", vtu_file)
+    mesh = meshio.read(vtu_file)
+    for name, blocks in mesh.cell_data.items():
+        assert all(block.ndim == 1 for block in blocks), name
+    for name in ("map.vtk", "map.msh"):
+        meshio.write(folder / name, mesh)
+        assert numpy.array_equal(meshio.read(folder / name).points, mesh.points)
+
+
 def main(driver, data):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -81,6 +112,8 @@ def main(driver, data):
         source, image = check_map(driver, cube_file, target_file, folder)
         assert numpy.array_equal(source, read(cube_file)[1])
         check_targets(image, target_file)
+        check_sources(driver, cube_file, target_file, folder)
+        check_conversion(driver, cube_file, target_file, folder)
 
         fan_file, bent_file = folder / "fan.mesh", folder / "bent.txt"
         surface = write_fan(fan_file)

@@ -1,5 +1,6 @@
 // The program parameterize_mesh_file: its exit codes, its files and its sentences.
 #include "catch.h"
+#include "array_of_vtu_file.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
@@ -16,10 +17,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -517,7 +520,6 @@ TEST_CASE("An interruption, or the time limit, ends each part of the program")
     fs::remove(folder.path("map.mesh"));
   };
   for(const Part& part : {
-        Part{"source.mesh --to ball", "building a complex", {3}},
         Part{"source.mesh --to polycube", "mapping the boundary to polycube", {3}},
         Part{"source.mesh --to ball", "numbering cells and vertices", {0, 1, 3}},
         Part{"bent.mesh target.mesh", "untangling", {1, 3}},
@@ -714,9 +716,11 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
   CHECK(sentence("none.mesh target.txt") == "none.mesh: the file cannot be opened\n");
   CHECK(sentence("source.mesh none.txt") == "none.txt: the file cannot be opened\n");
   CHECK(sentence("target.txt target.txt").find("target.txt: line 1: this is not an ASCII MEDIT file") == 0);
-  folder.write("mesh.vtu", "<?xml version=\"1.0\"?>\n");
-  CHECK(sentence("mesh.vtu --to ball").find("; other formats can be converted: meshio convert mesh.vtu mesh.mesh\n")
+  folder.write("mesh.obj", "v 0 0 0\n");
+  CHECK(sentence("mesh.obj --to ball").find("; other formats can be converted: meshio convert mesh.obj mesh.mesh\n")
         != std::string::npos);
+  folder.write("mesh.vtu", "<?xml version=\"1.0\"?>\n");
+  CHECK(sentence("mesh.vtu --to ball") == "mesh.vtu: this is not a VTK XML file of the type UnstructuredGrid\n");
 
   folder.write("bad.mesh", mesh.substr(0, mesh.find("Tetrahedra\n48\n") + 20));
   CHECK(sentence("bad.mesh target.txt").find("bad.mesh: line 34: the file ends where") == 0);
@@ -759,7 +763,8 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
         "source.mesh target.txt --to ball", "source.mesh --to", "source.mesh --to none", "source.mesh --to box=1,2",
         "source.mesh --to box=1,2,0", "source.mesh --to box=1,2,3,4", "source.mesh --to box=1:2:3",
         "source.mesh target.txt --output map",
-        "source.mesh target.txt --output no/folder/map.mesh", "source.mesh target.txt --report /dev/null",
+        "source.mesh target.txt --output no/folder/map.mesh", "source.mesh target.txt --report .",
+        "- - < source.mesh", "source.mesh target.txt --output - --report -",
         "source.mesh target.txt --output ./source.mesh", "source.mesh target.txt --report target.txt",
         "source.mesh target.txt --output map.mesh --report ./map.mesh"})
   {
@@ -796,6 +801,12 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   const std::size_t length = 24;
   const double pi = 3.14159265358979;
   Soup source = fan_in_prism(length);
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+    source.cell_references[c] = static_cast<int>(c % 3) + 5;
+  for(const auto& [i, j, k, l] : source.cells)
+    for(const std::array<std::size_t, 3>& facet : { std::array{j, k, l}, {i, k, l}, {i, j, l}, {i, j, k} })
+      source.facets.push_back(facet); // all of them, those inside twice
+  source.facet_references.assign(source.facets.size(), 9);
   source.points.resize(source.points.size() + 2, Point{9, 9, 9}); // two vertices without a cell
   Soup target = source;
   for(Point& p : target.points)
@@ -828,6 +839,98 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(refined.points.size() > source.points.size());
   CHECK(std::equal(source.points.begin(), source.points.end(), refined.points.begin()));
   CHECK(refined.cells == folder.soup("map.mesh").cells);
+
+  // parts of cells have the references of these, in each output, and marked facets are facets of the new cells
+  CHECK(refined.cell_references == folder.soup("map.mesh").cell_references);
+  const auto volumes = [](const Soup& soup)
+  {
+    std::map<int, double> result;
+    for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    {
+      std::array<std::array<double, 3>, 3> e;
+      for(int i = 0; i < 3; ++i)
+        for(int k = 0; k < 3; ++k)
+          e[i][k] = soup.points[soup.cells[c][i + 1]][k] - soup.points[soup.cells[c][0]][k];
+      result[soup.cell_references[c]] += e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1])
+        + e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) + e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+    }
+    return result;
+  };
+  for(const auto& [reference, volume] : volumes(source))
+    CHECK(volumes(refined)[reference] == Approx(volume));
+  const auto facets_of_cells = [](const Soup& soup)
+  {
+    std::set<std::set<std::size_t> > result;
+    for(const auto& [i, j, k, l] : soup.cells)
+      for(const std::set<std::size_t>& facet : { std::set{j, k, l}, {i, k, l}, {i, j, l}, {i, j, k} })
+        result.insert(facet);
+    return result;
+  };
+  const std::set<std::set<std::size_t> > facets = facets_of_cells(refined);
+  for(const auto& [i, j, k] : refined.facets)
+    CHECK(facets.count({ i, j, k }) == 1);
+  CHECK(refined.facets.size() > source.facets.size());
+  CHECK(folder.run("source.mesh target.mesh --quiet --refine --output map.vtu") == 0);
+  CHECK(array_of<std::int32_t>(folder.text("map.vtu"), "reference", "Int32") == refined.cell_references);
+}
+
+TEST_CASE("Each file may be a pipe, and - is the standard input or output")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 2, affine));
+  REQUIRE(folder.run("source.mesh target.txt -o map.mesh") == 0);
+  const std::string map = folder.text("map.mesh"), summary = folder.text("stdout");
+
+  for(const std::string input : { "-", "/dev/stdin", "/dev/fd/0" })
+  {
+    CHECK(folder.run(input + " target.txt -o copy.mesh < source.mesh") == 0);
+    CHECK(folder.text("copy.mesh") == map);
+    CHECK(folder.run("source.mesh " + input + " -o copy.mesh < target.txt") == 0);
+    CHECK(folder.text("copy.mesh") == map);
+  }
+  for(const std::string output : { "-", "/dev/stdout" })
+  {
+    CHECK(folder.run("source.mesh target.txt -o " + output) == 0);
+    CHECK(folder.text("stdout") == map);
+    CHECK(folder.text("stderr").find("distortion of angles") != std::string::npos);
+    CHECK(folder.run("source.mesh target.txt -o copy.mesh --report " + output) == 0);
+    CHECK(keys(folder.text("stdout")) == report_keys);
+  }
+  CHECK(folder.run("source.mesh target.txt --report /dev/null") == 0);
+  CHECK(folder.text("stdout").substr(0, 20) == summary.substr(0, 20));
+
+  for(const std::string name : { "in", "out", "report" })
+    REQUIRE(mkfifo(folder.path(name).c_str(), 0600) == 0);
+  CHECK(std::system(("cd '" + folder.path("") + "' && cat source.mesh > in & cd '" + folder.path("")
+                     + "' && cat out > copy.mesh & cd '" + folder.path("") + "' && cat report > report.json & cd '"
+                     + folder.path("") + "' && '" PARAMETERIZE_MESH_FILE "' in target.txt --quiet -o out --report report && wait").c_str())
+        == 0);
+  CHECK(folder.text("copy.mesh") == map);
+  CHECK(keys(folder.text("report.json")) == report_keys);
+  CHECK(fs::is_fifo(folder.path("out")));
+
+  // nothing is written of what fails
+  CHECK(folder.run("source.mesh none.txt -o -") == 2);
+  CHECK(folder.text("stdout") == "");
+  CHECK(folder.run("source.mesh target.txt -o /dev/full") == 2);
+  CHECK(folder.text("stderr").find("/dev/full: this cannot be written completely") != std::string::npos);
+}
+
+TEST_CASE("The source may be a file of VTK, and so may the target")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  source.cell_references[5] = 3;
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 2, affine));
+  REQUIRE(folder.run("source.mesh target.txt -o map.vtu") == 0);
+  REQUIRE(folder.run("source.mesh target.txt -o map.mesh") == 0);
+  REQUIRE(folder.run("map.vtu target.txt -o other.mesh") == 0); // the points of this file are those of the source
+  CHECK(folder.text("other.mesh") == folder.text("map.mesh"));
+  REQUIRE(folder.run("source.mesh map.vtu -o same.mesh") == 0);
+  CHECK(folder.soup("same.mesh").cell_references == source.cell_references);
 }
 
 TEST_CASE("An output behind symbolic links is written where they lead, and the links stay")

@@ -5,7 +5,9 @@
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -394,13 +396,33 @@ TEST_CASE("A VTU file has the map and its distortions, bit by bit")
   CHECK(array_of(file, "Points") == std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});
   CHECK(array_of(file, "uvw") == std::vector<double>{0, 0, 0, 2, 0, 0, 0, 1. / 3, 0, 0, 0, 1});
   CHECK(array_of<std::int32_t>(file, "connectivity", "Int32") == std::vector<std::int32_t>{0, 1, 2, 3});
-  CHECK(file.find("Name=\"connectivity\" NumberOfComponents=\"1\"") != std::string::npos); // VTK refuses others
+  CHECK(file.find("NumberOfComponents=\"1\"") == std::string::npos); // meshio converts no arrays that say so
   CHECK(array_of<std::int64_t>(file, "offsets", "Int64") == std::vector<std::int64_t>{4});
   CHECK(array_of<std::uint8_t>(file, "types", "UInt8") == std::vector<std::uint8_t>{10});
   CHECK(array_of<std::int32_t>(file, "reference", "Int32") == std::vector<std::int32_t>{7});
   CHECK(std::abs(array_of(file, "det_J")[0] - 2. / 3) < 1e-14);
-  CHECK(std::abs(array_of(file, "volume_distortion")[0] - (2. / 3 + 3. / 2)) < 1e-14);
+  CHECK(std::abs(array_of(file, "volume_distortion")[0] - 2) < 1e-14); // of the only cell, scaled to its volume
   CHECK(std::abs(array_of(file, "angle_distortion")[0] - (6 + 1. / 6)) < 1e-13);
+}
+
+TEST_CASE("The distortion of volumes in a VTU file is that of the map scaled to the volume of the source")
+{
+  Soup soup;
+  soup.points = { {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1} };
+  soup.cells = { {0, 1, 2, 3}, {0, 2, 1, 4} };
+  soup.cell_references = {1, 2};
+  Points uvw = soup.points;
+  for(std::array<double, 3>& p : uvw)
+    for(double& x : p)
+      x *= 10;
+  uvw[4][2] = -30; // volumes of 1000 and 3000 times those of the cells: 1/2 and 3/2 of the mean
+  std::ostringstream os;
+  VMP::IO::write_VTU(os, soup, uvw);
+  const std::vector<double> distortions = array_of(os.str(), "volume_distortion");
+  CHECK(std::abs(distortions[0] - (1. / 2 + 2)) < 1e-13);
+  CHECK(std::abs(distortions[1] - (3. / 2 + 2. / 3)) < 1e-13);
+  CHECK(std::abs(array_of(os.str(), "det_J")[1] - 3000) < 1e-9);
+  CHECK(array_of<std::int32_t>(os.str(), "reference", "Int32") == std::vector<std::int32_t>{1, 2});
 }
 
 TEST_CASE("A VTU file is written of a C3t3 and a property map")
@@ -414,6 +436,323 @@ TEST_CASE("A VTU file is written of a C3t3 and a property map")
   CHECK(array_of<std::int32_t>(os.str(), "reference", "Int32") == std::vector<std::int32_t>(12, 1));
   for(double det_J : array_of(os.str(), "det_J"))
     CHECK(std::abs(det_J - 2) < 1e-14);
+}
+
+namespace {
+
+// Bytes of numbers, in the order of this machine or turned.
+struct Bytes
+{
+  bool is_turned;
+  std::string text = {};
+
+  template <typename Number>
+  Bytes& add(const Number number)
+  {
+    std::string bytes(sizeof(number), ' ');
+    std::memcpy(&bytes[0], &number, sizeof(number));
+    if(is_turned)
+      std::reverse(bytes.begin(), bytes.end());
+    text += bytes;
+    return *this;
+  }
+};
+
+// The cell of `tetrahedron` and a marked facet of it as a binary MEDIT file: with a section that is unknown, and the vertices
+// behind all that names them.
+std::string binary_MEDIT(const int version, const bool is_turned)
+{
+  Bytes file{is_turned};
+  const auto integer = [&](const std::int64_t i)
+  {
+    version == 4 ? file.add(i) : file.add(static_cast<std::int32_t>(i));
+  };
+  const auto section = [&](const std::int32_t keyword, const auto& write)
+  {
+    Bytes content{is_turned};
+    std::swap(file, content);
+    write();
+    std::swap(file, content);
+    const std::size_t end = file.text.size() + 4 + (version >= 3 ? 8 : 4) + content.text.size();
+    file.add(keyword);
+    version >= 3 ? file.add(static_cast<std::int64_t>(end)) : file.add(static_cast<std::int32_t>(end));
+    file.text += content.text;
+  };
+  file.add(std::int32_t(1)).add(std::int32_t(version));
+  section(3, [&]() { file.add(std::int32_t(3)); });
+  section(8, [&]()
+  {
+    for(const int i : { 1, 1, 2, 3, 4, -7 })
+      integer(i);
+  });
+  section(77, [&]() { file.text += "what nobody knows"; });
+  section(6, [&]()
+  {
+    for(const int i : { 1, 1, 2, 3, 5 })
+      integer(i);
+  });
+  section(4, [&]()
+  {
+    integer(4);
+    for(const std::array<double, 3>& p : single_cell().points)
+    {
+      for(const double x : p)
+        version == 1 ? file.add(static_cast<float>(x / 4)) : file.add(x / 4);
+      integer(0);
+    }
+  });
+  section(54, []() {});
+  return file.text;
+}
+
+// A file of VTK with the same cell and facet, with arrays as `array(type, values)` tells and `end` behind.
+template <typename WriteArray>
+std::string VTU(const std::string& attributes, const WriteArray& array, const std::string& end = "")
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" " + attributes
+    + ">\n<!-- by hand -->\n<UnstructuredGrid><Piece NumberOfPoints='4' NumberOfCells='3'>\n<Points>"
+    + array("Float64", "Points' NumberOfComponents='3", std::vector<double>{ 0, 0, 0, .25, 0, 0, 0, .25, 0, 0, 0, .25 })
+    + "</Points><Cells>" + array("Int64", "connectivity", std::vector<std::int64_t>{ 3, 0, 1, 2, 0, 1, 2, 3 })
+    + array("Int64", "offsets", std::vector<std::int64_t>{ 1, 4, 8 })
+    + array("UInt8", "types", std::vector<std::uint8_t>{ 1, 5, 10 }) + "</Cells><CellData>"
+    + array("Int32", "reference", std::vector<std::int32_t>{ 0, 5, -7 })
+    + "</CellData></Piece></UnstructuredGrid>" + end + "</VTKFile>\n";
+}
+
+std::string base64(const std::string& bytes)
+{
+  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  for(std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    std::uint32_t bits = 0;
+    for(std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0);
+    for(std::size_t k = 0; k < 4; ++k)
+      result += i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63];
+  }
+  return result;
+}
+
+Soup read_any(const std::string& text)
+{
+  return VMP::internal::read_soup(text, VMP::internal::Budget());
+}
+
+void check_small_cell(const Soup& soup)
+{
+  CHECK(soup.points == Points{{0, 0, 0}, {.25, 0, 0}, {0, .25, 0}, {0, 0, .25}});
+  CHECK(soup.cells == single_cell().cells);
+  CHECK(soup.cell_references == std::vector<int>{-7});
+  CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{0, 1, 2}});
+  CHECK(soup.facet_references == std::vector<int>{5});
+}
+
+// No part of a file, and no file with a changed byte, does any harm.
+void check_spoilt_files(const std::string& file)
+{
+  for(std::size_t size = 0; size < file.size(); ++size)
+    sentence([&]() { read_any(file.substr(0, size)); });
+  for(std::size_t i = 0; i < file.size(); ++i)
+    for(const char c : { '\0', '\1', '\x7F', '\xFF', '<', '"', '9' })
+    {
+      std::string spoilt = file;
+      spoilt[i] = c;
+      sentence([&]() { read_any(spoilt); });
+    }
+}
+
+} // namespace
+
+TEST_CASE("A binary MEDIT file is read in each version and in both orders of bytes")
+{
+  for(const int version : { 1, 2, 3, 4 })
+    for(const bool is_turned : { false, true })
+    {
+      const std::string file = binary_MEDIT(version, is_turned);
+      check_small_cell(read(file));
+      check_spoilt_files(file);
+      for(std::size_t size = 4; size + 20 < file.size(); ++size) // the last section only tells that it is the last one
+        CHECK(reading_error(file.substr(0, size)) != "");
+    }
+}
+
+TEST_CASE("Each fault in a binary MEDIT file has a sentence")
+{
+  const std::string file = binary_MEDIT(2, false);
+  const auto with = [&](const std::size_t position, const std::int32_t number)
+  {
+    std::string result = file;
+    std::memcpy(&result[position], &number, sizeof(number));
+    return result;
+  };
+  // code, version; dimension: keyword, end, 3; tetrahedra: keyword, end, number, four vertices, reference
+  CHECK(reading_error(with(4, 5)) == "the version of the format is 5 instead of 1 to 4");
+  CHECK(reading_error(with(16, 2)) == "the dimension is not 3");
+  CHECK(reading_error(with(24, 1000)) == "the section 8 ends at byte 1000 of " + std::to_string(file.size()));
+  CHECK(reading_error(with(24, 28)) == "the section 8 ends at byte 28 of " + std::to_string(file.size()));
+  CHECK(reading_error(with(28, 1000000000)) == "the file ends too early, it has not 1000000000 elements of a section");
+  CHECK(reading_error(with(28, -1)) == "the file ends too early, it has not -1 elements of a section");
+  CHECK(reading_error(with(32, 5)) == "vertex 5 does not exist, there are 4, counted from 1");
+  CHECK(reading_error(with(32, 0)).find("vertex 0 does not exist") == 0);
+  CHECK(reading_error(with(20, 10)) == "the mesh is not tetrahedral, it has prisms, hexahedra or pyramids");
+  CHECK(reading_error(with(20, 12)) == "the mesh is not tetrahedral, there is no tetrahedron in the file");
+  CHECK(reading_error(with(20, 6)) == "a second section 'Triangles'");
+  std::string infinite = file;
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::memcpy(&infinite[file.find(std::string("\0\0\0\0\0\0\xD0\x3F", 8))], &infinity, sizeof(infinity));
+  CHECK(reading_error(infinite) == "a coordinate is not finite");
+}
+
+TEST_CASE("A VTU file is read in each of its forms")
+{
+  const auto tag = [](const std::string& type, const std::string& name, const std::string& rest)
+  {
+    return "<DataArray type=\"" + type + "\" Name='" + name + "' " + rest;
+  };
+  const auto array_as_text = [&](const std::string& type, const std::string& name, const auto& values)
+  {
+    std::ostringstream os;
+    for(const auto x : values)
+      os << " " << +x << "\n";
+    return tag(type, name, "format=\"ascii\">") + os.str() + "</DataArray>\n";
+  };
+  check_small_cell(read_any(VTU("", array_as_text)));
+  check_spoilt_files(VTU("", array_as_text));
+
+  for(const bool is_turned : { false, true })
+  {
+    const bool is_little = is_turned != VMP::internal::is_little_endian_machine;
+    const std::string order = std::string("byte_order=\"") + (is_little ? "Little" : "Big") + "Endian\"";
+    for(const bool is_long : { false, true })
+    {
+      const std::string attributes = order + (is_long ? " header_type=\"UInt64\"" : " header_type='UInt32'");
+      const auto bytes_of = [&](const auto& values)
+      {
+        Bytes header{is_turned}, data{is_turned};
+        for(const auto x : values)
+          data.add(x);
+        const std::size_t size = data.text.size();
+        is_long ? header.add(static_cast<std::uint64_t>(size)) : header.add(static_cast<std::uint32_t>(size));
+        return std::array{ header.text, data.text };
+      };
+      const auto array_in_place = [&](const std::string& type, const std::string& name, const auto& values)
+      {
+        const auto [header, data] = bytes_of(values);
+        return tag(type, name, "format=\"binary\">\n  ") + base64(header + data) + "\n</DataArray>\n";
+      };
+      const auto array_in_two_parts = [&](const std::string& type, const std::string& name, const auto& values)
+      {
+        const auto [header, data] = bytes_of(values);
+        return tag(type, name, "format=\"binary\">") + base64(header) + base64(data) + "</DataArray>\n";
+      };
+      check_small_cell(read_any(VTU(attributes, array_in_place)));
+      check_small_cell(read_any(VTU(attributes, array_in_two_parts)));
+      check_spoilt_files(VTU(attributes, array_in_place));
+      for(const bool is_raw : { false, true })
+      {
+        std::string appended;
+        const auto array_behind = [&](const std::string& type, const std::string& name, const auto& values)
+        {
+          const std::string offset = std::to_string(appended.size());
+          const auto [header, data] = bytes_of(values);
+          appended += is_raw ? header + data : base64(header + data);
+          return tag(type, name, "format=\"appended\" offset=\"" + offset + "\"/>\n");
+        };
+        const std::string file = VTU(attributes, array_behind, "@");
+        const std::size_t mark = file.find('@');
+        const std::string whole = file.substr(0, mark) + "<AppendedData encoding=\"" + (is_raw ? "raw" : "base64")
+          + "\">\n   _" + appended + "\n</AppendedData>" + file.substr(mark + 1);
+        check_small_cell(read_any(whole));
+        check_spoilt_files(whole);
+      }
+    }
+  }
+
+  // what this package writes
+  Soup soup = single_cell();
+  soup.points[1][0] = 1. / 3;
+  std::ostringstream os;
+  VMP::IO::write_VTU(os, soup, soup.points);
+  const Soup again = read_any(os.str());
+  CHECK(has_same_bits(again.points, soup.points));
+  CHECK(again.cells == soup.cells);
+  CHECK(again.cell_references == soup.cell_references);
+}
+
+TEST_CASE("Each fault in a VTU file has a sentence")
+{
+  const auto array_as_text = [](const std::string& type, const std::string& name, const auto& values)
+  {
+    std::ostringstream os;
+    for(const auto x : values)
+      os << +x << " ";
+    return "<DataArray type=\"" + type + "\" Name='" + name + "'>" + os.str() + "</DataArray>";
+  };
+  const std::string file = VTU("", array_as_text);
+  const auto error = [&](const std::string& part, const std::string& other)
+  {
+    return sentence([&]() { read_any(replaced(file, part, other)); });
+  };
+  CHECK(error("Points' Num", "Points' Num") == "");
+  CHECK(error("UnstructuredGrid\" version", "PolyData\" version")
+        == "this is not a VTK XML file of the type UnstructuredGrid");
+  CHECK(error("version=\"1.0\" ", "version=\"1.0\" compressor=\"vtkZLibDataCompressor\"")
+        == "the file is compressed by vtkZLibDataCompressor; write it without compression: meshio decompress FILE");
+  CHECK(error("1 5 10", "1 5 12") == "the mesh is not tetrahedral, it has a cell of VTK's type 12");
+  CHECK(error("1 5 10", "1 5 5").find("not tetrahedral") != std::string::npos);
+  CHECK(error("1 4 8", "1 4 80") == "the offset 80 of cell 2 (counted from 0) is wrong");
+  CHECK(error("1 4 8", "1 4 2") == "the offset 2 of cell 2 (counted from 0) is wrong");
+  CHECK(error("1 4 8", "1 4") == "the arrays of the cells are not equally long");
+  CHECK(error("3 0 1 2", "3 0 1 -2") == "vertex -2 does not exist, there are 4, counted from 0");
+  CHECK(error("3 0 1 2", "3 0 1 4") == "vertex 4 does not exist, there are 4, counted from 0");
+  CHECK(error("0 5 -7", "0 5 7777777777") == "the reference 7777777777 is too large");
+  CHECK(error("0.25 0 0", "0.25 0 nan").find("'nan' is not a number of an array") != std::string::npos);
+  CHECK(error("0.25 0 0", "0.25 0") == "the array Points is not complete");
+  CHECK(error("connectivity", "connections") == "there is no array Cells/connectivity");
+  CHECK(error("<Points>", "<Piece NumberOfPoints='0'><Points>") == "the mesh has several pieces; merge them into one");
+  CHECK(sentence([&]() { read_any("<?xml version=\"1.0\"?><VTKFile"); }) == "the file ends within a tag");
+  std::string deep = "<?xml version=\"1.0\"?>";
+  for(int i = 0; i < 100000; ++i)
+    deep += "<a>";
+  CHECK(sentence([&]() { read_any(deep); }) != "");
+}
+
+TEST_CASE("A file is read whatever its name is, and the targets may be a mesh of any format")
+{
+  const std::string name = "test_files_any";
+  const auto write = [&](const std::string& text) { std::ofstream(name, std::ios::binary) << text; };
+  Points targets;
+  std::ostringstream vtu;
+  VMP::IO::write_VTU(vtu, single_cell(), single_cell().points);
+  for(const std::string& text : { tetrahedron, vtu.str(), "# a comment\n" + tetrahedron })
+  {
+    Soup soup;
+    write(text);
+    CHECK(VMP::IO::read_tetrahedron_soup(name, soup) == VMP::OK);
+    CHECK(soup.cells == single_cell().cells);
+    CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets) == VMP::OK);
+    CHECK(targets == single_cell().points);
+  }
+  write(binary_MEDIT(3, true));
+  CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets) == VMP::OK);
+  CHECK(targets[3] == std::array<double, 3>{0, 0, .25});
+  write("3 1 2 3\n");
+  CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets) == VMP::OK);
+  CHECK(targets[3] == std::array<double, 3>{1, 2, 3});
+  std::remove(name.c_str());
+}
+
+TEST_CASE("Cells of a soup that are all negative are turned, and a faulty soup is refused")
+{
+  Soup soup = single_cell();
+  VMP::orient_tetrahedron_soup(soup);
+  CHECK(soup.cells == single_cell().cells);
+  std::swap(soup.cells[0][0], soup.cells[0][1]);
+  VMP::orient_tetrahedron_soup(soup);
+  CHECK(soup.cells[0] == std::array<std::size_t, 4>{1, 0, 3, 2});
+  soup.cells[0][0] = 4;
+  CHECK(sentence([&]() { VMP::orient_tetrahedron_soup(soup); }) == "cell 0 (counted from 0) has a vertex 4 that does not exist");
 }
 
 TEST_CASE("Boundary targets are read from lines")

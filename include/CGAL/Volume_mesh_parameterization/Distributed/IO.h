@@ -142,7 +142,9 @@ inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator
   for(std::array<std::size_t, 4>& cell : piece.cells)
     for(std::size_t& v : cell)
       v = place(vertices, static_cast<PetscInt>(v));
-  IO::write_VTU(os, piece, star_forest.get(uvw));
+  const std::vector<std::array<double, 3> > images = star_forest.get(uvw);
+  write_VTU(os, piece, images,
+            communicator.sum(volume(piece.cells, images)) / communicator.sum(volume(piece.cells, piece.points)));
 }
 
 // Names the pieces and their arrays.

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Binary_MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
 
@@ -32,6 +33,8 @@ namespace internal {
 
 inline Tetrahedron_soup_3 read_MEDIT_text(const std::string& text, const Budget& budget)
 {
+  if(Binary_MEDIT_reader::is_binary(text))
+    return Binary_MEDIT_reader(text, budget).read();
   return MEDIT_reader(single_process(), Text_scanner(text, budget), false).read();
 }
 
@@ -63,8 +66,9 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a stream in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format", of the versions 1 to
-/// 4 (which differ in the binary format alone), with or without a byte order mark of UTF-8.
+/// reads a tetrahedral mesh from a stream in the \ref IOStreamMedit "MEDIT file format", of the versions 1 to 4: as text
+/// (`.mesh`), with or without a byte order mark of UTF-8, or binary (`.meshb`), in both orders of bytes. The content tells
+/// which.
 ///
 /// The sections `Vertices`, `Tetrahedra` and `Triangles` are read, in any order; the references of vertices and
 /// the other sections are skipped, except that volume elements other than tetrahedra are an error.
@@ -78,7 +82,7 @@ namespace IO {
 /// \return `OK`, or `ERROR_INTERRUPTED` if the time is over or the visitor ends the reading; `soup` is then unchanged. A
 ///         stream that waits for its source is waited for; a file is not.
 ///
-/// \exception Input_error names the line that is wrong; `soup` is then unchanged.
+/// \exception Input_error names the line of a text that is wrong, or what is wrong; `soup` is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup,
                       const NamedParameters& np = parameters::default_values())

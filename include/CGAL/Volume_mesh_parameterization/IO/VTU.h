@@ -85,9 +85,10 @@ public:
   template <typename Number, typename Value>
   void add(const std::string& name, const std::size_t n, const Value& value, const std::size_t number_of_components = 1)
   {
-    m_xml += std::string("<DataArray type=\"") + type_name(Number()) + "\" Name=\"" + name + "\" NumberOfComponents=\""
-      + std::to_string(number_of_components) + "\" format=\"appended\" offset=\"" + std::to_string(m_data.size())
-      + "\"/>\n";
+    m_xml += std::string("<DataArray type=\"") + type_name(Number()) + "\" Name=\"" + name + "\"";
+    if(number_of_components > 1) // one is the default; meshio converts no arrays of which it is told
+      m_xml += " NumberOfComponents=\"" + std::to_string(number_of_components) + "\"";
+    m_xml += " format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
     append(static_cast<std::uint64_t>(n * sizeof(Number)));
     for(std::size_t i = 0; i < n; ++i)
       append(static_cast<Number>(value(i)));
@@ -119,27 +120,21 @@ private:
   std::string m_xml, m_data;
 };
 
-} // namespace internal
+inline double volume(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& points)
+{
+  double sum = 0;
+  for(const std::array<std::size_t, 4>& cell : cells)
+  {
+    const Eigen::Vector3d p = to_vector(points[cell[0]]);
+    const auto edge = [&](const int i) -> Eigen::Vector3d { return to_vector(points[cell[i]]) - p; };
+    sum += edge(1).cross(edge(2)).dot(edge(3)) / 6;
+  }
+  return sum;
+}
 
-namespace IO {
-
-/// \ingroup PkgVolumeMeshParameterizationIO
-///
-/// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
-///
-/// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
-/// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
-/// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse).
-/// The values are binary, in the appended form of the format (`encoding="raw"`), so the bits are kept: 53 bytes a cell and 48
-/// a point. A failure to write is left in the state of the stream.
-///
-/// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
-/// \param soup the mesh
-/// \param uvw the image of each point, in the order of the points
-/// \pre `uvw` has as many points as `soup`.
-inline void write_VTU(std::ostream& os,
-                      const Tetrahedron_soup_3& soup,
-                      const std::vector<std::array<double, 3> >& uvw)
+// The volume of the image of the whole mesh is `volume_ratio` times that of the mesh.
+inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw,
+                      const double volume_ratio)
 {
   const std::size_t number_of_cells = soup.cells.size();
   const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
@@ -151,10 +146,40 @@ inline void write_VTU(std::ostream& os,
   writer.begin("CellData");
   writer.add<std::int32_t>("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
   writer.add<double>("angle_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].angle; });
-  writer.add<double>("volume_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].volume; });
+  writer.add<double>("volume_distortion", number_of_cells, [&](std::size_t i)
+  {
+    const double det_J = distortions[i].det_J / volume_ratio;
+    return det_J + 1 / det_J;
+  });
   writer.add<double>("det_J", number_of_cells, [&](std::size_t i) { return distortions[i].det_J; });
   writer.end("CellData");
   writer.write(os);
+}
+
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
+///
+/// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
+/// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
+/// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse, of the map scaled to the
+/// volume of the mesh, as in `Parameterization_result::distortion_at_source_volume`).
+/// The values are binary, in the appended form of the format (`encoding="raw"`), so the bits are kept: 53 bytes a cell and 48
+/// a point. A failure to write is left in the state of the stream.
+///
+/// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
+/// \param soup the mesh
+/// \param uvw the image of each point, in the order of the points
+/// \pre `uvw` has as many points as `soup`.
+inline void write_VTU(std::ostream& os,
+                      const Tetrahedron_soup_3& soup,
+                      const std::vector<std::array<double, 3> >& uvw)
+{
+  internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points));
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -76,6 +76,12 @@ inline bool is_MEDIT_file(const std::string& filename)
   return std::filesystem::path(filename).extension() == ".mesh";
 }
 
+// Is it one of the formats of meshes? Lines of targets begin with a number in text.
+inline bool is_mesh(const std::string_view text)
+{
+  return Binary_MEDIT_reader::is_binary(text) || VTU_reader::is_VTU(text) || text.find("MeshVersionFormatted") < 100;
+}
+
 // the cells as a set of vertex sets
 inline std::vector<std::array<std::size_t, 4> > sorted_cells(std::vector<std::array<std::size_t, 4> > cells)
 {
@@ -132,8 +138,8 @@ Error_code read_boundary_targets(std::istream& is,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads target points from a file: from a file `*.mesh` the points of a mesh with the vertices and cells of `source`
-/// (cells in any order), from any other file lines `vertex_index x y z`.
+/// reads target points from a file: from a mesh, as `read_tetrahedron_soup()` reads it, with the vertices and cells of `source`
+/// (cells in any order) its points, from any other file lines `vertex_index x y z`.
 ///
 /// \param filename the name of the file
 /// \param source the mesh whose boundary is to be mapped
@@ -152,13 +158,13 @@ Error_code read_boundary_targets(const std::string& filename,
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
     const std::string text = internal::read_file(filename, budget);
-    if(!internal::is_MEDIT_file(filename))
+    if(!internal::is_MEDIT_file(filename) && !internal::is_mesh(text))
     {
       const auto lines = internal::read_targets(internal::Text_scanner(text, budget), source.points.size());
       targets = internal::points_of_vertices(lines, 0, source.points.size());
       return;
     }
-    Tetrahedron_soup_3 target = internal::read_MEDIT_text(text, budget);
+    Tetrahedron_soup_3 target = internal::read_soup(text, budget);
     internal::check_same_connectivity({ target.points.size(), target.cells.size() },
                                       { source.points.size(), source.cells.size() }, [&]
     {

@@ -1,0 +1,60 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_IO_READ_TETRAHEDRON_SOUP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_IO_READ_TETRAHEDRON_SOUP_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/VTU_reader.h>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+inline Tetrahedron_soup_3 read_soup(const std::string& text, const Budget& budget)
+{
+  return VTU_reader::is_VTU(text) ? VTU_reader(text, budget).read() : read_MEDIT_text(text, budget);
+}
+
+} // namespace internal
+
+namespace IO {
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// reads a tetrahedral mesh from a file whose content tells the format: MEDIT, as `read_MEDIT()` reads it, or a VTK XML file
+/// (`.vtu`) of the type `UnstructuredGrid` in one piece, with arrays as text, or binary (`raw` or base64, in their place or
+/// appended) without compression.
+///
+/// Of a VTK file, triangles become marked facets, other cells of lower dimension are skipped, and volume elements other than
+/// tetrahedra are an error. References are the cell data `reference`, else `medit:ref` or `gmsh:physical`, else 0.
+///
+/// \param filename the name of the file, which may be a pipe
+/// \param soup gets the mesh
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `soup` is then unchanged.
+///
+/// \exception Input_error names the file and what is wrong; `soup` is then unchanged.
+template <typename NamedParameters = parameters::Default_named_parameters>
+Error_code read_tetrahedron_soup(const std::string& filename, Tetrahedron_soup_3& soup,
+                                 const NamedParameters& np = parameters::default_values())
+{
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
+  {
+    soup = internal::read_soup(internal::read_file(filename, budget), budget);
+  });
+}
+
+} // namespace IO
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_READ_TETRAHEDRON_SOUP_H

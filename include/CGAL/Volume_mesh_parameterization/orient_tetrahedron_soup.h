@@ -1,0 +1,38 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_ORIENT_TETRAHEDRON_SOUP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_ORIENT_TETRAHEDRON_SOUP_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// turns the cells of a soup if all are negative, such that all are positive, as the functions for arrays want them.
+///
+/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`; the soup is then unchanged.
+inline void orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
+{
+  internal::check_points(soup);
+  internal::check_simplices(soup);
+  if(internal::has_negative_cells(soup))
+    for(std::array<std::size_t, 4>& cell : soup.cells)
+      std::swap(cell[2], cell[3]);
+  internal::Facet_matching_3 matching(soup); // throws
+}
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_ORIENT_TETRAHEDRON_SOUP_H
