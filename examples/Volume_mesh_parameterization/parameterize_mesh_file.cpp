@@ -119,7 +119,8 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
 Outcome run(const Options& options, Progress_line& progress)
 {
   progress.begin("reading " + options.source);
-  VMP::Tetrahedron_soup_3 mesh = read_source(options.source, progress);
+  Source source = read_source(options.source, progress);
+  VMP::Tetrahedron_soup_3& mesh = source.soup;
   const bool has_file = !options.target.empty();
   progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
   const Points targets = has_file ? targets_of_file(options.target, mesh, progress)
@@ -133,9 +134,9 @@ Outcome run(const Options& options, Progress_line& progress)
     return outcome;
   progress.show("writing"); // also if the computation was interrupted
   if(!options.output.empty())
-    write_map(options.output, mesh, uvw);
+    write_map(options.output, source.as_in_file(), uvw);
   if(!options.refined_source.empty())
-    write_mesh(options.refined_source, mesh);
+    write_mesh(options.refined_source, source.as_in_file());
   try
   {
     if(!options.hexahedra.empty())

@@ -9,16 +9,32 @@
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using Points = std::vector<std::array<double, 3> >;
 
 // The mesh of a file, in its order, with positive cells.
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_source(const std::string& filename,
-                                                                          Progress_line& progress)
+struct Source
+{
+  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
+  bool is_turned; // are the cells negative in the file, and in what is written?
+
+  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 as_in_file() const
+  {
+    auto result = soup;
+    for(std::array<std::size_t, 4>& cell : result.cells)
+      if(is_turned)
+        std::swap(cell[2], cell[3]);
+    return result;
+  }
+};
+
+inline Source read_source(const std::string& filename, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   VMP::Tetrahedron_soup_3 soup;
@@ -38,13 +54,13 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_source(const 
   }
   try
   {
-    VMP::orient_tetrahedron_soup(soup);
+    const bool is_turned = VMP::orient_tetrahedron_soup(soup);
+    return { std::move(soup), is_turned };
   }
   catch(const VMP::Input_error& error)
   {
     throw VMP::Input_error(filename + ": " + error.what());
   }
-  return soup;
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H

@@ -918,6 +918,22 @@ TEST_CASE("Each file may be a pipe, and - is the standard input or output")
   CHECK(folder.text("stderr").find("/dev/full: this cannot be written completely") != std::string::npos);
 }
 
+TEST_CASE("Cells that are negative in the source are so in the output, which has their order of vertices")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  folder.write("target.txt", boundary_lines(source, 2, affine));
+  folder.write("positive.mesh", source);
+  for(auto& cell : source.cells)
+    std::swap(cell[2], cell[3]);
+  folder.write("negative.mesh", source);
+  REQUIRE(folder.run("positive.mesh target.txt -o positive_map.mesh") == 0);
+  REQUIRE(folder.run("negative.mesh target.txt -o negative_map.mesh --refined-source again.mesh") == 0);
+  CHECK(folder.soup("negative_map.mesh").cells == source.cells);
+  CHECK(folder.soup("negative_map.mesh").points == folder.soup("positive_map.mesh").points);
+  CHECK(folder.text("again.mesh") == folder.text("negative.mesh"));
+}
+
 TEST_CASE("The source may be a file of VTK, and so may the target")
 {
   const Folder folder;

@@ -746,10 +746,10 @@ TEST_CASE("A file is read whatever its name is, and the targets may be a mesh of
 TEST_CASE("Cells of a soup that are all negative are turned, and a faulty soup is refused")
 {
   Soup soup = single_cell();
-  VMP::orient_tetrahedron_soup(soup);
+  CHECK(!VMP::orient_tetrahedron_soup(soup));
   CHECK(soup.cells == single_cell().cells);
   std::swap(soup.cells[0][0], soup.cells[0][1]);
-  VMP::orient_tetrahedron_soup(soup);
+  CHECK(VMP::orient_tetrahedron_soup(soup));
   CHECK(soup.cells[0] == std::array<std::size_t, 4>{1, 0, 3, 2});
   soup.cells[0][0] = 4;
   CHECK(sentence([&]() { VMP::orient_tetrahedron_soup(soup); }) == "cell 0 (counted from 0) has a vertex 4 that does not exist");
