@@ -14,6 +14,12 @@ Without a configuration, all of these:
   cgal         the CGAL installed in the folder given by --cgal
   eigen        the Eigen installed in the folder given by --eigen, and that CGAL
   headers      each header compiled alone by g++ and clang++; no test is run
+  libc++       the core, with clang++ and its library
+  no_gmp       the core, with numbers of Boost in place of those of GMP
+  arm64        the core, cross-compiled without GMP, and run by qemu
+  windows      the core, cross-compiled by MinGW-w64 without GMP, and run by Wine
+The core is header-only: a map of arrays, and the tests of the public function. It is without TBB, CHOLMOD, PETSc, CGAL's
+models and the program parameterize_mesh_file.
 FOLDER is build/matrix if not given; cgal and eigen are left out if their PREFIX is not given."
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -31,7 +37,7 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers)
+  configurations=(default assertions clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers libc++ no_gmp arm64 windows)
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$CMAKE_BUILD_PARALLEL_LEVEL}
@@ -62,6 +68,28 @@ build_headers()
   done
 }
 
+# Compiles the core by COMPILER with FLAGS, and runs it by RUNNER. Headers of libraries are the same for all processors, but
+# those of the system are not: only the former are shown to a cross compiler.
+test_core() # NAME RUNNER COMPILER FLAGS...
+{
+  local build="$folder/$1" runner=$2 compiler=("${@:3}")
+  local test="$root/test/Volume_mesh_parameterization" examples="$root/examples/Volume_mesh_parameterization"
+  mkdir -p "$build/libraries"
+  for library in CGAL boost eigen3 catch2; do
+    ln -sfn "/usr/include/$library" "$build/libraries/$library"
+  done
+  compiler+=(-std=c++17 -O1 -DNDEBUG -DCGAL_EIGEN3_ENABLED -frounding-math -Wall -Wextra -I "$root/include" -I "$test"
+    -isystem "$build/libraries" -isystem "$build/libraries/eigen3")
+  local link=()
+  [[ " ${compiler[*]} " == *DISABLE_GMP* ]] || link=(-lmpfr -lgmp)
+  cp -r "$examples/data" "$build" &&
+    "${compiler[@]}" "$examples/tetrahedron_soup.cpp" -o "$build/tetrahedron_soup.exe" "${link[@]}" &&
+    (cd "$build" && $runner ./tetrahedron_soup.exe) &&
+    "${compiler[@]}" "$test/test_entry_function.cpp" "$test/catch_main.cpp" -o "$build/test_entry_function.exe" "${link[@]}" &&
+    (cd "$build" && $runner ./test_entry_function.exe) &&
+    echo "100% tests passed, 0 tests failed out of 2"
+}
+
 run()
 {
   case $1 in
@@ -74,11 +102,16 @@ run()
     cgal) CMAKE_PREFIX_PATH="$cgal" build_and_test "$1" ;;
     eigen) CMAKE_PREFIX_PATH="$eigen:$cgal" build_and_test "$1" ;;
     headers) build_headers ;;
+    libc++) test_core "$1" "" clang++ -stdlib=libc++ ;;
+    no_gmp) test_core "$1" "" g++ -DCGAL_DISABLE_GMP ;;
+    arm64) test_core "$1" qemu-aarch64-static aarch64-linux-gnu-g++ -static -DCGAL_DISABLE_GMP ;;
+    windows) WINEDEBUG=-all test_core "$1" /usr/lib/wine/wine64 x86_64-w64-mingw32-g++-posix -static -Wa,-mbig-obj -DCGAL_DISABLE_GMP ;;
     *) echo "there is no configuration '$1'"; return 1 ;;
   esac
 }
 
-"$root/scripts/install_dependencies.sh" clang python3-meshio
+"$root/scripts/install_dependencies.sh" clang python3-meshio libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
+  qemu-user-static g++-mingw-w64-x86-64-posix wine64
 mkdir -p "$folder"
 failures=0
 for configuration in "${configurations[@]}"; do

@@ -55,6 +55,11 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
     if(!point.allFinite())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "A vertex of the source has the coordinates ",
                           describe(point), ".");
+    if(mesh.initial.cols() > 0 && mesh.initial.col(v).array().isInf().any())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "The initial image of the vertex at ", describe(point),
+                          " is ", describe(mesh.initial.col(v)), ".");
+    if(v < mesh.number_of_free_vertices) // its target, the base point, is no number either where one of the others is none
+      continue;
     const Eigen::Vector3d target = mesh.target.col(v);
     if(target.array().isNaN().any())
       return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The boundary vertex at ", describe(point),
@@ -62,9 +67,6 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
     if(!target.allFinite())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "The target of the boundary vertex at ", describe(point),
                           " is ", describe(target), ".");
-    if(mesh.initial.cols() > 0 && mesh.initial.col(v).array().isInf().any())
-      return failed_check(ERROR_NON_FINITE_COORDINATE, "The initial image of the vertex at ", describe(point),
-                          " is ", describe(mesh.initial.col(v)), ".");
   }
   return {};
 }
