@@ -47,12 +47,51 @@ def join(panels, output, height=HEIGHT):
     row.resize((row.width * height // row.height, height), Image.LANCZOS).quantize(256).save(output, optimize=True)
 
 
-def grid_lines(grid, number=16):
-    """Where the surface is cut by a regular grid in the parameter domain."""
+def surface_of(grid):
     surface = vtk.vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)
     surface.Update()
-    surface = surface.GetOutput()
+    return surface.GetOutput()
+
+
+def line_actor(data, color, width):
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputData(data)
+    mapper.ScalarVisibilityOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(*color)
+    actor.GetProperty().SetLineWidth(width)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def edges_of_domain(grid):
+    """Where faces of the domain meet: without them, faces behind each other look like one with teeth."""
+    surface = surface_of(grid)
+    place = surface.GetPoints().GetData()
+    place.SetName("place")
+    surface.GetPointData().AddArray(place)
+    points = vtk.vtkPoints()
+    points.SetData(surface.GetPointData().GetArray("uvw"))
+    domain = vtk.vtkPolyData()
+    domain.ShallowCopy(surface)
+    domain.SetPoints(points)
+    edges = vtk.vtkFeatureEdges()
+    edges.SetInputData(domain)
+    edges.BoundaryEdgesOff()
+    edges.NonManifoldEdgesOff()
+    edges.Update()
+    lines = edges.GetOutput()
+    points = vtk.vtkPoints()
+    points.SetData(lines.GetPointData().GetArray("place"))
+    lines.SetPoints(points)
+    return line_actor(lines, (0, 0, 0), 3)
+
+
+def grid_lines(grid, number=16):
+    """Where the surface is cut by a regular grid in the parameter domain."""
+    surface = surface_of(grid)
     uvw = surface.GetPointData().GetArray("uvw")
     ranges = [uvw.GetRange(i) for i in range(3)]
     step = max(high - low for low, high in ranges) / number
@@ -71,15 +110,7 @@ def grid_lines(grid, number=16):
         contours.Update()
         lines.AddInputData(contours.GetOutput())
     lines.Update()
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(lines.GetOutput())
-    mapper.ScalarVisibilityOff()
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.1, 0.25, 0.5)
-    actor.GetProperty().SetLineWidth(2)
-    actor.GetProperty().LightingOff()
-    return actor
+    return line_actor(lines.GetOutput(), (0.1, 0.25, 0.5), 2)
 
 
 def colors_of_places(grid):
@@ -251,7 +282,7 @@ def draw_grid(vtu, output, icon):
     with tempfile.TemporaryDirectory() as name:
         panels = [Path(name) / f"{i}.png" for i in range(2)]
         for panel, grid in zip(panels, (render.image_of(source), source)):
-            render.picture(panel, [render.surface(grid, edges=False), grid_lines(grid)], direction, up)
+            render.picture(panel, [render.surface(grid, edges=False), grid_lines(grid), edges_of_domain(grid)], direction, up)
         join(panels, output)
         join(panels[1:], icon, 160)
 

@@ -399,7 +399,7 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
     const Hexahedral_mesh_result best = mesh_until(patient, whole);
     REQUIRE(best.status == VMP::OK);
     CHECK_FALSE(best.is_interrupted);
-    REQUIRE(patient.number_of_questions > 50);
+    REQUIRE(patient.number_of_questions > 30);
 
     bool is_valid = false;
     for(std::size_t n = 1; n <= patient.number_of_questions; n += 1 + n / 5)

@@ -123,14 +123,13 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
          : a.minimal_scaled_jacobian > b.minimal_scaled_jacobian;
 }
 
-// Improves hexahedra until they suffice, and keeps the best ones: first with the vertices on the boundary fixed, then
-// all at once, as long as that helps, and then, if corners are poor, one after the other around these.
+// Improves hexahedra, whose vertices inside have been moved, until they suffice, and keeps the best ones: first all vertices
+// move at once, as long as that helps, and then, if corners are poor, one after the other around these.
 inline Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3& hexahedra, const bool has_padding,
                                                 Hexahedron_soup_3& best)
 {
   constexpr int maximal_number_of_rounds = 16, patience = 4;
   constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
-  hexahedra.improve_inside();
   best = hexahedra.mesh();
   Hexahedral_mesh_result result = judged(best, has_padding);
   const auto keep_if_better = [&]
@@ -193,6 +192,16 @@ inline Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const 
 
   Hexahedron_soup_3 best;
   Hexahedral_mesh_result result = refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)));
+  const auto keep_if_better = [&](const Hexahedral_mesh_result& next, const Hexahedron_soup_3& next_mesh)
+  {
+    if(best.cells.empty() || is_better(next, result))
+    {
+      result = next;
+      best = next_mesh;
+    }
+  };
+  std::vector<Pulled_back_hexahedra_3> candidates; // without and with padding
+  std::vector<Hexahedral_mesh_result> first_results;
   for(const bool has_padding : {false, true})
   {
     if(result.minimal_scaled_jacobian >= sufficient_scaled_jacobian || budget.is_exhausted())
@@ -201,14 +210,24 @@ inline Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const 
     const Locations_3 preimages = preimages_3(map, domain.points, is_parallel, budget);
     if(budget.is_exhausted())
       break;
-    Pulled_back_hexahedra_3 hexahedra(map, domain, preimages, spacing, solver, is_parallel, budget);
+    candidates.emplace_back(map, domain, preimages, spacing, solver, is_parallel, budget);
+    candidates.back().improve_inside();
+    first_results.push_back(judged(candidates.back().mesh(), has_padding));
+    keep_if_better(first_results.back(), candidates.back().mesh());
+  }
+  // The other one is seldom better then if it has inverted corners now, but takes most of the time.
+  const bool begins_with_padding = result.has_padding;
+  for(const bool has_padding : {begins_with_padding, !begins_with_padding})
+  {
+    if(has_padding >= candidates.size() || result.minimal_scaled_jacobian >= sufficient_scaled_jacobian
+       || budget.is_exhausted())
+      break;
+    if(has_padding != begins_with_padding && first_results[has_padding].number_of_inverted_corners > 0
+       && result.minimal_scaled_jacobian >= poor_scaled_jacobian)
+      break;
     Hexahedron_soup_3 candidate;
-    const Hexahedral_mesh_result of_candidate = improve_in_rounds(hexahedra, has_padding, candidate);
-    if(!has_padding || is_better(of_candidate, result))
-    {
-      result = of_candidate;
-      best = std::move(candidate);
-    }
+    const Hexahedral_mesh_result of_candidate = improve_in_rounds(candidates[has_padding], has_padding, candidate);
+    keep_if_better(of_candidate, candidate);
   }
   result.is_interrupted = budget.is_exhausted();
   if(result.status == OK)
