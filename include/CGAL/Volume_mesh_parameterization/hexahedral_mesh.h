@@ -58,14 +58,16 @@ distances near the spacing. For a polycube of `Polycube_boundary_parameterizer_3
 boxes inside the domain are pulled back. So the vertices on the boundary lie on the boundary of the body, and on its
 edges and corners that are mapped to those of the domain. Those inside are moved then: each corner of a
 hexahedron is taken for a tetrahedron, which is first untangled \cgalCite{cgal:gkkrs-ffm-21} and then made
-similar to the corner of a cube by minimizing `MIPS_energy_3`. As long as the minimal scaled Jacobian is below 0.3,
+similar to the corner of a cube by minimizing `MIPS_energy_3`. If the minimal scaled Jacobian is below 0.3 then, the same is
+done with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where an edge of the domain is
+mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so. The better one of both is improved
+further, and then the other one, unless it has inverted corners and the first one has come to 0.1. As long as the minimal
+scaled Jacobian is below 0.3,
 
 - those on the boundary move as well, a few times, in the tangent planes of the boundary and along the edges that are
   mapped to those of the domain, and are put back onto it through the map,
 - then, where that leaves less than 0.1, vertices move one after the other such that the worst corners around them become
-  better, which makes others worse; those on the boundary move in the faces and along the edges of the domain,
-- a second mesh is made, with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where
-  an edge of the domain is mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so.
+  better, which makes others worse; those on the boundary move in the faces and along the edges of the domain.
 
 The best of these meshes is returned: that with the fewest inverted corners, or, among these, with the largest minimal
 scaled Jacobian. That all corners are positive is checked with exact predicates on the coordinates written.
