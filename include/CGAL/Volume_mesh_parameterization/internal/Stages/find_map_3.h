@@ -52,7 +52,7 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
 // displacements, and untangles. One point for all becomes the harmonic map, which recovers affine maps. If it inverts
 // cells, so may that with respect to regular cells, but mostly fewer, so that patches suffice.
 inline Untangled_3 untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& initial,
-                                   Progress_3& progress, Found_map_3& found)
+                                   const bool may_split, Progress_3& progress, Found_map_3& found)
 {
   const Numbered_mesh_3& mesh = system.mesh();
   constexpr double energy_tolerance = 1e-6; // of what is a start only
@@ -70,7 +70,7 @@ inline Untangled_3 untangle_from_3(Newton_system_3& system, Linear_solver_3& sol
   progress.reach_flip_free();
   if(!direction.is_usable())
     return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
-  return untangle_3(system, solver, start, image(), progress);
+  return untangle_3(system, solver, start, image(), may_split, progress);
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
@@ -84,15 +84,17 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   const bool goes_on = start.cols() > 0;
   const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, options.is_parallel, progress);
   Newton_system_3 system(mesh, free_vertices(mesh), solver, options.is_parallel);
+  const bool may_split = options.untangling.most_inverted_cells_to_split > 0;
   Untangled_3 untangled;
   if(goes_on)
     untangled = untangle_on_3(system, solver, start, progress);
   else if(initial.cols() > 0)
-    untangled = untangle_from_3(system, solver, initial, progress, found);
+    untangled = untangle_from_3(system, solver, initial, may_split, progress, found);
   // then the full Hessian is tried first
   const bool may_be_near_minimum = !goes_on && untangled.status == OK && progress.number_of_steps() == 0;
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
-    untangled = untangle_from_3(system, solver, mesh.base_point.replicate(1, mesh.number_of_vertices()), progress, found);
+    untangled = untangle_from_3(system, solver, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_split,
+                                progress, found);
   if(untangled.status == OK && progress.number_of_steps() > 0)
     untangled.positions = relaxed_flat_cells_3(mesh, solver, untangled.positions, progress.budget());
   found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));

@@ -127,14 +127,18 @@ private:
 };
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
-// from the same start, until no cell is inverted.
+// from the same start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are
+// left, so edges at these are rather split, if they may be.
 inline Untangled_3 untangle_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
-                              const Eigen::Matrix3Xd& regular_start, Progress_3& progress)
+                              const Eigen::Matrix3Xd& regular_start, const bool may_split, Progress_3& progress)
 {
+  constexpr std::size_t few_to_split = 10;
   Untangling_search_3 search(system, solver, start, progress);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
+    if(may_split && !attempt.has_regular_cells && search.best().number_of_inverted_cells <= few_to_split)
+      break;
     if(search.goes_on())
       search.untangle(attempt, start);
     if(search.is_in_vain(attempt))
