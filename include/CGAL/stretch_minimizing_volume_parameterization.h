@@ -276,10 +276,13 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     VMP::Parameterization_result result;
     result.status = VMP::Ball_boundary_parameterizer_3().parameterize(
       c3t3, boundary_map, parameters::maximum_running_time(limits.seconds()).visitor(std::ref(limits.visitor())));
-    result.message
-      = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> >(c3t3), result.status);
     if(result.status != VMP::OK)
+    {
+      const VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
+      result.message
+        = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(body, result.status);
       return result;
+    }
   }
 
   const auto remaining_np = np.maximum_running_time(limits.seconds() - budget.seconds());
