@@ -89,13 +89,10 @@ public:
   // Begins now. A visitor need not have the function `goes_on()`.
   Budget budget()
   {
-    return Budget(m_seconds, [this]
-    {
-      if constexpr(Has_goes_on<std::remove_reference_t<Visitor> >::value)
-        return m_visitor.goes_on();
-      else
-        return true;
-    });
+    if constexpr(Has_goes_on<std::remove_reference_t<Visitor> >::value)
+      return Budget(m_seconds, [this] { return m_visitor.goes_on(); });
+    else
+      return Budget(m_seconds);
   }
 
 private:
