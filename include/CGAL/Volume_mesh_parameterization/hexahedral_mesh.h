@@ -56,21 +56,21 @@ makes hexahedra of a tetrahedral mesh that has been mapped to a box or a polycub
 The grid has the planes of all boundary facets of the domain, and between two neighbors of them planes at equal
 distances near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The
 boxes inside the domain are pulled back. So the vertices on the boundary lie on the boundary of the body, and on its
-edges and corners that are mapped to those of the domain. Those inside are moved then: each corner of a
-hexahedron is taken for a tetrahedron, which is first untangled \cgalCite{cgal:gkkrs-ffm-21} and then made
-similar to the corner of a cube by minimizing `MIPS_energy_3`. If the minimal scaled Jacobian is below 0.3 then, the same is
-done with a layer of hexahedra along the boundary of which each has only one quadrangle on it: where an edge of the domain is
-mapped to a smooth part of the boundary, hexahedra without it are flat, or almost so. The better one of both is improved
-further, and then the other one, unless it has inverted corners and the first one has come to 0.1. As long as the minimal
-scaled Jacobian is below 0.3,
+edges and corners that are mapped to those of the domain. Then vertices move, in a few rounds: each corner of a
+hexahedron is taken for a tetrahedron, which is untangled \cgalCite{cgal:gkkrs-ffm-21} and then made similar to the
+corner of a box by the same energy, and by its square for the sake of the worst corners. First those inside move, and then
+all: those on the boundary in its tangent planes, from where they are put back to its nearest points after each round, and
+along sharp edges of the body that are mapped to edges of the domain, with more than 60 degrees between the normals on
+both sides. A weak pull to where they came from keeps the boundary covered. Where corners are inverted after a round, or the
+smallest scaled Jacobian is below 0.2 after the last one, vertices move one after the other such that the worst corners around
+them become better.
 
-- those on the boundary move as well, a few times, in the tangent planes of the boundary and along the edges that are
-  mapped to those of the domain, and are put back onto it through the map,
-- then, where that leaves less than 0.1, vertices move one after the other such that the worst corners around them become
-  better, which makes others worse; those on the boundary move in the faces and along the edges of the domain.
+Where the body has no sharp edges at most of the edges of the domain, hexahedra there would be flat, or almost so: then a
+layer of hexahedra is put along the boundary, of which each has only one quadrangle on it. If the minimal scaled Jacobian is
+below 0.2 in the end, the same is done without the layer, or with it if there was none.
 
-The best of these meshes is returned: that with the fewest inverted corners, or, among these, with the largest minimal
-scaled Jacobian. That all corners are positive is checked with exact predicates on the coordinates written.
+The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest minimal
+scaled Jacobian as long as that is below 0.3, or, among these, with the largest mean scaled Jacobian. That all corners are positive is checked with exact predicates on the coordinates written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Corner_goals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 
@@ -52,8 +53,8 @@ void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Lin
                    const Map_options_3& options, Progress_3& progress, Found_map_3& found);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors, double edge,
-                        Linear_solver_3& solver, bool is_parallel, const Budget& budget);
+Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
+                                   bool is_parallel, const Budget& budget);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,

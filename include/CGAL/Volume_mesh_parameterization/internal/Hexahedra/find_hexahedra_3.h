@@ -13,13 +13,15 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
+#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Box_grid_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Sliding_hexahedra_3.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -28,6 +30,8 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;
 
 // Has the map a cell, and only finite coordinates at the vertices of cells?
 inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
@@ -65,17 +69,19 @@ inline Locations_3 preimages_3(const Volume_map_3& map, const std::vector<std::a
   return result;
 }
 
-// Finds the images of vertices inside.
-inline void set_inner_images(const Volume_map_3& map, const bool is_parallel, Hexahedron_soup_3& mesh)
+// Finds the images of vertices; coordinates that have not changed but for rounding, as those of planes, stay as they are.
+inline void set_images(const Volume_map_3& map, const bool is_parallel, Hexahedron_soup_3& mesh)
 {
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  double rounding = 0;
+  for(const std::array<double, 3>& q : mesh.images)
+    rounding = (std::max)(rounding, 1e-14 * to_vector(q).lpNorm<Eigen::Infinity>());
   for_each_index(is_parallel, 0, mesh.points.size(), [&](const std::size_t v)
   {
-    const std::array<double, 3>& p = mesh.points[v];
-    if(is_outer[v])
-      return;
-    if(const auto image = map.nearest_image(Volume_map_3::Point_3(p[0], p[1], p[2])))
-      mesh.images[v] = { image->point.x(), image->point.y(), image->point.z() };
+    const auto& [x, y, z] = mesh.points[v];
+    if(const auto image = map.nearest_image(Volume_map_3::Point_3(x, y, z)))
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        if(const double q = image->point[static_cast<int>(axis)]; std::abs(q - mesh.images[v][axis]) > rounding)
+          mesh.images[v][axis] = q;
   });
 }
 
@@ -113,55 +119,122 @@ inline Hexahedral_mesh_result judged(const Hexahedron_soup_3& mesh, const bool h
   return result;
 }
 
-constexpr double sufficient_scaled_jacobian = 0.3;
-constexpr double poor_scaled_jacobian = 0.1; // to raise the worst corners further costs the others too much
+constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2;
 
+// The one with fewer inverted corners, or with a better worst one as long as it is poor, or in the mean.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
 {
+  const auto worst = [](const Hexahedral_mesh_result& result)
+  {
+    return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian);
+  };
   return a.number_of_inverted_corners != b.number_of_inverted_corners
          ? a.number_of_inverted_corners < b.number_of_inverted_corners
-         : a.minimal_scaled_jacobian > b.minimal_scaled_jacobian;
+         : worst(a) != worst(b) ? worst(a) > worst(b) : a.mean_scaled_jacobian > b.mean_scaled_jacobian;
 }
 
-// Improves hexahedra, whose vertices inside have been moved, until they suffice, and keeps the best ones: first all vertices
-// move at once, as long as that helps, and then, if corners are poor, one after the other around these.
-inline Hexahedral_mesh_result improve_in_rounds(Pulled_back_hexahedra_3& hexahedra, const bool has_padding,
-                                                Hexahedron_soup_3& best)
+// The best hexahedra so far.
+struct Best_hexahedra_3
 {
-  constexpr int maximal_number_of_rounds = 16, patience = 4;
-  constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
-  best = hexahedra.mesh();
-  Hexahedral_mesh_result result = judged(best, has_padding);
-  const auto keep_if_better = [&]
+  Hexahedral_mesh_result result;
+  Hexahedron_soup_3 mesh;
+
+  void take(const Hexahedral_mesh_result& of_next, const Hexahedron_soup_3& next)
   {
-    const Hexahedral_mesh_result next = judged(hexahedra.mesh(), has_padding);
-    if(!is_better(next, result))
-      return false;
-    result = next;
-    best = hexahedra.mesh();
-    return true;
-  };
-  bool is_sliding = true;
-  for(int round = 0, in_vain = 0; round < maximal_number_of_rounds && in_vain < patience; ++round)
-  {
-    if(result.minimal_scaled_jacobian >= sufficient_scaled_jacobian || hexahedra.budget().is_exhausted())
-      break;
-    is_sliding = is_sliding && hexahedra.slide();
-    if(!is_sliding)
+    if(mesh.cells.empty() || is_better(of_next, result))
     {
-      if(result.minimal_scaled_jacobian >= poor_scaled_jacobian)
-        break;
-      smooth_hexahedra_3(hexahedra, (std::max)(0., result.minimal_scaled_jacobian) + gain);
+      result = of_next;
+      mesh = next;
     }
-    bool is_better_now = keep_if_better();
-    if(hexahedra.budget().is_exhausted())
-      break;
-    hexahedra.improve_inside();
-    is_better_now = keep_if_better() || is_better_now;
-    in_vain = is_better_now || is_sliding ? 0 : in_vain + 1;
-    is_sliding = is_sliding && is_better_now;
+  }
+};
+
+// The hexahedra of a domain, pulled back to the body; none once the budget is exhausted.
+inline Hexahedron_soup_3 pulled_back(const Volume_map_3& map, const Hexahedron_soup_3& domain, const bool is_parallel,
+                                     const Budget& budget)
+{
+  const Locations_3 preimages = preimages_3(map, domain.points, is_parallel, budget);
+  if(budget.is_exhausted())
+    return {};
+  Hexahedron_soup_3 result = domain;
+  result.images = domain.points;
+  for(std::size_t v = 0; v < domain.points.size(); ++v)
+  {
+    const auto& [x, y, z] = domain.points[v];
+    result.points[v] = coordinates(preimages[v] ? preimages[v]->point // padding may leave the domain
+                                                : map.nearest_preimage(Volume_map_3::Point_3(x, y, z))->point);
   }
   return result;
+}
+
+// Where each vertex may move.
+inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Body_surface_3& surface)
+{
+  std::vector<std::array<bool, 3> > is_in_plane(mesh.points.size());
+  for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      if(std::all_of(quadrangle.begin(), quadrangle.end(), [&](const std::size_t v)
+                     { return mesh.images[v][axis] == mesh.images[quadrangle[0]][axis]; }))
+        for(const std::size_t v : quadrangle)
+          is_in_plane[v][axis] = true;
+  std::vector<Freedom_3> result;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    result.push_back(surface.freedom(to_vector(mesh.points[v]), is_in_plane[v][0] + is_in_plane[v][1] + is_in_plane[v][2]));
+  return result;
+}
+
+// Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners. Where corners
+// are inverted in between, or poor in the end, vertices around them move one after the other.
+inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget,
+                                Best_hexahedra_3& best)
+{
+  constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3;
+  constexpr std::size_t first_steps = 10, steps = 3;
+  constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
+  const auto judge = [&]
+  {
+    const Hexahedral_mesh_result result = judged(hexahedra.mesh(), has_padding);
+    best.take(result, hexahedra.mesh());
+    return result;
+  };
+  const auto smooth = [&](const Hexahedral_mesh_result& result)
+  {
+    hexahedra.smooth((std::max)(0., result.minimal_scaled_jacobian) + gain);
+    return judge();
+  };
+  Hexahedral_mesh_result result = judge();
+  std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
+  for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
+  {
+    if(round > 0 && result.number_of_inverted_corners > 0)
+      result = smooth(result);
+    hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
+    result = judge();
+    in_vain = result.number_of_inverted_corners == 0 || result.number_of_inverted_corners < fewest_inverted_corners
+              ? 0 : in_vain + 1;
+    fewest_inverted_corners = (std::min)(fewest_inverted_corners, result.number_of_inverted_corners);
+  }
+  if(result.minimal_scaled_jacobian < poor_scaled_jacobian && !budget.is_exhausted())
+    smooth(result);
+}
+
+// Is a layer along the boundary better in most places? Without it, hexahedra are flat, or almost so, along edges of the
+// domain where the body has no line.
+inline bool wants_padding(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedoms)
+{
+  std::vector<std::size_t> patches(mesh.points.size(), 0);
+  std::vector<bool> is_on_edge(mesh.points.size(), false);
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+    for(const std::size_t v : mesh.facets[f])
+    {
+      is_on_edge[v] = is_on_edge[v] || (patches[v] != 0 && patches[v] != mesh.facet_patches[f]);
+      patches[v] = mesh.facet_patches[f];
+    }
+  std::ptrdiff_t difference = 0;
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_on_edge[v])
+      difference += freedoms[v] == Freedom_3::SURFACE ? 1 : -1;
+  return difference > 0;
 }
 
 // Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with and without a layer along the
@@ -190,50 +263,27 @@ inline Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const 
     return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
                                        get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
 
-  Hexahedron_soup_3 best;
-  Hexahedral_mesh_result result = refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)));
-  const auto keep_if_better = [&](const Hexahedral_mesh_result& next, const Hexahedron_soup_3& next_mesh)
-  {
-    if(best.cells.empty() || is_better(next, result))
-    {
-      result = next;
-      best = next_mesh;
-    }
-  };
-  std::vector<Pulled_back_hexahedra_3> candidates; // without and with padding
-  std::vector<Hexahedral_mesh_result> first_results;
-  for(const bool has_padding : {false, true})
-  {
-    if(result.minimal_scaled_jacobian >= sufficient_scaled_jacobian || budget.is_exhausted())
-      break;
-    const Hexahedron_soup_3 domain = has_padding ? padded(boxes) : boxes;
-    const Locations_3 preimages = preimages_3(map, domain.points, is_parallel, budget);
-    if(budget.is_exhausted())
-      break;
-    candidates.emplace_back(map, domain, preimages, spacing, solver, is_parallel, budget);
-    candidates.back().improve_inside();
-    first_results.push_back(judged(candidates.back().mesh(), has_padding));
-    keep_if_better(first_results.back(), candidates.back().mesh());
-  }
-  // The other one is seldom better then if it has inverted corners now, but takes most of the time.
-  const bool begins_with_padding = result.has_padding;
+  const Body_surface_3 surface(soup.points, soup.cells, soup.images);
+  Best_hexahedra_3 best
+    = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
+  const Hexahedron_soup_3 unpadded = pulled_back(map, boxes, is_parallel, budget);
+  const bool begins_with_padding = wants_padding(unpadded, freedoms_3(unpadded, surface));
   for(const bool has_padding : {begins_with_padding, !begins_with_padding})
   {
-    if(has_padding >= candidates.size() || result.minimal_scaled_jacobian >= sufficient_scaled_jacobian
-       || budget.is_exhausted())
+    if(best.result.minimal_scaled_jacobian >= poor_scaled_jacobian || budget.is_exhausted())
       break;
-    if(has_padding != begins_with_padding && first_results[has_padding].number_of_inverted_corners > 0
-       && result.minimal_scaled_jacobian >= poor_scaled_jacobian)
+    const Hexahedron_soup_3 candidate = has_padding ? pulled_back(map, padded(boxes), is_parallel, budget) : unpadded;
+    if(budget.is_exhausted())
       break;
-    Hexahedron_soup_3 candidate;
-    const Hexahedral_mesh_result of_candidate = improve_in_rounds(candidates[has_padding], has_padding, candidate);
-    keep_if_better(of_candidate, candidate);
+    Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
+    improve_hexahedra_3(hexahedra, has_padding, budget, best);
   }
+  Hexahedral_mesh_result result = best.result;
   result.is_interrupted = budget.is_exhausted();
   if(result.status == OK)
   {
-    set_inner_images(map, is_parallel, best);
-    mesh = std::move(best);
+    set_images(map, is_parallel, best.mesh);
+    mesh = std::move(best.mesh);
   }
   else if(result.is_interrupted)
     result.status = ERROR_INTERRUPTED;

@@ -32,6 +32,13 @@ constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
   = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
        {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
 
+// The axis of the unit cube along which two of its neighboring vertices differ.
+constexpr int axis_of_edge(const std::size_t k, const std::size_t l)
+{
+  const auto x = [](const std::size_t i) { return i % 4 == 1 || i % 4 == 2; };
+  return k / 4 != l / 4 ? 2 : x(k) != x(l) ? 0 : 1;
+}
+
 // The quadrangles of a hexahedron, seen from outside, from the first vertex along the axes of the hexahedron; and these.
 constexpr std::array<std::array<std::size_t, 4>, 6> quadrangles_of_hexahedron
   = {{ {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {3, 7, 6, 2}, {0, 4, 7, 3} }};
@@ -58,11 +65,10 @@ inline bool is_positive_corner(const Hexahedron_soup_3& mesh, const std::array<s
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
-inline double scaled_jacobian(const Hexahedron_soup_3& mesh, const std::array<std::size_t, 4>& corner)
+inline double scaled_jacobian(Eigen::Matrix3d edges)
 {
-  Eigen::Matrix3d edges;
   for(int i = 0; i < 3; ++i)
-    edges.col(i) = (to_vector(mesh.points[corner[i + 1]]) - to_vector(mesh.points[corner[0]])).stableNormalized();
+    edges.col(i).stableNormalize();
   return edges.determinant();
 }
 
@@ -72,7 +78,10 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
   std::vector<double> of_corners;
   for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
   {
-    of_corners.push_back(scaled_jacobian(mesh, corner));
+    Eigen::Matrix3d edges;
+    for(int i = 0; i < 3; ++i)
+      edges.col(i) = to_vector(mesh.points[corner[i + 1]]) - to_vector(mesh.points[corner[0]]);
+    of_corners.push_back(scaled_jacobian(edges));
   });
   std::vector<double> result;
   for(auto first = of_corners.begin(); first != of_corners.end(); first += 8)

@@ -206,7 +206,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return result(OK);
     if(iterate.step_length == 0)
       return result(ERROR_NOT_CONVERGED);
-    if(system.mesh().is_whole())
+    if(system.mesh().is_whole() && !system.has_penalty())
       minimize_few_3(system, energy, minimizer, progress.budget());
     if(const std::optional<Error_code> status = ends_here ? ends_here(iterate, current_positions) : std::nullopt)
       return result(*status);

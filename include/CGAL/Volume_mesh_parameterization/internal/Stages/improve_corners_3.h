@@ -12,52 +12,75 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Corner_goals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
 #include <Eigen/Dense>
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The reference of each cell is the corner of a cube with that edge.
-inline Scaled_cells_3 cube_corners_3(const Numbered_mesh_3& mesh, const double edge)
+// The reference of each cell is the corner of a box.
+inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals)
 {
-  const double unit = std::exp2(-std::round(std::log2(edge)));
-  const Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity() / (edge * unit);
-  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+  const double unit = std::exp2(-std::round(std::log2(goals.mean_edge)));
+  Scaled_cells_3 result = { unit, {}, cell_weights(mesh) };
+  for(const Eigen::Vector3d& edges : goals.edges)
+    result.inverse_sources.push_back((unit * edges).cwiseInverse().asDiagonal());
+  return result;
 }
 
-// Makes the corners of hexahedra, which are the cells and overlap, positive and as near to right angles as possible:
-// untangles, from the targets of all vertices on, and minimizes an energy of angles, with corners of cubes of that edge
-// as reference. Each free vertex moves in the directions onto which its projector projects. An exhausted budget ends it
-// at the next step.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Map_3 improve_corners_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors,
-                        const double edge, Linear_solver_3& solver, const bool is_parallel,
-                        const Budget& budget)
+// A pull towards the source, for the vertices that slide. A distance of one edge costs as much as the energy of as many
+// corners as the factor tells, in a sum over corners where each has the energy 1.
+inline Quadratic_penalty_3 pull_to_source_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
+                                            const Unknowns_3& unknowns, const double unit)
 {
-  constexpr std::size_t maximal_number_of_steps = 100;
-  constexpr double theta = 0.5; // how much volumes count while untangling
-  Map_3 map = judged(mesh, mesh.target);
-  if(mesh.number_of_free_vertices == 0 || inverted_prescribed_cells(mesh).number > 0 || budget.is_exhausted())
-    return map;
+  std::vector<Linear_constraint_3<int> > constraints;
+  for(int v = 0; v < mesh.number_of_vertices() && goals.pull > 0; ++v)
+    if(unknowns.contains(v) && !goals.projectors[v].isIdentity(0))
+      for(int axis = 0; axis < 3; ++axis)
+      {
+        constraints.emplace_back();
+        constraints.back().terms.push_back({ unknowns.row(v), Eigen::Vector3d::Unit(axis) });
+        constraints.back().value = unit * mesh.source(axis, v);
+      }
+  return Quadratic_penalty_3(std::move(constraints), goals.pull / static_cast<double>(mesh.cells.size()));
+}
 
-  Progress_3 progress(budget, maximal_number_of_steps);
-  Newton_system_3 system(mesh, cube_corners_3(mesh, edge), Unknowns_3(projectors), solver, is_parallel);
-  map = judged(mesh, snapped(mesh, untangle_cells_3(system, mesh.target, theta, progress).positions));
-  if(!map.is_valid())
-    return map;
-  const Cell_energy_of<MIPS_energy_3> energy{MIPS_energy_3()};
-  progress.begin_stage();
-  Map_3 improved = judged(mesh, snapped(mesh, minimize_energy_3(system, energy, map.positions, progress).positions));
-  return improved.is_valid() ? improved : map;
+// Moves the vertices of hexahedra, whose corners are the cells and overlap, from their targets on: untangles corners,
+// and if none is inverted then, brings them nearer to those of boxes, all alike or the worst ones first. An exhausted
+// budget ends it at the next step. Vertices that are not free stay where they are.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
+                                          Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
+{
+  constexpr double theta = 0.5; // how much volumes count
+  Unknowns_3 unknowns(goals.projectors);
+  if(unknowns.size() == 0 || budget.is_exhausted())
+    return mesh.target;
+  const Scaled_cells_3 boxes = box_corners_3(mesh, goals);
+  const Quadratic_penalty_3 pull = pull_to_source_3(mesh, goals, unknowns, boxes.unit);
+  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, is_parallel, &pull);
+  Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
+  Eigen::Matrix3Xd positions = mesh.target;
+  if(inverted_cells(mesh, positions).number > 0)
+    positions = untangle_cells_3(system, positions, theta, untangling).positions;
+  if(inverted_cells(mesh, positions).number > 0)
+    return positions;
+  const Untangling_energy_3 energy(0, theta); // of corners that are positive
+  return goals.exponent > 1
+    ? minimize_energy_3(system, Cell_energy_of<Power_energy_3<Untangling_energy_3> >(Power_energy_3(goals.exponent, energy)),
+                        positions, progress).positions
+    : minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(energy), positions, progress).positions;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

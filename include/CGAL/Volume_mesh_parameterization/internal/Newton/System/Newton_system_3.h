@@ -114,6 +114,7 @@ public:
 
   const Numbered_mesh_3& mesh() const { return m_mesh; }
   const Unknowns_3& unknowns() const { return m_unknowns; }
+  bool has_penalty() const { return m_penalty != nullptr; }
   double unit() const { return m_unit; } // by which positions are multiplied
 
   // Takes these reference cells, with the same unit, from now on.

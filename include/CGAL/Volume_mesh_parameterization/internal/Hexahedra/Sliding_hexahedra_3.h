@@ -1,0 +1,153 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_SLIDING_HEXAHEDRA_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_SLIDING_HEXAHEDRA_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Hexahedra of a body whose vertices move inside, on its boundary and along its lines.
+class Sliding_hexahedra_3
+{
+public:
+  Sliding_hexahedra_3(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedom, const Body_surface_3& surface,
+                      Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
+    : m_mesh(mesh), m_surface(surface), m_solver(solver), m_is_parallel(is_parallel), m_budget(budget)
+  {
+    Eigen::Matrix3Xd points(3, mesh.points.size());
+    std::vector<bool> is_fixed;
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      points.col(v) = to_vector(mesh.points[v]);
+      is_fixed.push_back(freedom[v] == Freedom_3::NONE);
+    }
+    std::vector<std::array<int, 4> > corners;
+    for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
+    {
+      corners.emplace_back();
+      std::copy(corner.begin(), corner.end(), corners.back().begin());
+    });
+    m_order = set_numbered_mesh(corners, points, is_fixed, m_numbered);
+    m_numbered.target = m_numbered.source;
+    for(const std::size_t v : m_order)
+      m_freedom.push_back(freedom[v]);
+  }
+
+  const Hexahedron_soup_3& mesh() const { return m_mesh; }
+
+  // Some steps of Newton's method for all vertices at once, or for those inside. Those on the boundary move in its tangent
+  // planes, or along lines, are put back, and are pulled a little to where they were at first, so that the boundary
+  // remains covered. Hexahedra whose corners are positive keep them so.
+  void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent)
+  {
+    constexpr double pull = 50; // keeps the tips of fingers, and hardly makes corners worse
+    Corner_goals_3 goals = { {}, {}, 1, pull, exponent, number_of_steps };
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+    {
+      const bool stays = !do_slide && m_freedom[i] != Freedom_3::SPACE;
+      goals.projectors.push_back(m_surface.projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
+    }
+    set_edges(goals);
+    put_back(improve_corners_3(m_numbered, goals, m_solver, m_is_parallel, m_budget));
+    write_points();
+  }
+
+  // Moves vertices one after the other, those around corners whose scaled Jacobian is below the target.
+  void smooth(const double target)
+  {
+    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surface, target, m_budget, m_numbered.target);
+    write_points();
+  }
+
+private:
+  // Hexahedra keep the mean lengths of their edges along each axis, if these are not too short.
+  void set_edges(Corner_goals_3& goals) const
+  {
+    constexpr double shortest = 0.5; // relative to the mean
+    std::vector<Eigen::Vector3d> edges(m_mesh.cells.size(), Eigen::Vector3d::Zero());
+    const auto length = [&](const std::size_t corner, const std::size_t i) -> double&
+    {
+      const std::array<std::size_t, 4>& vertices = corners_of_hexahedron[m_numbered.user_number(corner) % 8];
+      return edges[m_numbered.user_number(corner) / 8][axis_of_edge(vertices[0], vertices[i + 1])];
+    };
+    for(std::size_t c = 0; c < m_numbered.cells.size(); ++c)
+      for(std::size_t i = 0; i < 3; ++i)
+        length(c, i) += edge_matrix(m_numbered.target, m_numbered.cells[c]).col(i).norm() / 8;
+    goals.mean_edge = 0;
+    for(const Eigen::Vector3d& lengths : edges)
+      goals.mean_edge += lengths.mean() / static_cast<double>(edges.size());
+    goals.edges.resize(m_numbered.cells.size());
+    for(std::size_t c = 0; c < m_numbered.cells.size(); ++c)
+      for(std::size_t i = 0; i < 3; ++i)
+        goals.edges[c][i] = (std::max)(length(c, i), shortest * goals.mean_edge);
+  }
+
+  // Takes positions, put back onto the boundary. Where this inverts a corner, vertices go a part of their way only, and in
+  // the end none of it; while corners are inverted anyway, that is left to the next steps.
+  void put_back(const Eigen::Matrix3Xd& moved)
+  {
+    constexpr int number_of_attempts = 5;
+    const Eigen::Matrix3Xd before = m_numbered.target;
+    const bool was_valid = inverted_cells(m_numbered, before).number == 0;
+    const bool may_shorten = was_valid || inverted_cells(m_numbered, moved).number == 0;
+    std::vector<double> part(m_order.size(), 1);
+    for(int attempt = 1; ; ++attempt)
+    {
+      for(std::size_t i = 0; i < m_order.size(); ++i)
+        m_numbered.target.col(i) = part[i] == 0 ? Eigen::Vector3d(before.col(i))
+          : m_surface.nearest(before.col(i) + part[i] * (moved.col(i) - before.col(i)), m_freedom[i]);
+      std::vector<bool> is_at_inverted(m_order.size(), false);
+      bool is_valid = true;
+      for(const std::array<int, 4>& cell : m_numbered.cells)
+        if(!is_positive(m_numbered.target, cell))
+        {
+          is_valid = false;
+          for(const int v : cell)
+            is_at_inverted[v] = true;
+        }
+      if(is_valid || !may_shorten || (attempt >= number_of_attempts && !was_valid))
+        return;
+      for(std::size_t i = 0; i < m_order.size(); ++i)
+        if(is_at_inverted[i])
+          part[i] *= attempt < number_of_attempts ? 0.5 : 0;
+    }
+  }
+
+  void write_points()
+  {
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      m_mesh.points[m_order[i]] = coordinates(m_numbered.target.col(i));
+  }
+
+  Hexahedron_soup_3 m_mesh;
+  const Body_surface_3& m_surface;
+  Numbered_mesh_3 m_numbered; // the corners; the source is where vertices were at first, the target where they are
+  std::vector<std::size_t> m_order;
+  std::vector<Freedom_3> m_freedom; // in this order
+  Linear_solver_3& m_solver;
+  bool m_is_parallel;
+  const Budget& m_budget;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_SLIDING_HEXAHEDRA_3_H
