@@ -2,6 +2,7 @@
 #include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/IO/INP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -30,7 +32,7 @@ int main(int argc, char* argv[])
   Surface_mesh surface;
   if(!CGAL::IO::read_polygon_mesh(filename, surface) || !(number > 0))
   {
-    std::cerr << "Usage: hexahedral_mesh SURFACE [OUTPUT.vtu [NUMBER]]" << std::endl;
+    std::cerr << "Usage: hexahedral_mesh SURFACE [OUTPUT.vtu|OUTPUT.inp [NUMBER]]" << std::endl;
     return EXIT_FAILURE;
   }
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
@@ -67,7 +69,10 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
 
   std::ofstream out(output_filename);
-  VMP::IO::write_VTU(out, hexahedra);
+  if(std::filesystem::path(output_filename).extension() == ".inp")
+    VMP::IO::write_INP(out, hexahedra);
+  else
+    VMP::IO::write_VTU(out, hexahedra);
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }
