@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the maps that the example programs wrote, for the manual.
 
-Usage: xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" scripts/render_examples.py FOLDER [OUTPUT_FOLDER]
+Usage: xvfb-run -a -s "-screen 0 2560x1280x24 -noreset" scripts/render_examples.py FOLDER [OUTPUT_FOLDER]
 FOLDER is where the example programs were run. If it has convergence.json, a report of parameterize_mesh_file, its steps
 are drawn. Needs the Debian packages python3-matplotlib, python3-pil, python3-vtk9, xauth and xvfb.
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
-from matplotlib.colors import ListedColormap, LogNorm  # noqa: E402
+from matplotlib.colors import ListedColormap, LogNorm, Normalize  # noqa: E402
 import numpy  # noqa: E402
 from PIL import Image  # noqa: E402
 import vtk  # noqa: E402
@@ -24,7 +24,8 @@ sys.path.append(str(ROOT / "benchmark/Volume_mesh_parameterization/paper"))
 import render  # noqa: E402
 
 LARGEST = 10  # of the distortions that are told apart
-HEIGHT = 340  # of a picture
+DPI = 200  # pictures are shown at half their size, on screens with small pixels at all of it
+render.SIZE = 1040  # of a body
 
 # name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts the image
 VIEWS = {
@@ -34,17 +35,6 @@ VIEWS = {
     "polycube": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
     "sliding_boundary": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
 }
-
-
-def join(panels, output, height=HEIGHT):
-    """Puts pictures side by side and stores them with 256 colors, which keeps the file small."""
-    images = [Image.open(panel).convert("RGB") for panel in panels]
-    row = Image.new("RGB", (sum(image.width for image in images), images[0].height))
-    x = 0
-    for image in images:
-        row.paste(image, (x, 0))
-        x += image.width
-    row.resize((row.width * height // row.height, height), Image.LANCZOS).quantize(256).save(output, optimize=True)
 
 
 def surface_of(grid):
@@ -86,7 +76,7 @@ def edges_of_domain(grid):
     points = vtk.vtkPoints()
     points.SetData(lines.GetPointData().GetArray("place"))
     lines.SetPoints(points)
-    return line_actor(lines, (0, 0, 0), 3)
+    return line_actor(lines, (0, 0, 0), 6)
 
 
 def grid_lines(grid, number=16):
@@ -110,7 +100,7 @@ def grid_lines(grid, number=16):
         contours.Update()
         lines.AddInputData(contours.GetOutput())
     lines.Update()
-    return line_actor(lines.GetOutput(), (0.1, 0.25, 0.5), 2)
+    return line_actor(lines.GetOutput(), (0.1, 0.25, 0.5), 4)
 
 
 def colors_of_places(grid):
@@ -206,7 +196,7 @@ def show(axes, picture, title):
 def save(figure, output):
     """With 256 colors, which keeps the file small."""
     with tempfile.TemporaryDirectory() as name:
-        figure.savefig(f"{name}/figure.png")
+        figure.savefig(f"{name}/figure.png", dpi=DPI)
         picture = Image.open(f"{name}/figure.png").convert("RGB")
         picture = picture.quantize(palette=picture.quantize(256), dither=Image.Dither.FLOYDSTEINBERG)
         colors = numpy.array(picture.getpalette()).reshape(-1, 3)
@@ -214,6 +204,28 @@ def save(figure, output):
         picture.putpalette(colors.ravel().tolist())
         picture.save(output, optimize=True)
     pyplot.close(figure)
+
+
+def draw_row(bodies, output, bar=None):
+    """Bodies side by side, each a list of actors with its direction to the eye, direction upwards and title. The bar is
+    colours, the values at its ends and what it shows."""
+    figure, axes = pyplot.subplots(1, len(bodies), figsize=(10.8, 5.4), constrained_layout=True)
+    with tempfile.TemporaryDirectory() as name:
+        panel = Path(name) / "panel.png"
+        for place, (actors, direction, up, title) in zip(axes, bodies):
+            render.picture(panel, actors, direction, up)
+            show(place, panel, title)
+    if bar:
+        colors, (low, high), title = bar
+        scale = matplotlib.cm.ScalarMappable(Normalize(low, high), ListedColormap(colors))
+        figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=40, label=title)
+    save(figure, output)
+
+
+def colors_of(actor):
+    """The colours of its lookup table."""
+    table = actor.GetMapper().GetLookupTable()
+    return [table.GetTableValue(i)[:3] for i in range(table.GetNumberOfTableValues())]
 
 
 def draw_map(vtu, output):
@@ -279,12 +291,13 @@ def draw_grid(vtu, output, icon):
     """A regular grid in the parameter domain, and what it becomes in the source; the latter also as a small picture."""
     direction, up, _ = VIEWS[vtu.stem]
     source = render.read(str(vtu))
-    with tempfile.TemporaryDirectory() as name:
-        panels = [Path(name) / f"{i}.png" for i in range(2)]
-        for panel, grid in zip(panels, (render.image_of(source), source)):
-            render.picture(panel, [render.surface(grid, edges=False), grid_lines(grid), edges_of_domain(grid)], direction, up)
-        join(panels, output)
-        join(panels[1:], icon, 160)
+    bodies = [[render.surface(grid, edges=False), grid_lines(grid), edges_of_domain(grid)]
+              for grid in (render.image_of(source), source)]
+    draw_row([(bodies[0], direction, up, "polycube with a regular grid"), (bodies[1], direction, up, "part with the same grid")],
+             output)
+    render.picture(icon, bodies[1], direction, up)
+    picture = Image.open(icon).convert("RGB").resize((320, 320), Image.LANCZOS)
+    picture.quantize(256).save(icon, optimize=True)
 
 
 def surface_with_field(grid):
@@ -298,12 +311,11 @@ def surface_with_field(grid):
 
 def draw_carried(folder, output):
     """A field and a regular grid of the elephant, and what becomes of them on the bull."""
-    with tempfile.TemporaryDirectory() as name:
-        panels = [Path(name) / f"{body}.png" for body in ("elephant", "bull")]
-        for panel, direction in zip(panels, ((2, 1, 3), (-2, 1, 3))):
-            grid = render.read(str(folder / f"{panel.stem}.vtu"))
-            render.picture(panel, [surface_with_field(grid), grid_lines(grid)], direction, (0, 1, 0))
-        join(panels, output)
+    bodies = []
+    for name, direction in (("elephant", (2, 1, 3)), ("bull", (-2, 1, 3))):
+        grid = render.read(str(folder / f"{name}.vtu"))
+        bodies.append(([surface_with_field(grid), grid_lines(grid)], direction, (0, 1, 0), name))
+    draw_row(bodies, output, (colors_of(bodies[0][0][0]), (0, 100), "distance from the tip of the trunk, in % of the largest one"))
 
 
 def draw_hexahedra(vtu, output):
@@ -311,11 +323,8 @@ def draw_hexahedra(vtu, output):
     direction, up, normal = VIEWS["polycube"]
     mesh = render.read(str(vtu))
     quality = render.quality_surface(render.whole_cells_behind(mesh, normal), "scaled_jacobian")
-    with tempfile.TemporaryDirectory() as name:
-        panels = [Path(name) / f"{i}.png" for i in range(2)]
-        render.picture(panels[0], [render.surface(mesh)], direction, up)
-        render.picture(panels[1], [quality], direction, up, legend="scaled J.")
-        join(panels, output)
+    draw_row([([render.surface(mesh)], direction, up, "hexahedra"), ([quality], direction, up, "those of one half")], output,
+             (colors_of(quality), (0, 1), "scaled Jacobian (right angles: 1)"))
 
 
 def main(folder, output_folder):

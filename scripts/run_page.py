@@ -5,7 +5,8 @@ Usage: scripts/run_page.py PAGE [--skip LINE]...
 
 PAGE is a text of the manual or a Markdown file. Commands are the blocks \\code{.sh} or ```sh; they start in the folder of
 the package, and each block in the folder where the one before ended. Lines of a block \\code{.unparsed} or ```text are
-among those that the commands before it print. Commands that are a LINE, but for a comment behind, are left out.
+among those that the commands before it print, word by word; numbers differ by a twentieth at most. Commands that are a LINE,
+but for a comment behind, are left out.
 """
 import argparse
 import re
@@ -32,6 +33,12 @@ def run(commands, folder):
         return output, end.read().strip()
 
 
+def is_same(quoted, printed):
+    numbers = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+    return numbers.sub("#", quoted) == numbers.sub("#", printed) and all(
+        abs(float(a) - float(b)) <= 0.05 * abs(float(a)) for a, b in zip(numbers.findall(quoted), numbers.findall(printed)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path)
@@ -45,7 +52,8 @@ def main():
             print("", *(f"$ {line}" for line in lines), sep="\n", flush=True)
             output, folder = run("\n".join(lines), folder)
         elif kind == "unparsed":
-            differences += [f"quoted, but not printed: {line}" for line in text.splitlines() if line.strip() not in output]
+            differences += [f"quoted, but not printed: {line}" for line in text.splitlines()
+                            if not any(is_same(line.strip(), printed) for printed in output)]
         numbers[kind] = numbers.get(kind, 0) + 1
     print(*differences, f"{arguments.page}: {numbers['sh']} blocks of commands ran, {numbers['unparsed']} were compared", sep="\n")
     sys.exit(1 if differences or not numbers["sh"] else 0)

@@ -18,14 +18,16 @@ Without a configuration, all of these:
   no_gmp       the core, with numbers of Boost in place of those of GMP
   arm64        the core, cross-compiled without GMP, and run by qemu
   windows      the core, cross-compiled by MinGW-w64 without GMP, and run by Wine
+  cgal_core    the core, with the headers in the folder given by --cgal, for instance those of an archive of CGAL 6
 The core is header-only: a map of arrays, and the tests of the public function. It is without TBB, CHOLMOD, PETSc, CGAL's
 models and the program parameterize_mesh_file.
-FOLDER is build/matrix if not given; cgal and eigen are left out if their PREFIX is not given."
+FOLDER is build/matrix if not given, and PREFIX the environment variables CGAL_PREFIX and EIGEN_PREFIX; cgal, cgal_core and
+eigen are left out without one. Nothing is downloaded but Debian's packages."
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 folder="$root/build/matrix"
-cgal=
-eigen=
+cgal=${CGAL_PREFIX:-}
+eigen=${EIGEN_PREFIX:-}
 while [ $# -gt 0 ]; do
   case $1 in
     --folder) folder=$2; shift 2 ;;
@@ -37,7 +39,8 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers libc++ no_gmp arm64 windows)
+  configurations=(default assertions clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers libc++ no_gmp arm64 windows
+    ${cgal:+cgal_core})
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$CMAKE_BUILD_PARALLEL_LEVEL}
@@ -72,12 +75,14 @@ build_headers()
 # those of the system are not: only the former are shown to a cross compiler.
 test_core() # NAME RUNNER COMPILER FLAGS...
 {
-  local build="$folder/$1" runner=$2 compiler=("${@:3}")
+  local build="$folder/$1" runner=$2 compiler=("${@:3}") prefix=/usr
   local test="$root/test/Volume_mesh_parameterization" examples="$root/examples/Volume_mesh_parameterization"
   mkdir -p "$build/libraries"
-  for library in CGAL boost eigen3 catch2; do
+  for library in boost eigen3 catch2; do
     ln -sfn "/usr/include/$library" "$build/libraries/$library"
   done
+  [ "$1" != cgal_core ] || prefix=$cgal
+  ln -sfn "$prefix/include/CGAL" "$build/libraries/CGAL"
   compiler+=(-std=c++17 -O1 -DNDEBUG -DCGAL_EIGEN3_ENABLED -frounding-math -Wall -Wextra -I "$root/include" -I "$test"
     -isystem "$build/libraries" -isystem "$build/libraries/eigen3")
   local link=()
@@ -106,6 +111,7 @@ run()
     no_gmp) test_core "$1" "" g++ -DCGAL_DISABLE_GMP ;;
     arm64) test_core "$1" qemu-aarch64-static aarch64-linux-gnu-g++ -static -DCGAL_DISABLE_GMP ;;
     windows) WINEDEBUG=-all test_core "$1" /usr/lib/wine/wine64 x86_64-w64-mingw32-g++-posix -static -Wa,-mbig-obj -DCGAL_DISABLE_GMP ;;
+    cgal_core) test_core "$1" "" g++ ;;
     *) echo "there is no configuration '$1'"; return 1 ;;
   esac
 }
