@@ -61,8 +61,7 @@ int main(int argc, char* argv[])
 
   std::cout << result.message << "\n"
             << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"
-            << "distortion of angles: mean " << result.distortion.angle_mean
-            << ", max " << result.distortion.angle_max << std::endl;
+            << "mean distortion of angles: " << result.distortion.angle_mean << std::endl;
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
