@@ -27,7 +27,9 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 namespace CGAL::Volume_mesh_parameterization {
 template class internal::Conjugate_gradient_3<float>;
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;

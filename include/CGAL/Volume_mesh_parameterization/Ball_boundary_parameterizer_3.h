@@ -44,8 +44,9 @@ class Ball_boundary_parameterizer_3
 {
   friend internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>;
 
-  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
-                 const internal::Budget& budget) const
+  // a template, like what it calls
+  template <typename Surface>
+  Error_code map(const Surface& surface, std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
   {
     return internal::map_to_sphere_3(surface, images, budget);
   }

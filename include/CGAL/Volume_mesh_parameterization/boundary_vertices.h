@@ -16,14 +16,34 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
 
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#endif
+
 #include <algorithm>
 #include <iterator>
+#include <limits>
+#include <string>
 
 namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-inline Numbered_surface_3 surface_of(const Body_3& body)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Numbered_surface_3 surface_of(const Body_3& body);
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::size_t> non_manifold_points(const Body_3& body);
+
+// Where the boundary of a body is not a manifold, as a sentence; empty for other errors.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::string place_of_boundary_error(const Body_3& body, Error_code status);
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Numbered_surface_3 surface_of(const Body_3& body)
 {
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   Numbered_surface_3 surface;
@@ -43,7 +63,8 @@ inline Numbered_surface_3 surface_of(const Body_3& body)
   return surface;
 }
 
-inline std::vector<std::size_t> non_manifold_points(const Body_3& body)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::size_t> non_manifold_points(const Body_3& body)
 {
   const Numbered_surface_3 surface = surface_of(body);
   std::vector<std::size_t> result;
@@ -51,6 +72,18 @@ inline std::vector<std::size_t> non_manifold_points(const Body_3& body)
     result.push_back(surface.vertices[v]);
   return result;
 }
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::string place_of_boundary_error(const Body_3& body, const Error_code status)
+{
+  if(status != ERROR_NON_MANIFOLD_BOUNDARY)
+    return "";
+  const std::vector<std::size_t> points = non_manifold_points(body);
+  return sentence(" It is none at ", points.size(), " vertices, among them the one at ",
+                  describe(to_vector(body.soup.points[points.front()])), ".");
+}
+
+#endif
 
 } // namespace internal
 
@@ -131,20 +164,6 @@ std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points
 {
   return internal::non_manifold_points(internal::body_of(points, cells));
 }
-
-namespace internal {
-
-// Where the boundary of a body is not a manifold, as a sentence; empty for other errors.
-inline std::string place_of_boundary_error(const Body_3& body, const Error_code status)
-{
-  if(status != ERROR_NON_MANIFOLD_BOUNDARY)
-    return "";
-  const std::vector<std::size_t> points = non_manifold_points(body);
-  return sentence(" It is none at ", points.size(), " vertices, among them the one at ",
-                  describe(to_vector(body.soup.points[points.front()])), ".");
-}
-
-} // namespace internal
 
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/refine_and_parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/tags.h>

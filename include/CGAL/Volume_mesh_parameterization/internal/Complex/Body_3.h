@@ -12,27 +12,23 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#endif
+
+#include <boost/container/static_vector.hpp>
 
 #include <iterator>
+#include <type_traits>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// The vertices of sides of cells, counterclockwise as seen from outside. The side `4 * c + i` is opposite to vertex i of cell c.
-inline std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
-                                                                const std::vector<std::size_t>& sides)
-{
-  std::vector<std::array<std::size_t, 3> > result;
-  result.reserve(sides.size());
-  for(const std::size_t side : sides)
-  {
-    const auto& [i, j, k] = facets_of_cell[side % 4];
-    const std::array<std::size_t, 4>& cell = cells[side / 4];
-    result.push_back({ cell[j], cell[k], cell[i] });
-  }
-  return result;
-}
 
 inline std::vector<bool> points_of_facets(const std::size_t number_of_points,
                                           const std::vector<std::array<std::size_t, 3> >& facets)
@@ -44,6 +40,9 @@ inline std::vector<bool> points_of_facets(const std::size_t number_of_points,
   return result;
 }
 
+// An edge, facet or cell, given by its two, three or four points. Those of a cell are in its order.
+using Simplex_3 = boost::container::static_vector<std::size_t, 4>;
+
 // A body as arrays: what complexes, and ranges of any types, become on their way to all algorithms.
 struct Body_3
 {
@@ -51,6 +50,23 @@ struct Body_3
   std::vector<std::array<std::size_t, 3> > boundary; // the facets of one cell only, which no refinement changes
   std::vector<std::size_t> sides;                    // which sides these are, before any refinement
 };
+
+// A point that was made a vertex of an edge, facet or cell, and the cells around this, by their numbers then.
+struct Insertion_3
+{
+  std::size_t point;
+  Simplex_3 simplex;
+  std::vector<std::size_t> cells;
+};
+
+// The vertices of sides of cells, counterclockwise as seen from outside. The side `4 * c + i` is opposite to vertex i of cell c.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
+                                                         const std::vector<std::size_t>& sides);
+
+// Throws `Input_error` if indices are wrong, or facets have more than two cells or two on the same side.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Body_3 body_of(Tetrahedron_soup_3 soup);
 
 // The points on the boundary, and those that are constrained as well.
 inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {})
@@ -124,14 +140,6 @@ Tetrahedron_soup_3 soup_of(const PointRange& points, const CellRange& cells)
   return { coordinates_of(points), indices_of(cells), std::vector<int>(cells.size()), {}, {} };
 }
 
-inline Body_3 body_of(Tetrahedron_soup_3 soup)
-{
-  check_simplices(soup);
-  const std::vector<std::size_t> sides = Facet_matching_3(soup).sides_on_boundary();
-  const auto boundary = facets_of_sides(soup.cells, sides);
-  return { std::move(soup), boundary, sides };
-}
-
 template <typename PointRange, typename CellRange>
 Body_3 body_of(const PointRange& points, const CellRange& cells)
 {
@@ -173,6 +181,34 @@ struct Body_of_complex_3 : Body_3
     boundary = facets_of_sides(soup.cells, sides);
   }
 };
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
+                                                         const std::vector<std::size_t>& sides)
+{
+  std::vector<std::array<std::size_t, 3> > result;
+  result.reserve(sides.size());
+  for(const std::size_t side : sides)
+  {
+    const auto& [i, j, k] = facets_of_cell[side % 4];
+    const std::array<std::size_t, 4>& cell = cells[side / 4];
+    result.push_back({ cell[j], cell[k], cell[i] });
+  }
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Body_3 body_of(Tetrahedron_soup_3 soup)
+{
+  check_simplices(soup);
+  const std::vector<std::size_t> sides = Facet_matching_3(soup).sides_on_boundary();
+  const auto boundary = facets_of_sides(soup.cells, sides);
+  return { std::move(soup), boundary, sides };
+}
+
+#endif
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
@@ -49,10 +48,6 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
                        Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
-                   const Map_options_3& options, Progress_3& progress, Found_map_3& found);
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
                                    bool is_parallel, const Budget& budget);
 
@@ -61,22 +56,14 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
                                       const Cell_energy_3& energy, const Linear_solver_3& solver,
                                       const Progress_3& progress);
 
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress);
+
 // The distortions of a map.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-// The default solvers are compiled with the engine. Energies are not: they use the processor a unit is compiled for.
-namespace CGAL::Volume_mesh_parameterization {
-extern template class internal::Conjugate_gradient_3<float>;
-extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
-#  ifdef CGAL_LINKED_WITH_TBB
-extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
-#  endif
-}
-#endif
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -14,15 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
 
-#include <boost/container/static_vector.hpp>
-
+#include <algorithm>
 #include <optional>
 #include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// An edge, facet or cell, given by its two, three or four points. Those of a cell are in its order.
-using Simplex_3 = boost::container::static_vector<std::size_t, 4>;
 
 // Does a simplex, as a range of its vertices, have a vertex, or all those of a face?
 template <typename Simplex>
@@ -108,14 +104,6 @@ private:
   std::vector<std::array<std::size_t, N> >& m_simplices;
   std::vector<int>& m_references;
   std::vector<std::vector<std::size_t> > m_incident;
-};
-
-// A point that was made a vertex of an edge, facet or cell, and the cells around this, by their numbers then.
-struct Insertion_3
-{
-  std::size_t point;
-  Simplex_3 simplex;
-  std::vector<std::size_t> cells;
 };
 
 // Makes new points vertices of interior edges, facets and cells of a body. New cells and facets have the references of those

@@ -67,6 +67,17 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const E
                   " a boundary nearer to the source there.");
 }
 
+// The result where the check does not allow a search, without counts.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress)
+{
+  Parameterization_result result;
+  result.status = check.status;
+  result.message = check.message;
+  result.seconds_numbering = result.seconds_total = progress.seconds();
+  return result;
+}
+
 // The result of a search without its counts of the complex: the only place where it is written.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,

@@ -235,7 +235,8 @@ private:
     const Eigen::Matrix<double, 3, 2> tangents = m_domain.tangents(image);
     Eigen::Matrix2d tangential = tangents.transpose() * hessian * tangents;
     tangential -= Domain::curvature * image.dot(gradient) * Eigen::Matrix2d::Identity();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(tangential);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(tangential);
     const double smallest = 1e-8 * eigen.eigenvalues().cwiseAbs().maxCoeff();
     const Eigen::Vector2d slope = eigen.eigenvectors().transpose() * (tangents.transpose() * gradient);
     Eigen::Vector2d step;

@@ -15,7 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -29,19 +28,20 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // which corrections are constant. Each level adds its own, so that together they are as in a multilevel diagonal scaling
 // (Zhang, Multilevel Schwarz methods, Numerische Mathematik 63, 1992); eight neighboring aggregates share a dense inverse
 // of their part of the Galerkin matrix. The iterations then grow hardly with the number of rows. Small systems get no levels.
-template <typename NT>
+// Single precision suffices, whatever that of the system is.
 class Aggregate_hierarchy_3
 {
-public:
-  using Vector = Eigen::Matrix<NT, Eigen::Dynamic, 1>;
+  static auto at(Eigen::VectorXf& v, const int i) { return v.segment<3>(3 * std::size_t(i)); }
 
+public:
   static constexpr int rows_per_aggregate = 32; // of the matrix, on the first level
 
   explicit Aggregate_hierarchy_3(const bool is_parallel) : m_is_parallel(is_parallel) {}
 
   bool is_empty() const { return m_levels.empty(); }
 
-  void analyze_pattern(const Block_sparse_matrix_3<NT>& A)
+  template <typename Matrix>
+  void analyze_pattern(const Matrix& A)
   {
     constexpr int smallest_number_of_rows = 30000; // below, block diagonals do as well
     constexpr int largest_last_level = 64;
@@ -55,7 +55,8 @@ public:
     last.aggregates_per_group = last.matrix.size();
   }
 
-  void factorize(const Block_sparse_matrix_3<NT>& A)
+  template <typename Matrix>
+  void factorize(const Matrix& A)
   {
     for(std::size_t l = 0; l < m_levels.size(); ++l)
     {
@@ -68,6 +69,7 @@ public:
   }
 
   // The residual of the rows from `first` to `last`, which begin and end with an aggregate.
+  template <typename Vector>
   void restrict_rows(const Vector& residual, const int first, const int last)
   {
     sum_rows(residual, rows_per_aggregate, first / rows_per_aggregate,
@@ -91,7 +93,7 @@ public:
   // That of a row of the matrix.
   auto correction(const int row) const
   {
-    return m_levels.front().correction.template segment<3>(3 * std::size_t(row / rows_per_aggregate));
+    return m_levels.front().correction.segment<3>(3 * std::size_t(row / rows_per_aggregate));
   }
 
 private:
@@ -101,11 +103,9 @@ private:
   {
     Block_sparse_matrix_3<double> matrix;
     int aggregates_per_group;
-    std::vector<Eigen::Matrix<NT, Eigen::Dynamic, Eigen::Dynamic> > inverses; // of groups
-    Vector residual, correction;
+    std::vector<Eigen::MatrixXf> inverses; // of groups
+    Eigen::VectorXf residual, correction;
   };
-
-  static auto at(Vector& v, const int i) { return v.template segment<3>(3 * std::size_t(i)); }
 
   // Its matrix has a block for each pair of aggregates that share one.
   template <typename Matrix>
@@ -167,13 +167,29 @@ private:
           if(A.column(k) >= first && A.column(k) < last)
             B.block<3, 3>(3 * (row - first), 3 * (A.column(k) - first)) = A.block(k);
       B.diagonal() *= 1 + shift;
-      const Eigen::LLT<Eigen::MatrixXd> factor(B);
-      if(factor.info() == Eigen::Success)
-        B = factor.solve(Eigen::MatrixXd::Identity(n, n)).eval();
-      else
+      if(!invert_positive_definite(B))
         B.setZero();
-      level.inverses[group] = B.template cast<NT>();
+      level.inverses[group] = B.cast<float>();
     });
+  }
+
+  // Sweeps one row after the other, which are few; says whether all pivots are positive. A factorization by Eigen would
+  // double what this room costs to compile.
+  static bool invert_positive_definite(Eigen::MatrixXd& B)
+  {
+    for(Eigen::Index k = 0; k < B.rows(); ++k)
+    {
+      const double pivot = B(k, k);
+      if(!(pivot > 0))
+        return false;
+      const Eigen::VectorXd column = B.col(k), scaled = column / pivot;
+      B.noalias() -= scaled * column.transpose();
+      B.col(k) = scaled;
+      B.row(k) = scaled.transpose();
+      B(k, k) = -1 / pivot;
+    }
+    B = -B;
+    return true;
   }
 
   void correct(Level& level) const
@@ -187,15 +203,16 @@ private:
     });
   }
 
-  static void sum_rows(const Vector& fine, const int size, const int first, const int last, Vector& coarse)
+  template <typename Vector>
+  static void sum_rows(const Vector& fine, const int size, const int first, const int last, Eigen::VectorXf& coarse)
   {
     const int n = static_cast<int>(fine.size() / 3);
     for(int i = first; i < last; ++i)
     {
-      Eigen::Matrix<NT, 3, 1> sum = Eigen::Matrix<NT, 3, 1>::Zero();
+      Eigen::Matrix<typename Vector::Scalar, 3, 1> sum = Eigen::Matrix<typename Vector::Scalar, 3, 1>::Zero();
       for(int row = i * size; row < (std::min)(n, (i + 1) * size); ++row)
         sum += fine.template segment<3>(3 * std::size_t(row));
-      at(coarse, i) = sum;
+      at(coarse, i) = sum.template cast<float>();
     }
   }
 

@@ -105,7 +105,7 @@ private:
 
   // Rows are processed in ranges of fixed length, each with its own partial sum.
   static constexpr int rows_per_range = 1024;
-  static_assert(rows_per_range % Aggregate_hierarchy_3<NT>::rows_per_aggregate == 0);
+  static_assert(rows_per_range % Aggregate_hierarchy_3::rows_per_aggregate == 0);
 
   std::size_t number_of_row_ranges() const
   {
@@ -164,7 +164,7 @@ private:
       auto z = m_preconditioned.template segment<3>(3 * std::size_t(row));
       z.noalias() = inverse_diagonal(row) * m_residual.template segment<3>(3 * std::size_t(row));
       if(!m_hierarchy.is_empty())
-        z += m_hierarchy.correction(row);
+        z += m_hierarchy.correction(row).template cast<NT>();
     }
     return dot(m_residual, m_preconditioned, first, last);
   }
@@ -228,7 +228,7 @@ private:
   std::vector<NT> m_inverse_diagonal;
   Vector m_solution, m_residual, m_preconditioned, m_direction, m_product;
   std::vector<double> m_partial_sums;
-  Aggregate_hierarchy_3<NT> m_hierarchy; // without levels, the preconditioner is block Jacobi
+  Aggregate_hierarchy_3 m_hierarchy; // without levels, the preconditioner is block Jacobi
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,15 +12,16 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <Eigen/Core>
 
 #include <boost/type_index.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -28,8 +29,21 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Which blocks the Hessian has, in compressed rows as in `Block_sparse_matrix_3`.
+struct Sparsity_pattern_3
+{
+  std::vector<int> row_begin, columns;
+
+  int position(const int row, const int column) const
+  {
+    const auto begin = columns.begin();
+    return static_cast<int>(std::lower_bound(begin + row_begin[row], begin + row_begin[row + 1], column) - begin);
+  }
+};
 
 // The matrix of a Newton system, with the numbers that the solver wants.
 using Newton_matrix_3 = std::variant<Block_sparse_matrix_3<float>, Block_sparse_matrix_3<double> >;
@@ -146,5 +160,16 @@ private:
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+// The default solvers are compiled with the engine. Energies are not: they use the processor a unit is compiled for.
+namespace CGAL::Volume_mesh_parameterization {
+extern template class internal::Conjugate_gradient_3<float>;
+extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
+#  ifdef CGAL_LINKED_WITH_TBB
+extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
+#  endif
+}
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_LINEAR_SOLVER_3_H

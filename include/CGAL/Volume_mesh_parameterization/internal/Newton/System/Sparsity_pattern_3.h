@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 
@@ -22,18 +23,6 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Which blocks the Hessian has, in compressed rows as in `Block_sparse_matrix_3`.
-struct Sparsity_pattern_3
-{
-  std::vector<int> row_begin, columns;
-
-  int position(const int row, const int column) const
-  {
-    const auto begin = columns.begin();
-    return static_cast<int>(std::lower_bound(begin + row_begin[row], begin + row_begin[row + 1], column) - begin);
-  }
-};
 
 // Which cells and groups are at each unknown vertex, in compressed rows; groups are numbered behind the cells.
 class Incidences_of_rows_3

@@ -7,17 +7,123 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_BODY_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_BODY_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_FIND_MAP_OF_BODY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_FIND_MAP_OF_BODY_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
 
+#include <iomanip>
+#include <iostream>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Says what is going to be solved, and by which linear solver.
+inline void print(const Numbered_mesh_3& mesh, const Linear_solver_3& solver)
+{
+  std::cout << mesh.cells.size() << " cells, " << mesh.number_of_vertices() << " vertices, "
+            << mesh.number_of_free_vertices << " of them free; linear solver " << solver.name() << std::endl;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+void print(const Parameterization_step& step)
+{
+  std::cout << std::setw(5) << step.iteration
+            << (step.phase == Phase::UNTANGLING ? " untangling  " : " minimization")
+            << "  energy " << std::setw(12) << step.energy
+            << "  inverted " << std::setw(6) << step.number_of_inverted_cells
+            << "  gradient " << std::setw(11) << step.gradient_norm
+            << "  decrement " << std::setw(11) << step.decrement
+            << "  step " << std::setw(9) << step.step_length
+            << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
+}
+
+// A body with its numbers, and what the check of these has found.
+struct Checked_body_3
+{
+  Numbered_body_3 numbered;
+  Input_check_3 check;
+
+  Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem)
+    : numbered(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
+               problem.use_volume_weights)
+  {
+    if(!prescription.initial.empty())
+      numbered.mesh.initial = numbered.columns(prescription.initial);
+    check = check_input_3(numbered.mesh);
+    problem.progress.end_numbering();
+  }
+
+  bool allows(const Boundary_mode mode) const
+  {
+    return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED);
+  }
+};
+
+// The stages that are allowed, one after the other.
+inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Prescription_3& prescription,
+                                      const Map_problem_3& problem, const Untangling_start_3& untangling,
+                                      const Approach_start_3& approach)
+{
+  const Numbered_body_3& numbered = body.numbered;
+  if(problem.verbose)
+    print(numbered.mesh, problem.solver);
+  Map_options_3 options = problem.options;
+  options.untangling = untangling;
+  options.approach = approach;
+  for(const Linear_constraint_3<std::size_t>& constraint : prescription.constraints)
+  {
+    options.constraints.emplace_back();
+    options.constraints.back().value = constraint.value;
+    for(const auto& term : constraint.terms)
+      options.constraints.back().terms.push_back({ numbered.vertices[term.vertex], term.coefficient });
+  }
+  if(options.do_slide)
+    for(const std::size_t p : numbered.points)
+      options.is_held.push_back(prescription.is_constrained[p]);
+  return find_map_3(numbered.mesh, body.check, problem.energy, problem.solver, options, problem.progress);
+}
+
+// The result of a search, if there was one; writes the images of the points if they are a map.
+inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
+                                              const Map_problem_3& problem, const std::optional<Found_map_3>& found,
+                                              std::vector<std::array<double, 3> >& images)
+{
+  const auto& [numbered, check] = checked;
+  Parameterization_result result
+    = found ? make_result_3(numbered.mesh, check, *found, problem.energy, problem.solver, problem.progress)
+            : refused_result(check, problem.progress);
+  result.number_of_vertices = numbered.points.size();
+  result.number_of_cells = numbered.mesh.cells.size();
+  const std::vector<bool> is_on_boundary = prescribed_points(body);
+  result.number_of_boundary_vertices = std::count(is_on_boundary.begin(), is_on_boundary.end(), true);
+  if(result.has_valid_map)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    images.assign(numbered.vertices.size(), { nan, nan, nan });
+    for(std::size_t v = 0; v < numbered.points.size(); ++v)
+      images[numbered.points[v]] = coordinates(found->map.positions.col(v));
+  }
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
+                                            const Map_problem_3& problem, std::vector<std::array<double, 3> >& images)
+{
+  const Checked_body_3 checked(body, prescription, problem);
+  Approach_start_3 approach;
+  approach.patience = 2; // where nothing can be refined, larger weights get a chance
+  std::optional<Found_map_3> found;
+  if(checked.allows(problem.options.mode))
+    found = find_map_of_body_3(checked, prescription, problem, Untangling_start_3(), approach);
+  return written_result(body, checked, problem, found, images);
+}
 
 // What is carried over a refinement, from one search to the next. A search that goes on has the images of all points.
 class Carried_search_3
@@ -93,11 +199,11 @@ private:
 
 // From a body to the images of its points: refines it where the targets make cells degenerate, and then where a search was
 // blocked, and searches again. More new points than a tenth would mean that this does not help; a small body may need many in
-// proportion. What limits of time leave undone is refined no more. The insertions are appended as they are made.
-inline Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
-                                                              const Map_problem_3& problem,
-                                                              std::vector<Insertion_3>& insertions,
-                                                              std::vector<std::array<double, 3> >& images)
+// proportion. What limits of time leave undone is refined no more.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
+                                                       const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
+                                                       std::vector<std::array<double, 3> >& images)
 {
   const Budget& budget = problem.progress.budget();
   std::size_t number_of_splits = 0;
@@ -147,4 +253,4 @@ inline Parameterization_result refine_and_parameterize_body_3(Body_3& body, Pres
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_REFINE_AND_PARAMETERIZE_BODY_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_FIND_MAP_OF_BODY_3_H
