@@ -2,10 +2,9 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/find_map_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 
 #include <Eigen/Core>
 

@@ -14,23 +14,12 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
-#  include <queue>
-#  include <tuple>
-#endif
+#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
+
+#include <queue>
+#include <tuple>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Splits simplices inside whose vertices are all prescribed: those that the targets make degenerate whatever the map is, or
-// all of them.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription, const Budget& budget);
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<Insertion_3> remove_prescribed_simplices(Body_3& body, const std::vector<bool>& is_constrained, const Budget& budget);
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
 // Are all vertices prescribed? No new point is.
 inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const Simplex_3& simplex)
@@ -208,23 +197,14 @@ private:
   std::priority_queue<Candidate> m_queue;
 };
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription, const Budget& budget)
+// Removes those that the targets make degenerate whatever the map is.
+inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription,
+                                                            const Budget& budget)
 {
   const std::vector<bool> is_prescribed = prescribed_points(body, prescription.is_constrained);
   const Degenerate_simplices_3 is_bad(body, is_prescribed, prescription.targets);
   return Simplex_removal_3(body, is_bad).run(budget);
 }
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<Insertion_3> remove_prescribed_simplices(Body_3& body, const std::vector<bool>& is_constrained, const Budget& budget)
-{
-  const std::vector<bool> is_prescribed = prescribed_points(body, is_constrained);
-  const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
-  return Simplex_removal_3(body, is_bad).run(budget);
-}
-
-#endif
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
