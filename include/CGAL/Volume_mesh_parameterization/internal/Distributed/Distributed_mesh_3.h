@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
