@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
