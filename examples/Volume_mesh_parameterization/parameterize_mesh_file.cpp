@@ -36,10 +36,6 @@ using Result = VMP::Parameterization_result;
 Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Points& targets, const Options& options,
                     Progress_line& progress, Points& uvw)
 {
-#ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(options.number_of_threads));
-#endif
   Result result = std::visit([&](const auto& solver)
   {
     return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
@@ -118,6 +114,10 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
 
 Outcome run(const Options& options, Progress_line& progress)
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(options.number_of_threads));
+#endif
   progress.begin("reading " + options.source);
   Source source = read_source(options.source, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;

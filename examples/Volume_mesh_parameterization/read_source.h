@@ -1,6 +1,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H
 
+#include "Named_choices.h"
 #include "Progress_line.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
@@ -54,7 +55,7 @@ inline Source read_source(const std::string& filename, Progress_line& progress)
   }
   try
   {
-    const bool is_turned = VMP::orient_tetrahedron_soup(soup);
+    const bool is_turned = VMP::orient_tetrahedron_soup<Concurrency_tag>(soup);
     return { std::move(soup), is_turned };
   }
   catch(const VMP::Input_error& error)

@@ -755,6 +755,30 @@ TEST_CASE("Cells of a soup that are all negative are turned, and a faulty soup i
   CHECK(sentence([&]() { VMP::orient_tetrahedron_soup(soup); }) == "cell 0 (counted from 0) has a vertex 4 that does not exist");
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("Threads turn a soup, or find its first fault, as one does")
+{
+  Soup soup; // single cells, more than one thread gets at a time
+  for(std::size_t i = 0; i < 10000; ++i)
+  {
+    for(const std::array<double, 3>& p : single_cell().points)
+      soup.points.push_back({ p[0] + static_cast<double>(i), p[1], p[2] });
+    soup.cells.push_back({ 4 * i + 1, 4 * i, 4 * i + 2, 4 * i + 3 });
+    soup.cell_references.push_back(0);
+  }
+  Soup turned = soup;
+  CHECK(VMP::orient_tetrahedron_soup(turned));
+  CHECK(VMP::orient_tetrahedron_soup<CGAL::Parallel_tag>(soup));
+  CHECK(soup.cells == turned.cells);
+
+  soup.cells.insert(soup.cells.end(), { soup.cells[9000], soup.cells[5000] }); // overlap
+  soup.cell_references.resize(soup.cells.size());
+  CHECK(sentence([&] { VMP::orient_tetrahedron_soup<CGAL::Parallel_tag>(soup); })
+        == sentence([&] { VMP::orient_tetrahedron_soup(soup); }));
+  CHECK(sentence([&] { VMP::orient_tetrahedron_soup(soup); }).find("cell 5000 and cell 10001 overlap") == 0);
+}
+#endif
+
 TEST_CASE("Boundary targets are read from lines")
 {
   const Points targets = targets_of("# targets\n2 0.1 -2e3 +5 # two\n\n0 1 2 3", 4);

@@ -150,7 +150,7 @@ void run(const Options& options)
   {
     VMP::CHOLMOD_solver_traits_3 cholmod;
     VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> solver(cholmod);
-    VMP::internal::Boundary_approach_3 map(problem.mesh(), cell_energy, solver, is_parallel, options.parameters);
+    VMP::internal::Boundary_approach_3 map(problem.mesh(), cell_energy, solver, options.parameters);
     run(map, options, problem, mean_energy, timer);
   }
 }

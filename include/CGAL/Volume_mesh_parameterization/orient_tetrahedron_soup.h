@@ -22,15 +22,19 @@ namespace CGAL::Volume_mesh_parameterization {
 ///
 /// turns the cells of a soup if all are negative, such that all are positive, as the functions for arrays want them.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag` or `Parallel_if_available_tag`
+///
 /// \return whether it has turned them: their last two vertices have changed places
 ///
 /// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`; the soup is then unchanged.
-inline bool orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
+template <typename ConcurrencyTag = Sequential_tag>
+bool orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 {
   internal::check_points(soup);
   internal::check_simplices(soup);
-  const bool has_negative_cells = internal::has_negative_cells(soup);
-  internal::Facet_matching_3 matching(soup); // throws
+  constexpr bool is_parallel = internal::is_parallel<ConcurrencyTag>();
+  const bool has_negative_cells = internal::has_negative_cells(soup, is_parallel);
+  internal::Facet_matching_3 matching(soup, {}, is_parallel); // throws
   if(has_negative_cells)
     for(std::array<std::size_t, 4>& cell : soup.cells)
       std::swap(cell[2], cell[3]);

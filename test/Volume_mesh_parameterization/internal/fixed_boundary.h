@@ -33,9 +33,8 @@ struct Problem
   internal::Linear_solver_of<Solver> solver;
   internal::Newton_system_3 system;
 
-  Problem(const internal::Numbered_mesh_3& mesh, const Energy& psi, Solver& traits, const bool is_parallel = false)
-    : energy(psi), solver(traits),
-      system(mesh, free_vertices(mesh), solver, is_parallel)
+  Problem(const internal::Numbered_mesh_3& mesh, const Energy& psi, Solver& traits)
+    : energy(psi), solver(traits), system(mesh, free_vertices(mesh), solver)
   {}
 
   Problem(const Problem&) = delete; // the system refers to the other members
@@ -62,10 +61,9 @@ struct Outcome
 
 // Ends after this number of steps.
 template <typename Energy, typename Solver>
-Outcome run(const internal::Numbered_mesh_3& mesh, const Energy& energy, Solver& solver, const bool is_parallel = false,
-            const std::size_t number_of_steps = 1000)
+Outcome run(const internal::Numbered_mesh_3& mesh, const Energy& energy, Solver& solver, const std::size_t number_of_steps = 1000)
 {
-  Problem<Energy, Solver> problem(mesh, energy, solver, is_parallel);
+  Problem<Energy, Solver> problem(mesh, energy, solver);
   std::vector<VMP::Parameterization_step> steps;
   internal::Progress_3 progress(internal::Budget(), number_of_steps, [&](const VMP::Parameterization_step& step)
   {

@@ -45,7 +45,7 @@ Map minimize(const Numbered_mesh_3& mesh, const Energy& energy)
 {
   using Solver = VMP::Conjugate_gradient_solver_traits_3<>;
   Solver solver;
-  const fixed_boundary::Outcome outcome = fixed_boundary::run(mesh, energy, solver, false, 300);
+  const fixed_boundary::Outcome outcome = fixed_boundary::run(mesh, energy, solver, 300);
 
   Map map;
   map.status = outcome.status;

@@ -97,9 +97,9 @@ bool has_target_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& u)
 using fixed_boundary::Outcome;
 
 template <typename Energy, typename Solver>
-Outcome run(const Numbered_mesh_3& mesh, const Energy& energy, Solver solver, const bool is_parallel = false)
+Outcome run(const Numbered_mesh_3& mesh, const Energy& energy, Solver solver)
 {
-  return fixed_boundary::run(mesh, energy, solver, is_parallel);
+  return fixed_boundary::run(mesh, energy, solver);
 }
 
 template <typename Energy = VMP::Stretch_energy_3>
@@ -250,7 +250,7 @@ TEST_CASE("A step is not doubled where a cell is turned over on the way")
   Solver<> solver;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   const VMP::internal::Scaled_cells_3 scaled{1, inverse_sources(mesh), {1.}};
-  const VMP::internal::Newton_system_3 system(mesh, scaled, free_vertices(mesh), linear_solver, false);
+  const VMP::internal::Newton_system_3 system(mesh, scaled, free_vertices(mesh), linear_solver);
   const VMP::Stretch_energy_3 stretch;
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
 
@@ -293,7 +293,7 @@ TEST_CASE("The minimizer returns to the identity from a perturbed start")
   Solver<> solver;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   const VMP::internal::Scaled_cells_3 scaled{1, inverse_sources(mesh), std::vector<double>(mesh.cells.size(), 1.)};
-  VMP::internal::Newton_system_3 system(mesh, scaled, free_vertices(mesh), linear_solver, false);
+  VMP::internal::Newton_system_3 system(mesh, scaled, free_vertices(mesh), linear_solver);
   const VMP::Stretch_energy_3 stretch;
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
   Matrix3Xd u = mesh.source;
@@ -324,7 +324,7 @@ TEMPLATE_TEST_CASE("The energy never rises, and no cell is ever inverted", "",
       previous = whole.steps[i].energy;
       if(i % 4 != 0)
         continue;
-      const Outcome part = fixed_boundary::run(mesh, energy, solver, false, i + 1); // ends after this step
+      const Outcome part = fixed_boundary::run(mesh, energy, solver, i + 1); // ends after this step
       CHECK(part.energy == whole.steps[i].energy);
       CHECK(number_of_inverted_cells(mesh, part.positions) == 0);
     }
@@ -600,7 +600,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   Matrix3Xd start = mesh.target;
   start.col(0) = Vector3d(1.5, 0.5, 0.5);
   {
-    Newton_system_3 system(mesh, free_vertices(mesh), linear_solver, false);
+    Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
     Untangling_search_3 search(system, linear_solver, start, progress);
     search.untangle(attempt, start);
     REQUIRE(search.goes_on());
@@ -613,7 +613,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   start = mesh.target;
   start.col(0) = Vector3d(5, 0, 0);
   REQUIRE(number_of_inverted_cells(mesh, start) > 0);
-  Newton_system_3 system(mesh, free_vertices(mesh), linear_solver, false);
+  Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   attempt.few_cells = mesh.cells.size();
   CHECK(!Untangling_search_3(system, linear_solver, start, progress).is_in_vain(attempt));
 }
@@ -740,9 +740,9 @@ TEST_CASE("The reference cells of a system can be exchanged")
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   const VMP::internal::Scaled_cells_3 source = cells_scaled_to_target(mesh), regular = regular_cells_scaled_to_target(mesh);
   CHECK(source.unit == regular.unit);
-  VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver, false);
+  VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver);
   exchanged.set_references(regular);
-  const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver, false);
+  const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver);
   const Matrix3Xd u = source.unit * mesh.source;
   CHECK(exchanged.evaluate(energy, u).energy == system.evaluate(energy, u).energy);
   exchanged.set_references(source);
@@ -765,7 +765,7 @@ TEST_CASE("A system of some of the unknowns is a part of that of all")
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> solver;
   VMP::internal::Linear_solver_of linear_solver(solver);
-  const VMP::internal::Newton_system_3 whole(mesh, free_vertices(mesh), linear_solver, false);
+  const VMP::internal::Newton_system_3 whole(mesh, free_vertices(mesh), linear_solver);
   VMP::internal::Newton_system_3 part(whole, whole.unknowns().without([](const int v) { return v % 3 == 0; }), linear_solver);
   const auto& some = part.unknowns();
   REQUIRE(some.size() > 20);
@@ -826,7 +826,7 @@ TEST_CASE("A cell that is nearly flat takes steps of a few vertices, and hardly 
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> energy(stretch);
   Solver<> solver;
   VMP::internal::Linear_solver_of linear_solver(solver);
-  VMP::internal::Newton_system_3 system(mesh, free_vertices(mesh), linear_solver, false);
+  VMP::internal::Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   VMP::internal::Progress_3 progress = patient_progress();
   const auto result = minimize_energy_3(system, energy, start, progress);
   CHECK(result.status == VMP::OK);
@@ -863,11 +863,12 @@ TEST_CASE("A negative zero among the targets stays one")
 #ifdef CGAL_LINKED_WITH_TBB
 TEST_CASE("Parallel and sequential results have the same bits")
 {
-  for(const Numbered_mesh_3& mesh : {twisted_cube(10, 0.1), ring(10)})
+  for(Numbered_mesh_3 mesh : {twisted_cube(10, 0.1), ring(10)})
   {
     const VMP::Stretch_energy_3 energy;
     const Outcome sequential = run(mesh);
-    const Outcome parallel = run(mesh, energy, Solver<CGAL::Parallel_tag>(), true);
+    mesh.is_parallel = true;
+    const Outcome parallel = run(mesh, energy, Solver<CGAL::Parallel_tag>());
     CHECK(sequential.status == VMP::OK);
     CHECK(has_same_bits(sequential.positions, parallel.positions));
     CHECK(sequential.energy == parallel.energy);

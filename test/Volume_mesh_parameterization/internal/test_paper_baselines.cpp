@@ -254,7 +254,7 @@ TEST_CASE("Plain Newton and relaxation find the same map where both converge", "
   VMP::CHOLMOD_solver_traits_3 solver;
   VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> linear_solver(solver);
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> cell_energy(energy);
-  VMP::internal::Boundary_approach_3 relaxing(mesh, cell_energy, linear_solver, false, parameters);
+  VMP::internal::Boundary_approach_3 relaxing(mesh, cell_energy, linear_solver, parameters);
   while(relaxing.is_running())
     relaxing.step();
 

@@ -40,7 +40,7 @@ public:
                     const VMP::Soft_boundary_parameters& parameters = VMP::Soft_boundary_parameters(),
                     const Constraints& constraints = Constraints(),
                     const internal::Approach_start_3& start = internal::Approach_start_3())
-    : internal::Boundary_approach_3(mesh, stretch, solver, false, parameters, constraints, start)
+    : internal::Boundary_approach_3(mesh, stretch, solver, parameters, constraints, start)
   {}
 };
 
@@ -121,7 +121,7 @@ TEST_CASE("The derivatives of energy plus penalty agree with finite differences"
   const internal::Scaled_cells_3 scaled{1, scaled_inverse_sources(mesh, 1), std::vector<double>(mesh.cells.size(), 1.)};
   Dense_solver solver;
   internal::Linear_solver_of<Dense_solver> linear_solver(solver);
-  internal::Newton_system_3 newton(mesh, scaled, all_vertices(mesh), linear_solver, false, &penalty);
+  internal::Newton_system_3 newton(mesh, scaled, all_vertices(mesh), linear_solver, &penalty);
 
   Eigen::Matrix3Xd u = 1.25 * mesh.source;
   const Eigen::Matrix3Xd gradient = newton.gradient(stretch, u);

@@ -42,7 +42,8 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
                                                         const Map_problem_3& problem,
                                                         std::vector<std::array<double, 3> >& images)
 {
-  const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights);
+  const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights,
+                                         problem.is_parallel);
   const Numbered_mesh_3& mesh = distributed.mesh();
   const Input_check_3 check = check_input_3(mesh);
   problem.progress.end_numbering();

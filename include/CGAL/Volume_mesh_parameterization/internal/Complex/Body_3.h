@@ -66,7 +66,7 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
 
 // Throws `Input_error` if indices are wrong, or facets have more than two cells or two on the same side.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Body_3 body_of(Tetrahedron_soup_3 soup);
+Body_3 body_of(Tetrahedron_soup_3 soup, bool is_parallel = false);
 
 // The points on the boundary, and those that are constrained as well.
 inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {})
@@ -200,10 +200,10 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Body_3 body_of(Tetrahedron_soup_3 soup)
+Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
 {
   check_simplices(soup);
-  const std::vector<std::size_t> sides = Facet_matching_3(soup).sides_on_boundary();
+  const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
   const auto boundary = facets_of_sides(soup.cells, sides);
   return { std::move(soup), boundary, sides };
 }

@@ -26,7 +26,8 @@ struct Numbered_body_3
 
   // Vertices with a target that is not among the prescribed ones are free.
   Numbered_body_3(const Tetrahedron_soup_3& soup, const std::vector<bool>& is_point_prescribed,
-                  const std::vector<std::array<double, 3> >& targets, const bool has_volume_weights = false)
+                  const std::vector<std::array<double, 3> >& targets, const bool has_volume_weights = false,
+                  const bool is_parallel = false)
     : vertices(soup.points.size(), -1)
   {
     std::vector<std::array<int, 4> > cells;
@@ -46,6 +47,7 @@ struct Numbered_body_3
       is_prescribed.push_back(is_point_prescribed[p]);
 
     mesh.has_volume_weights = has_volume_weights;
+    mesh.is_parallel = is_parallel;
     const std::vector<std::size_t> order = set_numbered_mesh(cells, columns(soup.points), is_prescribed, mesh);
     const std::vector<std::size_t> points_before = points;
     for(std::size_t v = 0; v < order.size(); ++v)

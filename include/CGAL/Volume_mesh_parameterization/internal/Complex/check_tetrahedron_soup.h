@@ -60,17 +60,20 @@ inline void check_simplices(const Tetrahedron_soup_3& soup)
 }
 
 // Are the cells negatively oriented? All must be oriented alike, and none may be flat.
-inline bool has_negative_cells(const Tetrahedron_soup_3& soup)
+inline bool has_negative_cells(const Tetrahedron_soup_3& soup, const bool is_parallel = false)
 {
+  const std::vector<Orientation> orientations = values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c)
+  {
+    const auto [p, q, r, s] = cell_points(soup, c);
+    return CGAL::orientation(p, q, r, s);
+  });
   const std::size_t none = soup.cells.size();
   std::size_t first_positive = none, first_negative = none;
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
   {
-    const auto [p, q, r, s] = cell_points(soup, c);
-    const Orientation orientation = CGAL::orientation(p, q, r, s);
-    if(orientation == ZERO)
+    if(orientations[c] == ZERO)
       throw Input_error(sentence("cell ", c, " (counted from 0) has zero volume"));
-    std::size_t& first = orientation == POSITIVE ? first_positive : first_negative;
+    std::size_t& first = orientations[c] == POSITIVE ? first_positive : first_negative;
     first = (std::min)(first, c);
   }
   const auto volume = [&](const std::size_t c)
@@ -92,19 +95,22 @@ public:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
   // `numbers` of the cells are for messages; without them, they are those in the soup.
-  explicit Facet_matching_3(const Tetrahedron_soup_3& soup, std::vector<std::size_t> numbers = {})
+  explicit Facet_matching_3(const Tetrahedron_soup_3& soup, std::vector<std::size_t> numbers = {},
+                            const bool is_parallel = false)
     : m_soup(soup),
       m_numbers(std::move(numbers)),
       m_mirrors(4 * soup.cells.size(), none)
   {
-    std::vector<Side> sides;
-    sides.reserve(4 * soup.cells.size() + soup.facets.size());
-    for(const std::array<std::size_t, 4>& c : soup.cells)
-      for(std::size_t i = 0; i < 4; ++i)
-        sides.emplace_back(sorted({c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4]}), sides.size());
-    for(const std::array<std::size_t, 3>& facet : soup.facets)
-      sides.emplace_back(sorted(facet), sides.size());
-    for_each_group(std::move(sides), [&](const auto begin, const auto end) { match_facet(begin, end); });
+    const std::size_t n = m_mirrors.size();
+    const std::vector<Side> sides = values_of_indices(is_parallel, n + soup.facets.size(), [&](const std::size_t side)
+    {
+      if(side >= n)
+        return Side(sorted(soup.facets[side - n]), side);
+      const auto& [i, j, k] = facets_of_cell[side % 4];
+      const std::array<std::size_t, 4>& cell = soup.cells[side / 4];
+      return Side(sorted({ cell[i], cell[j], cell[k] }), side);
+    });
+    for_each_group(sides, [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
   }
 
   // the same facet seen from the other cell, or `none` on the boundary

@@ -49,7 +49,7 @@ struct Checked_body_3
 
   Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem)
     : numbered(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
-               problem.use_volume_weights)
+               problem.use_volume_weights, problem.is_parallel)
   {
     if(!prescription.initial.empty())
       numbered.mesh.initial = numbered.columns(prescription.initial);

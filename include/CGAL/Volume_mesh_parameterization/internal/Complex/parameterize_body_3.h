@@ -31,6 +31,7 @@ struct Map_problem_3
 {
   Map_options_3 options;
   bool use_volume_weights;
+  bool is_parallel;
   bool verbose;
   const Cell_energy_3& energy;
   Linear_solver_3& solver;
@@ -105,14 +106,13 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
     options.improve = &improve_map_3;
-  options.is_parallel = is_parallel<ConcurrencyTag>();
   require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
   const Map_problem_3 problem = { options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false),
-                                  verbose, cell_energy, linear_solver, progress };
+                                  is_parallel<ConcurrencyTag>(), verbose, cell_energy, linear_solver, progress };
   return run(problem);
 }
 

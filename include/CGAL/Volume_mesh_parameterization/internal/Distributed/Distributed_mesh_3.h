@@ -32,11 +32,13 @@ public:
   // The target of a vertex on the boundary, or of one that `is_constrained` tells by its index, is read.
   template <typename IsConstrained>
   Distributed_mesh_3(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup,
-                     const std::vector<Point>& targets, const IsConstrained& is_constrained, const bool has_volume_weights)
+                     const std::vector<Point>& targets, const IsConstrained& is_constrained, const bool has_volume_weights,
+                     const bool is_parallel = false)
     : m_communicator(communicator), m_size_of_slice(soup.points.size())
   {
     m_mesh.communicator = &communicator;
     m_mesh.has_volume_weights = has_volume_weights;
+    m_mesh.is_parallel = is_parallel;
     const std::vector<Global_cell_3> slice = cells_of_slice(soup);
     const std::vector<int> owner_in_slice = partition_3(communicator, slice, m_size_of_slice, communicator.size());
     const std::vector<Global_cell_3> global_cells = cells_around_own_vertices(slice, owner_in_slice);

@@ -49,7 +49,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
-                                   bool is_parallel, const Budget& budget);
+                                   const Budget& budget);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
@@ -74,7 +74,7 @@ std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> 
 {
   const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed);
   mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
-  mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers);
+  mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers, mesh.is_parallel);
   mesh.source.resize(3, points.cols());
   for(std::size_t i = 0; i < order.size(); ++i)
     mesh.source.col(i) = points.col(order[i]);

@@ -31,8 +31,9 @@ class Sliding_hexahedra_3
 public:
   Sliding_hexahedra_3(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedom, const Body_surface_3& surface,
                       Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
-    : m_mesh(mesh), m_surface(surface), m_solver(solver), m_is_parallel(is_parallel), m_budget(budget)
+    : m_mesh(mesh), m_surface(surface), m_solver(solver), m_budget(budget)
   {
+    m_numbered.is_parallel = is_parallel;
     Eigen::Matrix3Xd points(3, mesh.points.size());
     std::vector<bool> is_fixed;
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -67,7 +68,7 @@ public:
       goals.projectors.push_back(m_surface.projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
     }
     set_edges(goals);
-    put_back(improve_corners_3(m_numbered, goals, m_solver, m_is_parallel, m_budget));
+    put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget));
     write_points();
   }
 
@@ -144,7 +145,6 @@ private:
   std::vector<std::size_t> m_order;
   std::vector<Freedom_3> m_freedom; // in this order
   Linear_solver_3& m_solver;
-  bool m_is_parallel;
   const Budget& m_budget;
 };
 

@@ -123,7 +123,7 @@ inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahe
     std::sort(quadrangles.back().first.begin(), quadrangles.back().first.end());
   }
   std::vector<Quadrangle_of_hexahedron> result;
-  for_each_group(std::move(quadrangles), [&](const auto begin, const auto end)
+  for_each_group(quadrangles, [&](const auto begin, const auto end)
   {
     if(end - begin == 1)
       result.push_back({ begin->second / 6, begin->second % 6 });
@@ -163,7 +163,7 @@ inline void set_facets(Hexahedron_soup_3& domain)
     domain.facet_cells.push_back(quadrangle.cell);
   }
   Disjoint_sets patches(domain.facets.size());
-  for_each_group(std::move(edges), [&](const auto begin, const auto end)
+  for_each_group(edges, [&](const auto begin, const auto end)
   {
     if(end - begin == 2)
       patches.unite(begin->second, (begin + 1)->second);

@@ -63,7 +63,7 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
 // Two facets that the prescribed surface intersects itself in, with a space in front; empty if there are none.
 inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const Budget& budget)
 {
-  const std::vector<std::array<int, 3> > facets = boundary_facets_3(mesh.cells);
+  const std::vector<std::array<int, 3> > facets = boundary_facets_3(mesh.cells, mesh.is_parallel);
   const auto found = Self_intersection_3(mesh.target, facets).find(budget);
   if(!found)
     return "";

@@ -37,10 +37,11 @@ struct Found_cells
 template <typename Condition>
 Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
 {
+  const std::vector<char> is_found = values_of_cells(mesh, mesh.number_of_own_cells(),
+    [&](const std::array<int, 4>& cell) { return static_cast<char>(condition(cell)); });
   Found_cells result;
-  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
-    if(condition(mesh.cells[c])
-       && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
+  for(std::size_t c = 0; c < is_found.size(); ++c)
+    if(is_found[c] && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
       result.first = c;
   const double first = result.number > 0 ? static_cast<double>(mesh.user_number(result.first))
                                          : std::numeric_limits<double>::infinity();

@@ -13,12 +13,14 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 
 #include <Eigen/Dense>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -36,6 +38,7 @@ struct Numbered_mesh_3
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
   std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
   const Communicator_3* communicator = &single_process();
+  bool is_parallel = false;              // may threads share the work on it?
   std::size_t number_of_copied_cells = 0;
   int number_of_copied_vertices = 0;     // free ones
   std::vector<double> vertex_numbers;    // in the mesh of all processes; none if this process is alone
@@ -114,23 +117,30 @@ Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>
   return edges;
 }
 
+// f(cell) of the first n cells.
+template <typename Function>
+auto values_of_cells(const Numbered_mesh_3& mesh, const std::size_t n, const Function& f)
+{
+  return values_of_indices(mesh.is_parallel, n, [&](const std::size_t c) { return f(mesh.cells[c]); });
+}
+
 // The inverse edge matrices X^{-1} of the cells in the source, times a factor.
 inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
 {
-  std::vector<Eigen::Matrix3d> result;
-  result.reserve(mesh.cells.size());
-  for(const std::array<int, 4>& cell : mesh.cells)
-    result.push_back(edge_matrix(mesh.source, cell).inverse() * factor);
-  return result;
+  return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
+  {
+    return edge_matrix(mesh.source, cell).inverse() * factor;
+  });
 }
 
 template <typename Positions>
 double volume(const Numbered_mesh_3& mesh, const Positions& positions)
 {
-  double sum = 0;
-  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
-    sum += edge_matrix(positions, mesh.cells[c]).determinant() / 6;
-  return mesh.communicator->sum(sum);
+  const std::vector<double> volumes = values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell)
+  {
+    return edge_matrix(positions, cell).determinant() / 6;
+  });
+  return mesh.communicator->sum(std::accumulate(volumes.begin(), volumes.end(), 0.));
 }
 
 // How much each cell counts; the sum is 1.

@@ -130,7 +130,7 @@ public:
   template <typename Predicate>
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
     : m_mesh(mesh),
-      m_facets(boundary_facets_3(mesh.cells)),
+      m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
       m_patches(mesh.target, m_facets, planarity * target_diagonal(mesh)),
       m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
   {

@@ -12,12 +12,15 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
+
 #include <CGAL/Union_find.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -44,14 +47,30 @@ private:
   std::vector<Union_find<std::size_t>::handle> m_handles;
 };
 
-// Sorts pairs, and calls `f(begin, end)` for all that have the same first element.
+// Sorts pairs, and calls `f(begin, end)` for all that have the same first element, an array of vertices. They are put into
+// compressed rows by their first vertex, which takes linear time, and the short rows are sorted, in parallel if asked for.
 template <typename Pair, typename Function>
-void for_each_group(std::vector<Pair> pairs, const Function& f)
+void for_each_group(const std::vector<Pair>& pairs, const Function& f, const bool is_parallel = false)
 {
-  std::sort(pairs.begin(), pairs.end());
-  for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
+  constexpr int rows_per_range = 1024;
+  int number_of_rows = 0;
+  for(const Pair& pair : pairs)
+    number_of_rows = (std::max)(number_of_rows, static_cast<int>(pair.first[0]) + 1);
+  std::vector<std::size_t> row_begin(number_of_rows + 2, 0); // while it is filled, one place further
+  for(const Pair& pair : pairs)
+    ++row_begin[pair.first[0] + 2];
+  std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
+  std::vector<Pair> sorted(pairs.size());
+  for(const Pair& pair : pairs)
+    sorted[row_begin[pair.first[0] + 1]++] = pair;
+  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const int first, const int last)
   {
-    end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });
+    for(int row = first; row < last; ++row)
+      std::sort(sorted.begin() + row_begin[row], sorted.begin() + row_begin[row + 1]);
+  });
+  for(auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end)
+  {
+    end = std::find_if(begin, sorted.end(), [&](const Pair& pair) { return pair.first != begin->first; });
     f(begin, end);
   }
 }
@@ -71,12 +90,12 @@ void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Func
       const std::size_t first = is_sorted ? k : l, second = is_sorted ? l : k;
       edges.push_back({ { facets[i][first], facets[i][second] }, { 3 * i + first, 3 * i + second } });
     }
-  for_each_group(std::move(edges), f);
+  for_each_group(edges, f);
 }
 
 // Those of the faces of all cells that occur once, in whatever order of their vertices.
 template <typename Face>
-std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces)
+std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces, const bool is_parallel)
 {
   std::vector<std::pair<Face, Face> > pairs; // with vertices sorted, and as they are
   pairs.reserve(faces.size());
@@ -86,11 +105,11 @@ std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces)
     std::sort(pairs.back().first.begin(), pairs.back().first.end());
   }
   std::vector<Face> result;
-  for_each_group(std::move(pairs), [&](const auto begin, const auto end)
+  for_each_group(pairs, [&](const auto begin, const auto end)
   {
     if(end - begin == 1)
       result.push_back(begin->second);
-  });
+  }, is_parallel);
   return result;
 }
 
@@ -98,14 +117,15 @@ std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces)
 constexpr int facets_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 // The facets that belong to one cell only; where the cells are positive, their normals point outwards.
-inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std::array<int, 4> >& cells)
+inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std::array<int, 4> >& cells,
+                                                          const bool is_parallel = false)
 {
   std::vector<std::array<int, 3> > facets;
   facets.reserve(4 * cells.size());
   for(const std::array<int, 4>& cell : cells)
     for(const auto& i : facets_of_cell)
       facets.push_back({ cell[i[0]], cell[i[1]], cell[i[2]] });
-  return faces_of_one_cell(facets);
+  return faces_of_one_cell(facets, is_parallel);
 }
 
 // The vertices at an edge that has not two facets, and those whose corners of facets are not all joined by such edges.

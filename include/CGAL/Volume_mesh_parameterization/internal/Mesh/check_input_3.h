@@ -108,11 +108,13 @@ inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
 
 inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 {
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(!has_positive_inverse(edge_matrix(mesh.source, mesh.cells[c])))
-      return failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(c),
-                          " of the source is so flat that its volume is positive in exact arithmetic only.");
-  return {};
+  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return !has_positive_inverse(edge_matrix(mesh.source, cell));
+  });
+  return !flat.has_first ? Input_check_3()
+    : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(flat.first),
+                   " of the source is so flat that its volume is positive in exact arithmetic only.");
 }
 
 // Each connected component of the target must have a positive volume, which depends on its boundary only. Where processes
@@ -165,7 +167,7 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
                    " on a line; the first one is cell ", mesh.user_number(flat.first), ".");
   if(!mesh.is_whole())
     return result; // which facets are on the boundary is known to all processes together only
-  for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells))
+  for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
     if(is_flat_facet(mesh, facet))
     {
       result.is_refinable = false;

@@ -50,12 +50,10 @@ inline void replace_by_infinity(Distortion_3& distortion)
 // The signed singular values of a map in each cell that this process owns.
 inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
 {
-  std::vector<Eigen::Vector3d> result;
-  result.reserve(mesh.number_of_own_cells());
-  for(std::size_t c = 0; c < mesh.number_of_own_cells(); ++c)
-    result.push_back(signed_singular_values_3(edge_matrix(image, mesh.cells[c])
-                                              * edge_matrix(mesh.source, mesh.cells[c]).inverse()));
-  return result;
+  return values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell) -> Eigen::Vector3d
+  {
+    return signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse());
+  });
 }
 
 // By what the singular values of a map are multiplied where its image is scaled to the volume of the source.

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
@@ -20,7 +21,6 @@
 
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -50,6 +50,18 @@ inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, 
   return order;
 }
 
+// The indices of keys from 0 to n - 1 in ascending order of these, and where they are equal, of their own (counting sort).
+inline std::vector<std::size_t> sorted_indices(const std::vector<int>& keys, const std::size_t n)
+{
+  std::vector<std::size_t> places(n + 1, 0), result(keys.size());
+  for(const int key : keys)
+    ++places[key + 1];
+  std::partial_sum(places.begin(), places.end(), places.begin());
+  for(std::size_t i = 0; i < keys.size(); ++i)
+    result[places[keys[i]]++] = i;
+  return result;
+}
+
 // The place of each vertex in an order.
 inline std::vector<int> places_in(const std::vector<std::size_t>& order)
 {
@@ -62,29 +74,22 @@ inline std::vector<int> places_in(const std::vector<std::size_t>& order)
 // The cells with their vertices renumbered, in the order of their first vertices; `user_numbers` receives their old places.
 inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::array<int, 4> >& cells,
                                                          const std::vector<int>& places,
-                                                         std::vector<std::size_t>& user_numbers)
+                                                         std::vector<std::size_t>& user_numbers,
+                                                         const bool is_parallel)
 {
-  std::vector<std::pair<int, std::size_t> > order; // the first vertex of each cell
-  for(std::size_t c = 0; c < cells.size(); ++c)
+  const std::vector<int> first_vertices = values_of_indices(is_parallel, cells.size(), [&](const std::size_t c)
   {
-    int first = places[cells[c][0]];
-    for(const int v : cells[c])
-      first = (std::min)(first, places[v]);
-    order.emplace_back(first, c);
-  }
-  std::sort(order.begin(), order.end());
-
-  std::vector<std::array<int, 4> > result;
-  result.reserve(cells.size());
-  user_numbers.clear();
-  for(const auto& [first, c] : order)
+    const auto& [i, j, k, l] = cells[c];
+    return (std::min)({ places[i], places[j], places[k], places[l] });
+  });
+  user_numbers = sorted_indices(first_vertices, places.size());
+  return values_of_indices(is_parallel, cells.size(), [&](const std::size_t i)
   {
-    user_numbers.push_back(c);
-    result.push_back(cells[c]);
-    for(int& v : result.back())
+    std::array<int, 4> cell = cells[user_numbers[i]];
+    for(int& v : cell)
       v = places[v];
-  }
-  return result;
+    return cell;
+  });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -38,16 +38,20 @@ public:
                const Sparsity_pattern_3& pattern)
   {
     std::vector<std::pair<int, int> > cells, copies, others; // with their lowest row
+    const std::vector<int> lowest_rows = values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell)
+    {
+      int lowest = order(unknowns, cell[0]);
+      for(const int v : cell)
+        lowest = (std::min)(lowest, order(unknowns, v));
+      return lowest;
+    });
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     {
-      int lowest = order(unknowns, mesh.cells[c][0]);
-      for(const int v : mesh.cells[c])
-        lowest = (std::min)(lowest, order(unknowns, v));
       const bool is_own = c < mesh.number_of_own_cells();
-      if(lowest < unknowns.size())
-        (is_own ? cells : copies).emplace_back(lowest, static_cast<int>(c));
+      if(lowest_rows[c] < unknowns.size())
+        (is_own ? cells : copies).emplace_back(lowest_rows[c], static_cast<int>(c));
       else if(is_own)
-        others.emplace_back(lowest, static_cast<int>(c));
+        others.emplace_back(lowest_rows[c], static_cast<int>(c));
     }
     std::sort(cells.begin(), cells.end());
     std::sort(copies.begin(), copies.end());
@@ -124,6 +128,19 @@ private:
     return unknowns.contains(v) ? unknowns.row(v) : unknowns.size() + v;
   }
 
+  // Calls f(i) for each place of the packs of these cells.
+  template <typename Function>
+  static void for_each_place(const Numbered_mesh_3& mesh, const std::vector<int>& cells, const Function& f)
+  {
+    constexpr int places_per_range = packs_per_chunk * cells_per_pack;
+    for_each_range(mesh.is_parallel, static_cast<int>(cells.size()), places_per_range,
+                   [&](std::size_t, const int first, const int last)
+    {
+      for(int i = first; i < last; ++i)
+        f(static_cast<std::size_t>(i));
+    });
+  }
+
   // Packs are filled up with the last cell, as what `padding()` tells.
   static int padding(const int c) { return -1 - c; }
   static bool is_padding(const int c) { return c < 0; }
@@ -147,12 +164,12 @@ private:
                                          const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
   {
     std::vector<Cell_pack_3> packs(cells.size() / cells_per_pack);
-    for(std::size_t i = 0; i < cells.size(); ++i)
+    for_each_place(mesh, cells, [&](const std::size_t i)
     {
       std::array<int, 4> cell = mesh.cells[cell_of(cells[i])];
       std::sort(cell.begin(), cell.end(), [&](const int v, const int w) { return order(unknowns, v) < order(unknowns, w); });
       set_cell(packs[i / cells_per_pack], i % cells_per_pack, cell, is_padding(cells[i]), unknowns, pattern);
-    }
+    });
     return packs;
   }
 
@@ -174,7 +191,7 @@ private:
   static void set_references(const std::vector<int>& cells, const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled,
                              const Unknowns_3& unknowns, std::vector<Cell_pack_3>& packs)
   {
-    for(std::size_t i = 0; i < cells.size(); ++i)
+    for_each_place(mesh, cells, [&](const std::size_t i)
     {
       Cell_pack_3& pack = packs[i / cells_per_pack];
       const int lane = static_cast<int>(i % cells_per_pack);
@@ -183,7 +200,7 @@ private:
       const Eigen::Matrix3d inverse_source = for_sorted_vertices(unknowns, mesh.cells[c], scaled.inverse_sources[c]);
       for(int k = 0; k < 9; ++k)
         pack.inverse_source[k][lane] = inverse_source(k);
-    }
+    });
   }
 
   // X^{-1} of a cell whose vertices are sorted: its rows belong to the last three vertices, and that of the first one is

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -75,6 +76,20 @@ void for_each_range(const bool is_parallel, const int n, const int size, const F
     const int first = static_cast<int>(i) * size;
     f(i, first, (std::min)(n, first + size));
   });
+}
+
+// f(0), ..., f(n - 1), found in the same way.
+template <typename Function>
+auto values_of_indices(const bool is_parallel, const std::size_t n, const Function& f)
+{
+  constexpr int indices_per_range = 4096;
+  std::vector<std::invoke_result_t<Function, std::size_t> > result(n);
+  for_each_range(is_parallel, static_cast<int>(n), indices_per_range, [&](std::size_t, const int first, const int last)
+  {
+    for(int i = first; i < last; ++i)
+      result[i] = f(static_cast<std::size_t>(i));
+  });
+  return result;
 }
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE

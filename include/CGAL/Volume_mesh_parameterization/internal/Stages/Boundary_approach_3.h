@@ -67,7 +67,6 @@ public:
   using Constraints = std::vector<Linear_constraint_3<int> >;
 
   Boundary_approach_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
-                      const bool is_parallel,
                       const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
                       const Constraints& constraints = Constraints(),
                       const Approach_start_3& start = Approach_start_3())
@@ -81,7 +80,7 @@ public:
       m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
       m_scaled(cells_scaled_to_length(mesh, m_length)),
       m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
-      m_system(mesh, m_scaled, all_vertices(mesh), solver, is_parallel, &m_penalty)
+      m_system(mesh, m_scaled, all_vertices(mesh), solver, &m_penalty)
   {
     minimize(m_scaled.unit * (start.positions.cols() == 0 ? m_aligned_source : start.positions));
     if(!m_minimizer->iterate().evaluation.is_flip_free())

@@ -65,7 +65,6 @@ struct Map_options_3
   double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it
   double maximal_angle_distortion = std::numeric_limits<double>::infinity();
   bool minimize_maximal_angle_distortion = false;
-  bool is_parallel = false;
 };
 
 // Where vertices slide, or the largest distortion of angles is bounded.

@@ -32,7 +32,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. No images at all if
 // none are given.
 inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
-                                                const bool is_parallel, Progress_3& progress)
+                                                Progress_3& progress)
 {
   Eigen::Matrix3Xd result = mesh.initial;
   const auto is_missing = [&](const int v) { return mesh.initial.col(v).array().isNaN().any(); };
@@ -43,7 +43,7 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
                             [&](const int v) { return mesh.is_free(v) && is_missing(v); });
   if(unknowns.size() == 0)
     return result;
-  Newton_system_3 system(mesh, unknowns, solver, is_parallel);
+  Newton_system_3 system(mesh, unknowns, solver);
   harmonic_map_3(system, result, progress);
   return result;
 }
@@ -82,8 +82,8 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
 {
   progress.begin_stage();
   const bool goes_on = start.cols() > 0;
-  const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, options.is_parallel, progress);
-  Newton_system_3 system(mesh, free_vertices(mesh), solver, options.is_parallel);
+  const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, progress);
+  Newton_system_3 system(mesh, free_vertices(mesh), solver);
   const bool may_split = options.untangling.most_inverted_cells_to_split > 0;
   Untangled_3 untangled;
   if(goes_on)
@@ -112,7 +112,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
 {
   std::optional<Eigen::Matrix3Xd> snapped_positions;
   {
-    Boundary_approach_3 approach(mesh, energy, solver, options.is_parallel, options.soft, options.constraints,
+    Boundary_approach_3 approach(mesh, energy, solver, options.soft, options.constraints,
                                  options.approach);
     progress.begin_stage();
     progress.begin_attempt("soft boundary");

@@ -61,7 +61,7 @@ inline Quadratic_penalty_3 pull_to_source_3(const Numbered_mesh_3& mesh, const C
 // budget ends it at the next step. Vertices that are not free stay where they are.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
-                                          Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
+                                   Linear_solver_3& solver, const Budget& budget)
 {
   constexpr double theta = 0.5; // how much volumes count
   Unknowns_3 unknowns(goals.projectors);
@@ -69,7 +69,7 @@ Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
     return mesh.target;
   const Scaled_cells_3 boxes = box_corners_3(mesh, goals);
   const Quadratic_penalty_3 pull = pull_to_source_3(mesh, goals, unknowns, boxes.unit);
-  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, is_parallel, &pull);
+  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, &pull);
   Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
   Eigen::Matrix3Xd positions = mesh.target;
   if(inverted_cells(mesh, positions).number > 0)

@@ -124,8 +124,7 @@ void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Lin
     sliding.emplace(mesh, [&](const int v) { return !options.is_held.empty() && options.is_held[v]; });
     found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
   }
-  Newton_system_3 system(mesh, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver,
-                         options.is_parallel);
+  Newton_system_3 system(mesh, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), solver);
   const auto minimize = [&](const Cell_energy_3& psi, const Ends_here& ends_here = nullptr)
   {
     progress.begin_stage();

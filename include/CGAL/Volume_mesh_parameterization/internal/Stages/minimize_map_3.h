@@ -202,7 +202,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
   if(others.size() == 0)
     return;
-  Newton_system_3 rest(mesh, others, solver, options.is_parallel);
+  Newton_system_3 rest(mesh, others, solver);
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
                          ends_if_stagnating(mesh, energy, options)));

@@ -79,12 +79,12 @@ public:
   using Positions = Eigen::Matrix3Xd;
 
   // With the cells of the source as reference.
-  Newton_system_3(const Numbered_mesh_3& mesh, Unknowns_3 unknowns, Linear_solver_3& solver, const bool is_parallel)
-    : Newton_system_3(mesh, cells_scaled_to_target(mesh), std::move(unknowns), solver, is_parallel)
+  Newton_system_3(const Numbered_mesh_3& mesh, Unknowns_3 unknowns, Linear_solver_3& solver)
+    : Newton_system_3(mesh, cells_scaled_to_target(mesh), std::move(unknowns), solver)
   {}
 
   Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
-                  Linear_solver_3& solver, const bool is_parallel, const Quadratic_penalty_3* const penalty = nullptr)
+                  Linear_solver_3& solver, const Quadratic_penalty_3* const penalty = nullptr)
     : m_mesh(mesh),
       m_communicator(*mesh.communicator),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices),
@@ -92,10 +92,10 @@ public:
       m_penalty(penalty),
       m_unit(scaled.unit),
       m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Incidences_of_rows_3::Groups()
-                                                                        : penalty->groups(), is_parallel)),
+                                                                        : penalty->groups(), mesh.is_parallel)),
       m_packs(mesh, scaled, m_unknowns, m_pattern),
       m_system(solver.make_system(std::move(m_pattern), m_communicator)),
-      m_is_parallel(is_parallel)
+      m_is_parallel(mesh.is_parallel)
   {}
 
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.

@@ -50,7 +50,7 @@ inline Eigen::Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt,
 inline Eigen::Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver,
                                           const Eigen::Matrix3Xd& start, const Budget& budget)
 {
-  Newton_system_3 system(patch, free_vertices(patch), solver, false);
+  Newton_system_3 system(patch, free_vertices(patch), solver);
   Eigen::Matrix3Xd best = start;
   std::size_t fewest = inverted_cells(patch, start).number;
   for(const Untangling_attempt_3& attempt : patch_attempts())
@@ -133,7 +133,7 @@ inline Eigen::Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linea
     {
       if(budget.is_exhausted())
         return p.positions;
-      Newton_system_3 system(p.mesh, free_vertices(p.mesh), solver, false);
+      Newton_system_3 system(p.mesh, free_vertices(p.mesh), solver);
       return relaxed_3(system, p.positions, budget);
     });
     if(inverted_cells(p.mesh, p.positions).number == 0)
