@@ -29,6 +29,7 @@ if(${PROJECT_NAME}_ENGINE)
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 namespace CGAL::Volume_mesh_parameterization {
 template class internal::Conjugate_gradient_3<float>;

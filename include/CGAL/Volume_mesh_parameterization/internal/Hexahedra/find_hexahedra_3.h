@@ -14,234 +14,27 @@
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Box_grid_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Sliding_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
-#include <CGAL/tags.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
+#endif
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;
-
-// Has the map a cell, and only finite coordinates at the vertices of cells?
-inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
-{
-  if(soup.cells.empty())
-    return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const std::array<std::size_t, 4>& cell : soup.cells)
-    for(const std::size_t v : cell)
-      if(!to_vector(soup.points.at(v)).allFinite() || !to_vector(soup.images.at(v)).allFinite())
-        return failed_check(ERROR_NON_FINITE_COORDINATE, "Point ", v, " has the coordinates ",
-                            describe(to_vector(soup.points[v])), " and the image ", describe(to_vector(soup.images[v])),
-                            ".");
-  return {};
-}
-
-// The preimages of points, in blocks between which the budget is asked; none at all once it is exhausted.
-inline Locations_3 preimages_3(const Volume_map_3& map, const std::vector<std::array<double, 3> >& points,
-                               const bool is_parallel, const Budget& budget)
-{
-  constexpr std::size_t size_of_block = 4096;
-  Locations_3 result;
-  result.reserve(points.size());
-  std::vector<Volume_map_3::Point_3> block;
-  for(const std::array<double, 3>& q : points)
-  {
-    block.emplace_back(q[0], q[1], q[2]);
-    if(block.size() < size_of_block && result.size() + block.size() < points.size())
-      continue;
-    if(budget.is_exhausted())
-      return {};
-    const Locations_3 found = is_parallel ? map.preimages<Parallel_if_available_tag>(block) : map.preimages(block);
-    result.insert(result.end(), found.begin(), found.end());
-    block.clear();
-  }
-  return result;
-}
-
-// Finds the images of vertices; coordinates that have not changed but for rounding, as those of planes, stay as they are.
-inline void set_images(const Volume_map_3& map, const bool is_parallel, Hexahedron_soup_3& mesh)
-{
-  double rounding = 0;
-  for(const std::array<double, 3>& q : mesh.images)
-    rounding = (std::max)(rounding, 1e-14 * to_vector(q).lpNorm<Eigen::Infinity>());
-  for_each_index(is_parallel, 0, mesh.points.size(), [&](const std::size_t v)
-  {
-    const auto& [x, y, z] = mesh.points[v];
-    if(const auto image = map.nearest_image(Volume_map_3::Point_3(x, y, z)))
-      for(std::size_t axis = 0; axis < 3; ++axis)
-        if(const double q = image->point[static_cast<int>(axis)]; std::abs(q - mesh.images[v][axis]) > rounding)
-          mesh.images[v][axis] = q;
-  });
-}
-
-// The result where the input does not allow a mesh.
-inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
-{
-  Hexahedral_mesh_result result;
-  result.status = check.status;
-  result.message = check.message;
-  return result;
-}
-
-// The result for a mesh.
-inline Hexahedral_mesh_result judged(const Hexahedron_soup_3& mesh, const bool has_padding)
-{
-  Hexahedral_mesh_result result;
-  result.number_of_vertices = mesh.points.size();
-  result.number_of_cells = mesh.cells.size();
-  result.has_padding = has_padding;
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
-  result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
-
-  std::string place;
-  for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
-  {
-    if(!is_positive_corner(mesh, corner) && result.number_of_inverted_corners++ == 0)
-      place = " The first one is at " + describe(to_vector(mesh.points[corner[0]]))
-              + (is_outer[corner[0]] ? ", on the boundary." : ", inside.");
-  });
-  const std::vector<double> quality = scaled_jacobians(mesh);
-  result.minimal_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
-  result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
-  result.status = result.number_of_inverted_corners == 0 ? OK : ERROR_INVERTED_HEXAHEDRON;
-  result.message = get_error_message(result.status) + place;
-  return result;
-}
-
-constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2;
-
-// The one with fewer inverted corners, or with a better worst one as long as it is poor, or in the mean.
-inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
-{
-  const auto worst = [](const Hexahedral_mesh_result& result)
-  {
-    return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian);
-  };
-  return a.number_of_inverted_corners != b.number_of_inverted_corners
-         ? a.number_of_inverted_corners < b.number_of_inverted_corners
-         : worst(a) != worst(b) ? worst(a) > worst(b) : a.mean_scaled_jacobian > b.mean_scaled_jacobian;
-}
-
-// The best hexahedra so far.
-struct Best_hexahedra_3
-{
-  Hexahedral_mesh_result result;
-  Hexahedron_soup_3 mesh;
-
-  void take(const Hexahedral_mesh_result& of_next, const Hexahedron_soup_3& next)
-  {
-    if(mesh.cells.empty() || is_better(of_next, result))
-    {
-      result = of_next;
-      mesh = next;
-    }
-  }
-};
-
-// The hexahedra of a domain, pulled back to the body; none once the budget is exhausted.
-inline Hexahedron_soup_3 pulled_back(const Volume_map_3& map, const Hexahedron_soup_3& domain, const bool is_parallel,
-                                     const Budget& budget)
-{
-  const Locations_3 preimages = preimages_3(map, domain.points, is_parallel, budget);
-  if(budget.is_exhausted())
-    return {};
-  Hexahedron_soup_3 result = domain;
-  result.images = domain.points;
-  for(std::size_t v = 0; v < domain.points.size(); ++v)
-  {
-    const auto& [x, y, z] = domain.points[v];
-    result.points[v] = coordinates(preimages[v] ? preimages[v]->point // padding may leave the domain
-                                                : map.nearest_preimage(Volume_map_3::Point_3(x, y, z))->point);
-  }
-  return result;
-}
-
-// Where each vertex may move.
-inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Body_surface_3& surface)
-{
-  std::vector<std::array<bool, 3> > is_in_plane(mesh.points.size());
-  for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      if(std::all_of(quadrangle.begin(), quadrangle.end(), [&](const std::size_t v)
-                     { return mesh.images[v][axis] == mesh.images[quadrangle[0]][axis]; }))
-        for(const std::size_t v : quadrangle)
-          is_in_plane[v][axis] = true;
-  std::vector<Freedom_3> result;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    result.push_back(surface.freedom(to_vector(mesh.points[v]), is_in_plane[v][0] + is_in_plane[v][1] + is_in_plane[v][2]));
-  return result;
-}
-
-// Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners. Where corners
-// are inverted in between, or poor in the end, vertices around them move one after the other.
-inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget,
-                                Best_hexahedra_3& best)
-{
-  constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3;
-  constexpr std::size_t first_steps = 10, steps = 3;
-  constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
-  const auto judge = [&]
-  {
-    const Hexahedral_mesh_result result = judged(hexahedra.mesh(), has_padding);
-    best.take(result, hexahedra.mesh());
-    return result;
-  };
-  const auto smooth = [&](const Hexahedral_mesh_result& result)
-  {
-    hexahedra.smooth((std::max)(0., result.minimal_scaled_jacobian) + gain);
-    return judge();
-  };
-  Hexahedral_mesh_result result = judge();
-  std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
-  for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
-  {
-    if(round > 0 && result.number_of_inverted_corners > 0)
-      result = smooth(result);
-    hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
-    result = judge();
-    in_vain = result.number_of_inverted_corners == 0 || result.number_of_inverted_corners < fewest_inverted_corners
-              ? 0 : in_vain + 1;
-    fewest_inverted_corners = (std::min)(fewest_inverted_corners, result.number_of_inverted_corners);
-  }
-  if(result.minimal_scaled_jacobian < poor_scaled_jacobian && !budget.is_exhausted())
-    smooth(result);
-}
-
-// Is a layer along the boundary better in most places? Without it, hexahedra are flat, or almost so, along edges of the
-// domain where the body has no line.
-inline bool wants_padding(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedoms)
-{
-  std::vector<std::size_t> patches(mesh.points.size(), 0);
-  std::vector<bool> is_on_edge(mesh.points.size(), false);
-  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    for(const std::size_t v : mesh.facets[f])
-    {
-      is_on_edge[v] = is_on_edge[v] || (patches[v] != 0 && patches[v] != mesh.facet_patches[f]);
-      patches[v] = mesh.facet_patches[f];
-    }
-  std::ptrdiff_t difference = 0;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_on_edge[v])
-      difference += freedoms[v] == Freedom_3::SURFACE ? 1 : -1;
-  return difference > 0;
-}
-
 // Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with and without a layer along the
 // boundary. The mesh is written if all corners are positive, as the status then tells, and only then.
-inline Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing,
-                                               Linear_solver_3& solver, const bool is_parallel, const Budget& budget,
-                                               Hexahedron_soup_3& mesh)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
+                                        bool is_parallel, const Budget& budget, Hexahedron_soup_3& mesh);
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing, Linear_solver_3& solver,
+                                        const bool is_parallel, const Budget& budget, Hexahedron_soup_3& mesh)
 {
   const Input_check_3 check = check_map_3(soup);
   if(check.status != OK)
@@ -293,6 +86,8 @@ inline Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const 
                                         : " There are no hexahedra with positive corners yet.");
   return result;
 }
+
+#endif
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -7,6 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
