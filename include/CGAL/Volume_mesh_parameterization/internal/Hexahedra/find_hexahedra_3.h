@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
