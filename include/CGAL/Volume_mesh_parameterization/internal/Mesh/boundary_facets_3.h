@@ -53,9 +53,9 @@ template <typename Pair, typename Function>
 void for_each_group(const std::vector<Pair>& pairs, const Function& f, const bool is_parallel = false)
 {
   constexpr int rows_per_range = 1024;
-  int number_of_rows = 0;
+  std::size_t number_of_rows = 0;
   for(const Pair& pair : pairs)
-    number_of_rows = (std::max)(number_of_rows, static_cast<int>(pair.first[0]) + 1);
+    number_of_rows = (std::max)(number_of_rows, static_cast<std::size_t>(pair.first[0]) + 1);
   std::vector<std::size_t> row_begin(number_of_rows + 2, 0); // while it is filled, one place further
   for(const Pair& pair : pairs)
     ++row_begin[pair.first[0] + 2];
@@ -63,9 +63,9 @@ void for_each_group(const std::vector<Pair>& pairs, const Function& f, const boo
   std::vector<Pair> sorted(pairs.size());
   for(const Pair& pair : pairs)
     sorted[row_begin[pair.first[0] + 1]++] = pair;
-  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const int first, const int last)
+  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const std::size_t first, const std::size_t last)
   {
-    for(int row = first; row < last; ++row)
+    for(std::size_t row = first; row < last; ++row)
       std::sort(sorted.begin() + row_begin[row], sorted.begin() + row_begin[row + 1]);
   });
   for(auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end)

@@ -68,12 +68,12 @@ void for_each_index(const bool is_parallel, const std::size_t first, const std::
 
 // Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in the
 // same way.
-template <typename Function>
-void for_each_range(const bool is_parallel, const int n, const int size, const Function& f)
+template <typename Index, typename Function>
+void for_each_range(const bool is_parallel, const Index n, const int size, const Function& f)
 {
   for_each_index(is_parallel, 0, static_cast<std::size_t>((n + size - 1) / size), [&](const std::size_t i)
   {
-    const int first = static_cast<int>(i) * size;
+    const Index first = static_cast<Index>(i) * size;
     f(i, first, (std::min)(n, first + size));
   });
 }
@@ -83,11 +83,13 @@ template <typename Function>
 auto values_of_indices(const bool is_parallel, const std::size_t n, const Function& f)
 {
   constexpr int indices_per_range = 4096;
-  std::vector<std::invoke_result_t<Function, std::size_t> > result(n);
-  for_each_range(is_parallel, static_cast<int>(n), indices_per_range, [&](std::size_t, const int first, const int last)
+  using Value = std::invoke_result_t<Function, std::size_t>;
+  static_assert(!std::is_same<Value, bool>::value, "Bits of one word are not independent.");
+  std::vector<Value> result(n);
+  for_each_range(is_parallel, n, indices_per_range, [&](std::size_t, const std::size_t first, const std::size_t last)
   {
-    for(int i = first; i < last; ++i)
-      result[i] = f(static_cast<std::size_t>(i));
+    for(std::size_t i = first; i < last; ++i)
+      result[i] = f(i);
   });
   return result;
 }
