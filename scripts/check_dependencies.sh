@@ -16,11 +16,12 @@ package_of()
     license/*) basename "$1" .h ;;
     license.h | config.h) echo Installation ;;
     Named_function_parameters.h | algorithm.h | assertions.h | exceptions.h | iterator.h | tags.h) echo STL_Extension ;;
+    AABB_*) echo AABB_tree ;;
     Box_intersection_d/* | box_intersection_d.h) echo Box_intersection_d ;;
     Intersections_3/*) echo Intersections_3 ;;
     Rational_traits.h | number_utils.h) echo Algebraic_foundations ;;
     Exact_integer.h | Exact_rational.h) echo Number_types ;;
-    Exact_predicates_inexact_constructions_kernel.h | determinant.h) echo Kernel_23 ;;
+    Bbox_3.h | Exact_predicates_inexact_constructions_kernel.h | determinant.h) echo Kernel_23 ;;
     property_map.h) echo Property_map ;;
     boost/graph/*) echo BGL ;;
     Eigen_solver_traits.h) echo Solver_interface ;;
