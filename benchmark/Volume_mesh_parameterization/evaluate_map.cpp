@@ -77,20 +77,17 @@ std::vector<Point_3> random_points(const Tetrahedron_soup_3& soup, const std::si
 // Above each facet of the boundary, a billionth of the diagonal away, and as many well outside of the bounding box.
 std::vector<Point_3> points_outside(const Tetrahedron_soup_3& soup, const CGAL::Bbox_3& box, const double diagonal)
 {
-  std::vector<std::array<int, 4> > cells(soup.cells.size());
-  for(std::size_t c = 0; c < cells.size(); ++c)
-    std::copy(soup.cells[c].begin(), soup.cells[c].end(), cells[c].begin());
-  const auto point = [&](const int v) { return Eigen::Map<const Eigen::Vector3d>(soup.points[v].data()); };
+  const auto point = [&](const std::size_t v) { return Eigen::Map<const Eigen::Vector3d>(soup.points[v].data()); };
   const Eigen::Vector3d center = Eigen::Vector3d(box.xmin() + box.xmax(), box.ymin() + box.ymax(),
                                                  box.zmin() + box.zmax()) / 2;
-  const auto normal_of = [&](const int a, const int b, const int c) -> Eigen::Vector3d
+  const auto normal_of = [&](const std::size_t a, const std::size_t b, const std::size_t c) -> Eigen::Vector3d
   {
     return (point(b) - point(a)).cross(point(c) - point(a)).stableNormalized();
   };
-  const auto& [i, j, k, l] = cells[0]; // the cells of some files are all inverted
+  const auto& [i, j, k, l] = soup.cells[0]; // the cells of some files are all inverted
   const double side = normal_of(i, j, k).dot(point(l) - point(i)) > 0 ? 1 : -1;
   std::vector<Point_3> result;
-  for(const auto& [a, b, c] : VMP::internal::boundary_facets_3(cells))
+  for(const auto& [a, b, c] : VMP::internal::boundary_facets_3(soup.cells))
   {
     const Eigen::Vector3d normal = side * normal_of(a, b, c);
     const Eigen::Vector3d above = (point(a) + point(b) + point(c)) / 3 + 1e-9 * diagonal * normal;

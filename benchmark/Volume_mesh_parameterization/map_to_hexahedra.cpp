@@ -59,13 +59,7 @@ Surface_mesh surface(const std::vector<std::array<double, 3> >& coordinates, con
 
 Triangles boundary(const VMP::Tetrahedron_soup_3& mesh)
 {
-  std::vector<std::array<int, 4> > cells(mesh.cells.size());
-  for(std::size_t c = 0; c < cells.size(); ++c)
-    std::copy(mesh.cells[c].begin(), mesh.cells[c].end(), cells[c].begin());
-  Triangles result;
-  for(const auto& [a, b, c] : VMP::internal::boundary_facets_3(cells))
-    result.push_back({ static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c) });
-  return result;
+  return VMP::internal::boundary_facets_3(mesh.cells);
 }
 
 Triangles boundary(const VMP::Hexahedron_soup_3& mesh)

@@ -70,7 +70,8 @@ layer of hexahedra is put along the boundary, of which each has only one quadran
 below 0.2 in the end, the same is done without the layer, or with it if there was none.
 
 The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest minimal
-scaled Jacobian as long as that is below 0.3, or, among these, with the largest mean scaled Jacobian. That all corners are positive is checked with exact predicates on the coordinates written.
+scaled Jacobian as long as that is below 0.3, or, among these, with the largest mean scaled Jacobian. That all corners are
+positive is checked with exact predicates on the coordinates written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.

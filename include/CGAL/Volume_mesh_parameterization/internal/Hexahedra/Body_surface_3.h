@@ -24,7 +24,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -44,10 +43,7 @@ public:
                  const std::vector<std::array<double, 3> >& images)
   {
     constexpr double sharp = 0.5; // the cosine of the angle between normals
-    std::vector<std::array<int, 4> > numbered(cells.size());
-    for(std::size_t c = 0; c < cells.size(); ++c)
-      std::copy(cells[c].begin(), cells[c].end(), numbered[c].begin());
-    const std::vector<std::array<int, 3> > facets = boundary_facets_3(numbered);
+    const std::vector<std::array<std::size_t, 3> > facets = boundary_facets_3(cells);
     const auto triangle = [&](const std::size_t f, const std::vector<std::array<double, 3> >& positions)
     {
       const auto& [a, b, c] = facets[f];

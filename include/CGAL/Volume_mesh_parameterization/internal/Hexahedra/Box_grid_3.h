@@ -37,11 +37,7 @@ public:
   Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& images,
              const double spacing)
   {
-    std::vector<std::array<int, 4> > numbered(cells.size());
-    for(std::size_t c = 0; c < cells.size(); ++c)
-      std::transform(cells[c].begin(), cells[c].end(), numbered[c].begin(),
-                     [](const std::size_t v) { return static_cast<int>(v); });
-    for(const std::array<int, 3>& facet : boundary_facets_3(numbered))
+    for(const std::array<std::size_t, 3>& facet : boundary_facets_3(cells))
       if(!add_plane_of(facet, images))
         return;
     for(std::vector<double>& planes : m_planes)
@@ -107,7 +103,7 @@ public:
   }
 
 private:
-  bool add_plane_of(const std::array<int, 3>& facet, const std::vector<std::array<double, 3> >& images)
+  bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<std::array<double, 3> >& images)
   {
     const auto& p = images[facet[0]];
     const auto& q = images[facet[1]];

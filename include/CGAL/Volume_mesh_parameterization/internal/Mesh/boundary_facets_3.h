@@ -117,12 +117,13 @@ std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces, const bool i
 constexpr int facets_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 // The facets that belong to one cell only; where the cells are positive, their normals point outwards.
-inline std::vector<std::array<int, 3> > boundary_facets_3(const std::vector<std::array<int, 4> >& cells,
-                                                          const bool is_parallel = false)
+template <typename Vertex>
+std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::array<Vertex, 4> >& cells,
+                                                      const bool is_parallel = false)
 {
-  std::vector<std::array<int, 3> > facets;
+  std::vector<std::array<Vertex, 3> > facets;
   facets.reserve(4 * cells.size());
-  for(const std::array<int, 4>& cell : cells)
+  for(const std::array<Vertex, 4>& cell : cells)
     for(const auto& i : facets_of_cell)
       facets.push_back({ cell[i[0]], cell[i[1]], cell[i[2]] });
   return faces_of_one_cell(facets, is_parallel);

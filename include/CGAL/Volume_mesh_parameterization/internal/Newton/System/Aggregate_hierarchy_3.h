@@ -174,7 +174,7 @@ private:
   }
 
   // Sweeps one row after the other, which are few; says whether all pivots are positive. A factorization by Eigen would
-  // double what this room costs to compile.
+  // add some 50 kB of machine code to each header-only unit.
   static bool invert_positive_definite(Eigen::MatrixXd& B)
   {
     for(Eigen::Index k = 0; k < B.rows(); ++k)
