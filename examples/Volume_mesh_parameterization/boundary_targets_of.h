@@ -21,10 +21,10 @@
 #include <vector>
 
 // The boundary has no map onto the domain.
-struct Boundary_error : CGAL::Volume_mesh_parameterization::Input_error
+struct Boundary_error : std::runtime_error
 {
   Boundary_error(const CGAL::Volume_mesh_parameterization::Error_code status, const std::string& message)
-    : Input_error(message), status(status)
+    : std::runtime_error(message), status(status)
   {}
 
   CGAL::Volume_mesh_parameterization::Error_code status;
@@ -77,13 +77,18 @@ inline Points targets_of_file(const std::string& filename,
   if(VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress)))
      == VMP::ERROR_INTERRUPTED)
     throw Interruption();
+  return targets;
+}
 
-  // The library would find a missing target too, but it would name it by its place.
+// The library names a boundary vertex without a target by its place; with a file, it has a number.
+inline void name_missing_target(const std::string& filename,
+                                const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, const Points& targets)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
   for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
     if(std::isnan(targets[v][0]))
       throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
                              + " (counted from 0) is on the boundary of the source, but has no target");
-  return targets;
 }
 
 inline Points targets_on_domain(const std::string& domain, const double spacing,

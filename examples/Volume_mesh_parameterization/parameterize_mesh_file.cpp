@@ -124,11 +124,14 @@ Outcome run(const Options& options, Progress_line& progress)
   const bool has_file = !options.target.empty();
   progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
   const Points targets = has_file ? targets_of_file(options.target, mesh, progress)
-    : targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), mesh, progress);
+    : naming(options.source, [&]
+      { return targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), mesh, progress); });
 
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
-  const Result result = parameterize(mesh, targets, options, progress, uvw);
+  const Result result = naming(options.source, [&] { return parameterize(mesh, targets, options, progress, uvw); });
+  if(has_file && result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
+    name_missing_target(options.target, mesh, targets);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
   if(!result.has_valid_map)
     return outcome;

@@ -35,6 +35,20 @@ struct Source
   }
 };
 
+// What is wrong with a mesh is said with the name of its file.
+template <typename Function>
+auto naming(const std::string& filename, const Function& f)
+{
+  try
+  {
+    return f();
+  }
+  catch(const CGAL::Volume_mesh_parameterization::Input_error& error)
+  {
+    throw CGAL::Volume_mesh_parameterization::Input_error(filename + ": " + error.what());
+  }
+}
+
 inline Source read_source(const std::string& filename, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -53,15 +67,8 @@ inline Source read_source(const std::string& filename, Progress_line& progress)
     throw VMP::Input_error(error.what() + std::string("; other formats can be converted: meshio convert ") + filename + " "
                            + std::filesystem::path(path).replace_extension(".mesh").string());
   }
-  try
-  {
-    const bool is_turned = VMP::orient_tetrahedron_soup<Concurrency_tag>(soup);
-    return { std::move(soup), is_turned };
-  }
-  catch(const VMP::Input_error& error)
-  {
-    throw VMP::Input_error(filename + ": " + error.what());
-  }
+  const bool is_turned = naming(filename, [&] { return VMP::orient_tetrahedron_soup<Concurrency_tag>(soup); });
+  return { std::move(soup), is_turned };
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H

@@ -104,7 +104,8 @@ predicates on the coordinates that are written.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{energy_tolerance}
-    \cgalParamDescription{the part of the energy that does not matter: the minimization ends where five Newton steps gain less}
+    \cgalParamDescription{the part of the energy that does not matter: the minimization ends where five Newton steps gain
+                          less, or after a step that promises less than a hundredth of it}
     \cgalParamType{`double`}
     \cgalParamDefault{`0.001`}
     \cgalParamExtra{With 0 it goes on to a minimum, which may take hundreds of steps for the last percent.}

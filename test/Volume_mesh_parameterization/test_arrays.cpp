@@ -377,6 +377,20 @@ TEST_CASE("Bad arrays are refused, and change nothing")
   CHECK_THROWS_AS(CGAL::stretch_minimizing_volume_parameterization(fan.points, fan.cells, Points(), images),
                   CGAL::Precondition_exception);
   CHECK(images == fan.targets);
+
+  VMP::Tetrahedron_soup_3 apart; // single cells, more than one thread gets at a time
+  for(std::size_t i = 0; i < 4000; ++i)
+  {
+    const double x = 2. * static_cast<double>(i);
+    apart.points.insert(apart.points.end(), { {x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1} });
+    apart.cells.push_back({ 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3 });
+  }
+  apart.cells.insert(apart.cells.end(), { apart.cells[3000], apart.cells[2000] });
+  apart.cell_references.resize(apart.cells.size());
+  const auto first_fault = Catch::Matchers::Contains("cell 2000 and cell 4001 overlap");
+  CHECK_THROWS_WITH(CGAL::stretch_minimizing_volume_parameterization(apart, apart.points, images), first_fault);
+  CHECK_THROWS_WITH(CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(
+                      apart, apart.points, images), first_fault);
   CHECK(VMP::Ball_boundary_parameterizer_3().parameterize(Points(), Cells(), targets) == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(VMP::boundary_vertices(fan.points, fan.cells).size() == 28);
   CHECK(VMP::non_manifold_boundary_vertices(fan.points, fan.cells).empty());

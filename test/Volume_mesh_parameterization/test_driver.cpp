@@ -729,6 +729,12 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
   std::swap(bad.cells[4][1], bad.cells[4][2]);
   folder.write("bad.mesh", bad);
   CHECK(sentence("bad.mesh target.txt").find("bad.mesh: cell 4 (counted from 0) has the negative volume") == 0);
+  bad = source;
+  bad.cells.push_back(bad.cells[4]);
+  bad.cell_references.push_back(bad.cell_references[4]);
+  folder.write("bad.mesh", bad);
+  for(const std::string target : { "target.txt", "--to ball" })
+    CHECK(sentence("bad.mesh " + target).find("bad.mesh: cell 4 and cell 48 overlap") == 0);
 
   folder.write("bad.txt", second_line);
   CHECK(sentence("source.mesh bad.txt")

@@ -26,7 +26,8 @@ namespace CGAL::Volume_mesh_parameterization {
 ///
 /// \return whether it has turned them: their last two vertices have changed places
 ///
-/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`; the soup is then unchanged.
+/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, which the functions for arrays look at;
+///            the soup is then unchanged.
 template <typename ConcurrencyTag = Sequential_tag>
 bool orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 {
@@ -34,7 +35,6 @@ bool orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
   internal::check_simplices(soup);
   constexpr bool is_parallel = internal::is_parallel<ConcurrencyTag>();
   const bool has_negative_cells = internal::has_negative_cells(soup, is_parallel);
-  internal::Facet_matching_3 matching(soup, {}, is_parallel); // throws
   if(has_negative_cells)
     for(std::array<std::size_t, 4>& cell : soup.cells)
       std::swap(cell[2], cell[3]);

@@ -102,15 +102,15 @@ public:
       m_mirrors(4 * soup.cells.size(), none)
   {
     const std::size_t n = m_mirrors.size();
-    const std::vector<Side> sides = values_of_indices(is_parallel, n + soup.facets.size(), [&](const std::size_t side)
+    for_each_group(n + soup.facets.size(), [&](const std::size_t side)
     {
       if(side >= n)
         return Side(sorted(soup.facets[side - n]), side);
       const auto& [i, j, k] = facets_of_cell[side % 4];
       const std::array<std::size_t, 4>& cell = soup.cells[side / 4];
-      return Side(sorted({ cell[i], cell[j], cell[k] }), side);
-    });
-    for_each_group(sides, [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
+      return Side(sorted(std::array<std::size_t, 3>{ cell[i], cell[j], cell[k] }), side);
+    },
+    [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
   }
 
   // the same facet seen from the other cell, or `none` on the boundary
@@ -132,12 +132,6 @@ public:
 private:
   // The vertices of a facet of a cell, or of the marked facet `number - 4 * number_of_cells`, and its number.
   using Side = std::pair<std::array<std::size_t, 3>, std::size_t>;
-
-  static std::array<std::size_t, 3> sorted(std::array<std::size_t, 3> f)
-  {
-    std::sort(f.begin(), f.end());
-    return f;
-  }
 
   // Those of cells come before the marks.
   template <typename Iterator>

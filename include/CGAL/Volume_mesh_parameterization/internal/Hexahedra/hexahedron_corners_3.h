@@ -115,15 +115,10 @@ inline std::size_t side_of_facet(const Hexahedron_soup_3& mesh, const std::size_
 // Those that belong to one hexahedron only.
 inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahedron_soup_3& mesh)
 {
-  std::vector<std::pair<std::array<std::size_t, 4>, std::size_t> > quadrangles; // with vertices sorted, and their index
-  quadrangles.reserve(6 * mesh.cells.size());
-  for(std::size_t i = 0; i < 6 * mesh.cells.size(); ++i)
-  {
-    quadrangles.emplace_back(vertices_of(mesh, { i / 6, i % 6 }), i);
-    std::sort(quadrangles.back().first.begin(), quadrangles.back().first.end());
-  }
   std::vector<Quadrangle_of_hexahedron> result;
-  for_each_group(quadrangles, [&](const auto begin, const auto end)
+  for_each_group(6 * mesh.cells.size(),
+                 [&](const std::size_t i) { return std::make_pair(sorted(vertices_of(mesh, { i / 6, i % 6 })), i); },
+                 [&](const auto begin, const auto end)
   {
     if(end - begin == 1)
       result.push_back({ begin->second / 6, begin->second % 6 });
@@ -163,7 +158,7 @@ inline void set_facets(Hexahedron_soup_3& domain)
     domain.facet_cells.push_back(quadrangle.cell);
   }
   Disjoint_sets patches(domain.facets.size());
-  for_each_group(edges, [&](const auto begin, const auto end)
+  for_each_group(edges.size(), [&](const std::size_t i) { return edges[i]; }, [&](const auto begin, const auto end)
   {
     if(end - begin == 2)
       patches.unite(begin->second, (begin + 1)->second);

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -47,32 +48,49 @@ private:
   std::vector<Union_find<std::size_t>::handle> m_handles;
 };
 
-// Sorts pairs, and calls `f(begin, end)` for all that have the same first element, an array of vertices. They are put into
-// compressed rows by their first vertex, which takes linear time, and the short rows are sorted, in parallel if asked for.
-template <typename Pair, typename Function>
-void for_each_group(const std::vector<Pair>& pairs, const Function& f, const bool is_parallel = false)
+// Sorts the n pairs `pair_of(i)`, and calls `f(begin, end)` for all that have the same first element, an array of vertices.
+// They are put into compressed rows by their first vertex, which takes linear time, and the short rows are sorted, in
+// parallel if asked for.
+template <typename PairOf, typename Function>
+void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& f, const bool is_parallel = false)
 {
+  using Pair = std::decay_t<decltype(pair_of(0))>;
   constexpr int rows_per_range = 1024;
-  std::size_t number_of_rows = 0;
-  for(const Pair& pair : pairs)
-    number_of_rows = (std::max)(number_of_rows, static_cast<std::size_t>(pair.first[0]) + 1);
-  std::vector<std::size_t> row_begin(number_of_rows + 2, 0); // while it is filled, one place further
-  for(const Pair& pair : pairs)
-    ++row_begin[pair.first[0] + 2];
+  const auto row_of = [](const Pair& pair) { return static_cast<std::size_t>(pair.first[0]); };
+  std::vector<std::size_t> row_begin(2, 0); // while it is filled, one place further
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t row = row_of(pair_of(i));
+    if(row_begin.size() < row + 3)
+      row_begin.resize(row + 3, 0);
+    ++row_begin[row + 2];
+  }
   std::partial_sum(row_begin.begin(), row_begin.end(), row_begin.begin());
-  std::vector<Pair> sorted(pairs.size());
-  for(const Pair& pair : pairs)
-    sorted[row_begin[pair.first[0] + 1]++] = pair;
-  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const std::size_t first, const std::size_t last)
+  std::vector<Pair> pairs(n);
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const Pair pair = pair_of(i);
+    pairs[row_begin[row_of(pair) + 1]++] = pair;
+  }
+  for_each_range(is_parallel, row_begin.size() - 2, rows_per_range,
+                 [&](std::size_t, const std::size_t first, const std::size_t last)
   {
     for(std::size_t row = first; row < last; ++row)
-      std::sort(sorted.begin() + row_begin[row], sorted.begin() + row_begin[row + 1]);
+      std::sort(pairs.begin() + row_begin[row], pairs.begin() + row_begin[row + 1]);
   });
-  for(auto begin = sorted.begin(), end = begin; begin != sorted.end(); begin = end)
+  for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
   {
-    end = std::find_if(begin, sorted.end(), [&](const Pair& pair) { return pair.first != begin->first; });
+    end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });
     f(begin, end);
   }
+}
+
+// An array of vertices in ascending order.
+template <typename Simplex>
+Simplex sorted(Simplex simplex)
+{
+  std::sort(simplex.begin(), simplex.end());
+  return simplex;
 }
 
 // Calls `f(begin, end)` for each edge, with a pair for each of its facets: its vertices, the smaller first, and the corners
@@ -80,37 +98,14 @@ void for_each_group(const std::vector<Pair>& pairs, const Function& f, const boo
 template <typename Vertex, typename Function>
 void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Function& f)
 {
-  std::vector<std::pair<std::array<Vertex, 2>, std::array<std::size_t, 2> > > edges;
-  edges.reserve(3 * facets.size());
-  for(std::size_t i = 0; i < facets.size(); ++i)
-    for(std::size_t k = 0; k < 3; ++k)
-    {
-      const std::size_t l = (k + 1) % 3;
-      const bool is_sorted = facets[i][k] < facets[i][l];
-      const std::size_t first = is_sorted ? k : l, second = is_sorted ? l : k;
-      edges.push_back({ { facets[i][first], facets[i][second] }, { 3 * i + first, 3 * i + second } });
-    }
-  for_each_group(edges, f);
-}
-
-// Those of the faces of all cells that occur once, in whatever order of their vertices.
-template <typename Face>
-std::vector<Face> faces_of_one_cell(const std::vector<Face>& faces, const bool is_parallel)
-{
-  std::vector<std::pair<Face, Face> > pairs; // with vertices sorted, and as they are
-  pairs.reserve(faces.size());
-  for(const Face& face : faces)
+  for_each_group(3 * facets.size(), [&](const std::size_t corner)
   {
-    pairs.emplace_back(face, face);
-    std::sort(pairs.back().first.begin(), pairs.back().first.end());
-  }
-  std::vector<Face> result;
-  for_each_group(pairs, [&](const auto begin, const auto end)
-  {
-    if(end - begin == 1)
-      result.push_back(begin->second);
-  }, is_parallel);
-  return result;
+    const std::array<Vertex, 3>& facet = facets[corner / 3];
+    const std::size_t k = corner % 3, l = (k + 1) % 3;
+    const std::size_t next = corner - k + l;
+    return facet[k] < facet[l] ? std::make_pair(std::array<Vertex, 2>{ facet[k], facet[l] }, std::array<std::size_t, 2>{ corner, next })
+                               : std::make_pair(std::array<Vertex, 2>{ facet[l], facet[k] }, std::array<std::size_t, 2>{ next, corner });
+  }, f);
 }
 
 // The vertices of the facets of a cell, each opposite to one vertex; they turn counterclockwise as seen from outside.
@@ -121,12 +116,21 @@ template <typename Vertex>
 std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::array<Vertex, 4> >& cells,
                                                       const bool is_parallel = false)
 {
-  std::vector<std::array<Vertex, 3> > facets;
-  facets.reserve(4 * cells.size());
-  for(const std::array<Vertex, 4>& cell : cells)
-    for(const auto& i : facets_of_cell)
-      facets.push_back({ cell[i[0]], cell[i[1]], cell[i[2]] });
-  return faces_of_one_cell(facets, is_parallel);
+  using Facet = std::array<Vertex, 3>;
+  std::vector<Facet> result;
+  for_each_group(4 * cells.size(), [&](const std::size_t side)
+  {
+    const auto& [i, j, k] = facets_of_cell[side % 4];
+    const std::array<Vertex, 4>& cell = cells[side / 4];
+    const Facet facet = { cell[i], cell[j], cell[k] };
+    return std::make_pair(sorted(facet), facet);
+  },
+  [&](const auto begin, const auto end)
+  {
+    if(end - begin == 1)
+      result.push_back(begin->second);
+  }, is_parallel);
+  return result;
 }
 
 // The vertices at an edge that has not two facets, and those whose corners of facets are not all joined by such edges.

@@ -76,7 +76,10 @@ public:
     m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
   }
 
-  bool is_converged() const { return m_iterate.direction.is_exact() && relative_gain() <= 1e-8; }
+  bool is_converged(const double negligible_gain) const
+  {
+    return m_iterate.direction.is_exact() && relative_gain() <= negligible_gain;
+  }
 
 private:
   bool move(const double negative_curvature, const Budget& budget)
@@ -182,11 +185,13 @@ inline void minimize_few_3(Newton_system_3& system, const Cell_energy_3& energy,
 using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&,
                                                           const std::function<Eigen::Matrix3Xd()>& positions)>;
 
-// Minimizes from images on that invert no cell; vertices that are not unknown stay where they are.
+// Minimizes from images on that invert no cell; vertices that are not unknown stay where they are. The first step that
+// promises no more than the negligible part of the energy is the last one: the next one would gain about its square.
 inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
                                          const Eigen::Matrix3Xd& positions, Progress_3& progress,
                                          const Negative_curvature& negative_curvature = Negative_curvature(),
-                                         const Ends_here& ends_here = nullptr)
+                                         const Ends_here& ends_here = nullptr,
+                                         const double negligible_gain = 1e-8)
 {
   Minimizer_3 minimizer(system, energy, positions, negative_curvature);
   const Newton_iterate_3& iterate = minimizer.iterate();
@@ -202,7 +207,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
     progress.after_step(step_of(iterate, Phase::MINIMIZATION));
     if(!iterate.direction.is_usable())
       return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
-    if(minimizer.is_converged())
+    if(minimizer.is_converged(negligible_gain))
       return result(OK);
     if(iterate.step_length == 0)
       return result(ERROR_NOT_CONVERGED);

@@ -17,6 +17,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -62,7 +63,8 @@ struct Map_options_3
   Improvement_3 improve = nullptr;       // by what follows, if that is wanted; otherwise it need not be compiled
   bool do_slide = false;
   std::vector<bool> is_held;             // of each vertex: must it not slide? None if there are no entries
-  double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it
+  double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it,
+  double negligible_gain() const { return (std::max)(1e-8, energy_tolerance / 100); } // or one promises this
   double maximal_angle_distortion = std::numeric_limits<double>::infinity();
   bool minimize_maximal_angle_distortion = false;
 };

@@ -129,7 +129,8 @@ void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Lin
   {
     progress.begin_stage();
     const Newton_result_3 result
-      = minimize_energy_3(system, psi, found.map.positions, progress, Negative_curvature(), ends_here);
+      = minimize_energy_3(system, psi, found.map.positions, progress, Negative_curvature(), ends_here,
+                          options.negligible_gain());
     found.take(result.status, result.reason, sliding ? judged(mesh, *sliding, sliding->restored(result.positions))
                                                      : judged(mesh, snapped(mesh, result.positions)));
     progress.end_check();

@@ -192,7 +192,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
       const std::optional<Error_code> status = gain.status_of_end(iterate, image);
       has_crawled = status == ERROR_NOT_CONVERGED;
       return status;
-    });
+    }, options.negligible_gain());
   take(whole);
   const bool is_minimum
     = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
@@ -205,7 +205,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   Newton_system_3 rest(mesh, others, solver);
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
-                         ends_if_stagnating(mesh, energy, options)));
+                         ends_if_stagnating(mesh, energy, options), options.negligible_gain()));
   if(is_minimum && found.status == ERROR_NOT_CONVERGED)
     found.status = OK; // of the energy as a whole
   if(has_crawled && found.status == OK)
