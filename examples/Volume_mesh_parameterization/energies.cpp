@@ -1,5 +1,5 @@
-// Maps a cube onto a dented one with one energy after the other. Cells would collapse below the dent where an energy is finite
-// for flat cells, so these get a barrier.
+// Maps a cube onto a dented one with one energy after the other. Cells would collapse below the dent where an energy is
+// finite for flat cells, so these get a barrier.
 #include "Dented_cube.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>

@@ -16,8 +16,8 @@
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
-// A symmetric function of the singular values s, with its derivatives, for one cell (T is double) or several at once, some of
-// which may be on either side of a branch.
+// A symmetric function of the singular values s, with its derivatives, for one cell (T is double) or several at once, some
+// of which may be on either side of a branch.
 struct Limited_stretch_energy_3
 {
   double weight;

@@ -56,8 +56,8 @@ public:
   void analyze_pattern(const Matrix& A) { m_solver.analyze_pattern(A); }
 
   /// computes the preconditioner: the inverses of the diagonal blocks, and from 30,000 rows on those of sums of blocks over
-  /// aggregates of 32, 256, ... contiguous rows, which should be near each other. It does not notice whether `A` is positive
-  /// definite.
+  /// aggregates of 32, 256, ... contiguous rows, which should be near each other. It does not notice whether `A` is
+  /// positive definite.
   ///
   /// \return `SUCCESS`
   Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }

@@ -103,8 +103,8 @@ public:
   {}
 
   /// takes the points and cells of a mesh that is given by arrays, as `CGAL::stretch_minimizing_volume_parameterization()`
-  /// does, and the image of each point. Throws `std::out_of_range` if there is a cell without all points, or a point without
-  /// image.
+  /// does, and the image of each point. Throws `std::out_of_range` if there is a cell without all points, or a point
+  /// without image.
   template <typename PointRange = std::vector<std::array<double, 3> >,
             typename CellRange = std::vector<std::array<std::size_t, 4> >,
             typename ImageRange = std::vector<std::array<double, 3> > >

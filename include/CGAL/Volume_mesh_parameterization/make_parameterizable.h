@@ -157,8 +157,8 @@ std::size_t make_parameterizable(C3t3& c3t3, const CGAL_NP_CLASS& np = parameter
 refines a mesh that is given by arrays in the same way: the same points are inserted.
 
 \param points the points, a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it; new ones are appended
-\param cells four indices of points each, such that all cells are positive. A cell that is split becomes one of its parts, the
-       other parts are appended.
+\param cells four indices of points each, such that all cells are positive. A cell that is split becomes one of its parts,
+       the other parts are appended.
 \param np the same as for a complex, with `std::size_t` for `C3t3::Vertex_handle`, and an array or another property map as
        `boundary_map`
 

@@ -26,8 +26,8 @@ namespace CGAL::Volume_mesh_parameterization {
 ///
 /// \return whether it has turned them: their last two vertices have changed places
 ///
-/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, which the functions for arrays look at;
-///            the soup is then unchanged.
+/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, which the functions for arrays look
+///            at; the soup is then unchanged.
 template <typename ConcurrencyTag = Sequential_tag>
 bool orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 {

@@ -62,9 +62,9 @@ namespace IO {
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
 /// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements of the type `C3D8`,
-/// numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each face of the polycube the set
-/// `PATCH_1`, `PATCH_2`, ... of its nodes, for supports, and the surface of the same name, of faces of elements, for pressures.
-/// The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
+/// numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each face of the polycube the
+/// set `PATCH_1`, `PATCH_2`, ... of its nodes, for supports, and the surface of the same name, of faces of elements, for
+/// pressures. The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
 ///
 /// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
 /// a negative exponent, fewer are written, but at least 13.

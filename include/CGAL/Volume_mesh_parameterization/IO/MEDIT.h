@@ -76,8 +76,8 @@ namespace IO {
 ///
 /// \param is the stream
 /// \param soup gets the mesh
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `maximum_running_time` and `visitor`,
-///        as `stretch_minimizing_volume_parameterization()` takes them
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `maximum_running_time` and
+///        `visitor`, as `stretch_minimizing_volume_parameterization()` takes them
 ///
 /// \return `OK`, or `ERROR_INTERRUPTED` if the time is over or the visitor ends the reading; `soup` is then unchanged. A
 ///         stream that waits for its source is waited for; a file is not.

@@ -39,7 +39,7 @@ struct VTU_cells
   int type;
 };
 
-// Collects an XML `UnstructuredGrid` in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays with
+// Collects an XML `UnstructuredGrid` in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays by
 // their offsets into the data behind it, where each is its number of bytes and its values, as this machine stores them.
 class VTU_writer
 {
@@ -168,7 +168,7 @@ namespace IO {
 /// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
 /// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse, of the map scaled to the
 /// volume of the mesh, as in `Parameterization_result::distortion_at_source_volume`).
-/// The values are binary, in the appended form of the format (`encoding="raw"`), so the bits are kept: 53 bytes a cell and 48
+/// The values are binary, in the appended form of the format (`encoding="raw"`), so bits are kept: 53 bytes a cell and 48
 /// a point. A failure to write is left in the state of the stream.
 ///
 /// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
@@ -206,8 +206,8 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
 /// writes hexahedra, and the quadrangles of their boundary, as a VTK XML file (`.vtu`). The points have the vectors `uvw`,
-/// their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index` (the place
-/// (i, j, k) in the block) and `subdomain`, those of a quadrangle being those of its hexahedron, and `patch`, 0 for hexahedra.
+/// their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index` (its
+/// place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch`, 0 for hexahedra.
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra

@@ -138,8 +138,8 @@ Error_code read_boundary_targets(std::istream& is,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads target points from a file: from a mesh, as `read_tetrahedron_soup()` reads it, with the vertices and cells of `source`
-/// (cells in any order) its points, from any other file lines `vertex_index x y z`.
+/// reads target points from a file: from a mesh, as `read_tetrahedron_soup()` reads it, with the vertices and cells of
+/// `source` (cells in any order) its points, from any other file lines `vertex_index x y z`.
 ///
 /// \param filename the name of the file
 /// \param source the mesh whose boundary is to be mapped

@@ -30,12 +30,12 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a file whose content tells the format: MEDIT, as `read_MEDIT()` reads it, or a VTK XML file
-/// (`.vtu`) of the type `UnstructuredGrid` in one piece, with arrays as text, or binary (`raw` or base64, in their place or
-/// appended) without compression.
+/// reads a tetrahedral mesh from a file whose content tells the format: MEDIT, as `read_MEDIT()` reads it, or a VTK XML
+/// file (`.vtu`) of the type `UnstructuredGrid` in one piece, with arrays as text, or binary (`raw` or base64, in their
+/// place or appended) without compression.
 ///
-/// Of a VTK file, triangles become marked facets, other cells of lower dimension are skipped, and volume elements other than
-/// tetrahedra are an error. References are the cell data `reference`, else `medit:ref` or `gmsh:physical`, else 0.
+/// Of a VTK file, triangles become marked facets, other cells of lower dimension are skipped, and volume elements other
+/// than tetrahedra are an error. References are the cell data `reference`, else `medit:ref` or `gmsh:physical`, else 0.
 ///
 /// \param filename the name of the file, which may be a pipe
 /// \param soup gets the mesh

@@ -13,8 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 // With the macro CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, the functions of the engine are compiled once, by the
-// target CGAL::Volume_mesh_parameterization_engine that defines it; otherwise they are inline. CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE tells
-// whether a unit has their definitions, which that of the library says by itself.
+// target CGAL::Volume_mesh_parameterization_engine that defines it; otherwise they are inline.
+// CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE tells whether a unit has their definitions, which that of the library
+// says by itself.
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 #else

@@ -59,7 +59,7 @@ struct Insertion_3
   std::vector<std::size_t> cells;
 };
 
-// The vertices of sides of cells, counterclockwise as seen from outside. The side `4 * c + i` is opposite to vertex i of cell c.
+// The vertices of sides of cells, counterclockwise seen from outside. Side `4 * c + i` is opposite to vertex i of cell c.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
                                                          const std::vector<std::size_t>& sides);

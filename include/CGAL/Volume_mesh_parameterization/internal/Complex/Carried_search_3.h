@@ -47,7 +47,7 @@ public:
                           : plan_refinement_3(mesh, found, m_approach, m_untangling);
   }
 
-  // Where the next search untangles. After it has given up to split cells that are left inverted, the soft boundary follows.
+  // Where the next search untangles. Once it gives up to split cells that are left inverted, the soft boundary follows.
   Untangling_start_3 untangling_start(const Numbered_body_3& body, const bool may_split) const
   {
     Untangling_start_3 result;

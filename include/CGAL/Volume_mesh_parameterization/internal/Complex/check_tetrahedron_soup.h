@@ -160,8 +160,8 @@ private:
     m_mirrors[g] = f;
   }
 
-  // Do the vertices of a facet, as they turn around its cell, become sorted by an odd permutation? Where two cells meet, they
-  // turn the other way round.
+  // Do the vertices of a facet, as they turn around its cell, become sorted by an odd permutation? Where two cells meet,
+  // they turn the other way round.
   bool is_odd(const std::size_t facet) const
   {
     const auto vertex = [&](const int k) { return m_soup.cells[facet / 4][facets_of_cell[facet % 4][k]]; };

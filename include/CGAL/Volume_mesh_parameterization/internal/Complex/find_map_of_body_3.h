@@ -124,8 +124,8 @@ Parameterization_result parameterize_body_3(const Body_3& body, const Prescripti
 }
 
 // From a body to the images of its points: refines it where the targets make cells degenerate, and then where a search was
-// blocked, and searches again. More new points than a tenth would mean that this does not help; a small body may need many in
-// proportion. What limits of time leave undone is refined no more.
+// blocked, and searches again. More new points than a tenth would mean that this does not help; a small body may need many
+// in proportion. What limits of time leave undone is refined no more.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
@@ -138,7 +138,10 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   {
     prescription.resize(body.soup.points.size());
     const Checked_body_3 checked(body, prescription, problem);
-    const auto take = [&](const std::vector<Insertion_3>& made) { insertions.insert(insertions.end(), made.begin(), made.end()); };
+    const auto take = [&](const std::vector<Insertion_3>& made)
+    {
+      insertions.insert(insertions.end(), made.begin(), made.end());
+    };
     if(is_first && checked.check.allows_soft_boundary() && checked.check.is_refinable)
     {
       take(remove_degenerate_simplices(body, prescription, budget));

@@ -17,8 +17,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// From a body to the images of its points on the boundary, which `map(surface, images, budget)` finds. What that returns does
-// not matter once the budget is exhausted. Calls `write(point, image)` only if this succeeds.
+// From a body to the images of its points on the boundary, which `map(surface, images, budget)` finds. What that returns
+// does not matter once the budget is exhausted. Calls `write(point, image)` only if this succeeds.
 template <typename NamedParameters, typename Map, typename Write>
 Error_code parameterize_boundary_3(const Body_3& body, const NamedParameters& np, const Map& map, const Write& write)
 {

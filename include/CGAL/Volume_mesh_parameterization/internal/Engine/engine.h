@@ -34,8 +34,8 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The engine: all between numbered arrays and positions. It knows no complex, an energy only as `Cell_energy_3`, and a
-// solver only as `Linear_solver_3`; so it is compiled once, with each unit or in a library of its own. To it belongs what is
-// declared in check_input_3.h, too.
+// solver only as `Linear_solver_3`; so it is compiled once, with each unit or in a library of its own. To it belongs what
+// is declared in check_input_3.h, too.
 
 // Puts vertices and cells into the order of all that follows: free vertices first, neighbors in space are neighbors in
 // memory. Writes source, cells, user numbers and the number of free vertices; returns the old number of each vertex.

@@ -18,9 +18,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Reads a binary MEDIT file (.meshb), of the layout of libMeshb: the number 1, which tells the order of bytes, the version, and
-// sections of a keyword, the position of the next one, and a number of elements. The version tells what has 8 bytes: from 2 on
-// coordinates, from 3 on positions, and in 4 all integers but keywords.
+// Reads a binary MEDIT file (.meshb), of the layout of libMeshb: the number 1, which tells the order of bytes, the version,
+// and sections of a keyword, the position of the next one, and a number of elements. The version tells what has 8 bytes:
+// from 2 on coordinates, from 3 on positions, and in 4 all integers but keywords.
 class Binary_MEDIT_reader
 {
 public:

@@ -33,8 +33,8 @@ inline std::array<double, 3> next_point(Text_scanner& scanner)
 class MEDIT_reader
 {
 public:
-  // If the text is a slice of a file, each element must have a line of its own, and no slice may end behind a keyword that a
-  // number belongs to.
+  // If the text is a slice of a file, each element must have a line of its own, and no slice may end behind a keyword that
+  // a number belongs to.
   MEDIT_reader(const Communicator_3& communicator, const Text_scanner& text, const bool is_slice)
     : m_communicator(communicator), m_is_slice(is_slice)
   {

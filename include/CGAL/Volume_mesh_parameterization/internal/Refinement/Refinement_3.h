@@ -106,8 +106,8 @@ private:
   std::vector<std::vector<std::size_t> > m_incident;
 };
 
-// Makes new points vertices of interior edges, facets and cells of a body. New cells and facets have the references of those
-// they come from.
+// Makes new points vertices of interior edges, facets and cells of a body. New cells and facets have the references of
+// those they come from.
 class Refinement_3
 {
 public:

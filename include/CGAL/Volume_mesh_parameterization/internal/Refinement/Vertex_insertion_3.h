@@ -53,7 +53,7 @@ public:
     return v;
   }
 
-  // The cells around the new vertex: of each old one, in their order, those without one vertex of the simplex after the other.
+  // The cells around the new vertex: of each old one, in order, those without one vertex of the simplex after the other.
   std::vector<Cell_handle> new_cells() const
   {
     std::vector<Cell_handle> cells;
