@@ -458,8 +458,8 @@ struct Bytes
   }
 };
 
-// The cell of `tetrahedron` and a marked facet of it as a binary MEDIT file: with a section that is unknown, and the vertices
-// behind all that names them.
+// The cell of `tetrahedron` and a marked facet of it as a binary MEDIT file: with a section that is unknown, and the
+// vertices behind all that names them.
 std::string binary_MEDIT(const int version, const bool is_turned)
 {
   Bytes file{is_turned};

@@ -1,5 +1,5 @@
-// The search with fixed boundary through the public function: what it adopts, how often it asks the linear solver, and when it
-// believes to be at the minimum.
+// The search with fixed boundary through the public function: what it adopts, how often it asks the linear solver, and when
+// it believes to be at the minimum.
 #include "catch.h"
 #include "cube_complex.h"
 
@@ -51,7 +51,7 @@ bool is_positive(const Numbered_mesh_3& mesh)
 }
 
 template <typename NamedParameters>
-Parameterization_result parameterize(Complex& complex, const NamedParameters& np)
+Parameterization_result parameterize_fixed(Complex& complex, const NamedParameters& np)
 {
   return CGAL::stretch_minimizing_volume_parameterization(
     std::as_const(complex.c3t3), complex.uvw_map(),
@@ -97,7 +97,7 @@ TEST_CASE("A harmonic map with respect to regular cells is adopted where the oth
     if(!is_positive(mesh))
       continue;
     Complex complex(mesh);
-    const Parameterization_result result = parameterize(complex, params::number_of_iterations(30));
+    const Parameterization_result result = parameterize_fixed(complex, params::number_of_iterations(30));
     CHECK(result.status == VMP::OK);
     if(result.number_of_inverted_cells_at_start == 0)
       continue;
@@ -112,7 +112,7 @@ TEST_CASE("The pattern of the systems is analyzed once where no patch is in betw
 {
   Complex complex(twisted_cube(4, 0.1));
   Counting_solver solver;
-  const Parameterization_result result = parameterize(complex, params::solver_traits(std::ref(solver)));
+  const Parameterization_result result = parameterize_fixed(complex, params::solver_traits(std::ref(solver)));
   CHECK(result.status == VMP::OK);
   CHECK(result.number_of_untangling_iterations == 0);
   CHECK(solver.number_of_analyses == 1);
@@ -122,13 +122,13 @@ TEST_CASE("A minimum is not believed by a solver that was cut, and the message s
 {
   const Numbered_mesh_3 mesh = twisted_cube(8, 0.15);
   Complex exact(mesh), complex(mesh);
-  const Parameterization_result expected = parameterize(exact, params::number_of_iterations(100));
+  const Parameterization_result expected = parameterize_fixed(exact, params::number_of_iterations(100));
   REQUIRE(expected.status == VMP::OK);
   CHECK(!contains(expected.message, "limit of iterations"));
 
   VMP::Conjugate_gradient_solver_traits_3<> solver(2);
   const Parameterization_result result
-    = parameterize(complex, params::solver_traits(std::ref(solver)).number_of_iterations(5));
+    = parameterize_fixed(complex, params::solver_traits(std::ref(solver)).number_of_iterations(5));
   INFO(result.message);
   CHECK(contains(result.message, "limit of iterations"));
   CHECK(result.energy > (1 + 1e-6) * expected.energy);
@@ -140,11 +140,11 @@ TEMPLATE_TEST_CASE("The minimum does not depend on a factor of the energy", "", 
   for(const Numbered_mesh_3& mesh : { twisted_cube(4, 0.1), cube_mesh(4, 0.15) }) // for the latter ARAP has the minimum 0
   {
     Complex expected(mesh);
-    const Parameterization_result usual = parameterize(expected, params::energy(TestType()));
+    const Parameterization_result usual = parameterize_fixed(expected, params::energy(TestType()));
     for(const double factor : { 1e-9, 1e9 })
     {
       Complex complex(mesh);
-      const Parameterization_result result = parameterize(complex, params::energy(Scaled_energy<TestType>{ factor }));
+      const Parameterization_result result = parameterize_fixed(complex, params::energy(Scaled_energy<TestType>{ factor }));
       CHECK(result.status == usual.status);
       CHECK(result.number_of_iterations == usual.number_of_iterations);
       for(const auto& [v, p] : complex.uvw)

@@ -70,7 +70,7 @@ VMP::Tetrahedron_soup_3 bricks(const Brick& size, const IsSolid& is_solid, const
   return soup;
 }
 
-std::array<double, 3> stay(const double x, const double y, const double z)
+std::array<double, 3> in_place(const double x, const double y, const double z)
 {
   return {x, y, z};
 }
@@ -89,7 +89,7 @@ bool is_bracket(const int x, int, const int z) { return x < 2 || z < 3; }
 bool is_ring(const int x, int, const int z) { return x < 2 || x > 3 || z < 2 || z > 4; }
 bool is_stair(const int x, const int y, const int z) { return z < 2 || (z < 4 && x < 4 && y < 3) || (x < 2 && y < 3); }
 
-struct Complex
+struct Labelled_complex
 {
   C3t3 c3t3;
   std::vector<Vertex_handle> vertices;
@@ -97,12 +97,12 @@ struct Complex
   std::unordered_map<Vertex_handle, Point_3> image;
   std::map<Facet, std::size_t> labels;
 
-  explicit Complex(const VMP::Tetrahedron_soup_3& soup)
+  explicit Labelled_complex(const VMP::Tetrahedron_soup_3& soup)
   {
     VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
   }
 
-  Complex(const Complex&) = delete;
+  Labelled_complex(const Labelled_complex&) = delete;
 
   VMP::Error_code parameterize(const double spacing = 0)
   {
@@ -176,7 +176,7 @@ std::size_t direction(const std::array<Point_3, 3>& t)
 }
 
 // Labels a complex like one with the same cells whose facets are normal to the axes.
-void copy_labels(const Complex& straight, Complex& complex)
+void copy_labels(const Labelled_complex& straight, Labelled_complex& complex)
 {
   const std::vector<Facet> from = straight.boundary(), to = complex.boundary();
   for(std::size_t i = 0; i < from.size(); ++i)
@@ -186,7 +186,7 @@ void copy_labels(const Complex& straight, Complex& complex)
 template <typename IsSolid>
 void check_identity(const IsSolid& is_solid, const Brick& size = ::size)
 {
-  Complex complex(bricks(size, is_solid, stay));
+  Labelled_complex complex(bricks(size, is_solid, in_place));
   REQUIRE(complex.parameterize() == VMP::OK);
   double largest = 0;
   for(const auto& entry : complex.image)
@@ -199,8 +199,8 @@ void check_identity(const IsSolid& is_solid, const Brick& size = ::size)
 template <typename IsSolid>
 void check_bent(const IsSolid& is_solid, const std::size_t number_of_coordinates)
 {
-  const Complex straight(bricks(size, is_solid, stay));
-  Complex complex(bricks(size, is_solid, bend));
+  const Labelled_complex straight(bricks(size, is_solid, in_place));
+  Labelled_complex complex(bricks(size, is_solid, bend));
   copy_labels(straight, complex);
   REQUIRE(complex.parameterize_with_labels() == VMP::OK);
   std::set<std::pair<std::size_t, double> > coordinates;
@@ -242,8 +242,8 @@ TEST_CASE("bent polycubes are straightened, with one coordinate for each chart")
 template <typename IsSolid>
 std::set<std::pair<std::size_t, double> > multiples_of_bent(const IsSolid& is_solid, const double spacing)
 {
-  const Complex straight(bricks(size, is_solid, stay));
-  Complex complex(bricks(size, is_solid, bend));
+  const Labelled_complex straight(bricks(size, is_solid, in_place));
+  Labelled_complex complex(bricks(size, is_solid, bend));
   copy_labels(straight, complex);
   REQUIRE(complex.parameterize_with_labels(spacing) == VMP::OK);
   std::set<std::pair<std::size_t, double> > result;
@@ -270,10 +270,10 @@ TEST_CASE("faces of a polycube get multiples of a spacing")
 TEST_CASE("a spacing that makes a polycube touch itself is named")
 {
   // two columns in the middle face each other across a gap of 1
-  Complex complex(bricks({4, 3, 7}, [](const int x, const int y, const int z)
+  Labelled_complex complex(bricks({4, 3, 7}, [](const int x, const int y, const int z)
   {
     return x == 0 || z < 2 || z >= 5 || (x == 2 && y == 1 && z != 3);
-  }, stay));
+  }, in_place));
   CHECK(complex.parameterize(1) == VMP::OK);
   CHECK(complex.parameterize() == VMP::OK);
   copy_labels(complex, complex);
@@ -283,7 +283,7 @@ TEST_CASE("a spacing that makes a polycube touch itself is named")
 }
 
 // By direction and coordinate. Each triangle of the image is normal to an axis.
-std::set<std::pair<std::size_t, double> > faces_of_image(const Complex& complex)
+std::set<std::pair<std::size_t, double> > faces_of_image(const Labelled_complex& complex)
 {
   std::set<std::pair<std::size_t, double> > faces;
   for(const Facet& f : complex.boundary())
@@ -298,10 +298,10 @@ std::set<std::pair<std::size_t, double> > faces_of_image(const Complex& complex)
 TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
 {
   const double scale = GENERATE(0.1, 0.3, 0.7);
-  Complex complex(bricks({7, 5, 6}, [](const int x, const int y, const int z)
+  Labelled_complex complex(bricks({7, 5, 6}, [](const int x, const int y, const int z)
   {
     return x < 3 || (x > 3 && y < 3 && z < 4);
-  }, [&](const double x, const double y, const double z) { return stay(scale * x, scale * y, scale * z); }));
+  }, [&](const double x, const double y, const double z) { return in_place(scale * x, scale * y, scale * z); }));
   REQUIRE(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 10); // of twelve, two are in planes of others
 }
@@ -309,7 +309,7 @@ TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
 TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")
 {
   // two arms of a fork turn twice around each other, so that no labels of its charts are valid
-  Complex complex(bricks({4, 3, 24}, [](const int x, int, const int z) { return z < 2 || x == 0 || x == 3; },
+  Labelled_complex complex(bricks({4, 3, 24}, [](const int x, int, const int z) { return z < 2 || x == 0 || x == 3; },
     [](const double x, const double y, const double z) -> std::array<double, 3>
   {
     const double angle = 0.7 * (std::max)(0., z - 2), c = std::cos(angle), s = std::sin(angle);
@@ -322,10 +322,10 @@ TEST_CASE("a topological sphere that has no other polycube is mapped to its boun
 
 TEST_CASE("labels are proposed for a cylinder")
 {
-  Complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>
+  Labelled_complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>
   {
     const double u = x - 4, v = y - 4, length = std::hypot(u, v), radius = (std::max)(std::abs(u), std::abs(v));
-    return (length == 0) ? stay(0, 0, z) : stay(u * radius / length, v * radius / length, z);
+    return (length == 0) ? in_place(0, 0, z) : in_place(u * radius / length, v * radius / length, z);
   }));
   REQUIRE(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 6);
@@ -334,9 +334,9 @@ TEST_CASE("labels are proposed for a cylinder")
 TEST_CASE("where the normals turn around, a face is put between")
 {
   // a tent: no facet looks upwards, and the ridge is so sharp that its sides could have opposite labels
-  Complex complex(bricks({12, 10, 6}, is_box, [](const double x, const double y, const double z)
+  Labelled_complex complex(bricks({12, 10, 6}, is_box, [](const double x, const double y, const double z)
   {
-    return stay(x, y, z * (1 + 4 * (6 - std::abs(x - 6))));
+    return in_place(x, y, z * (1 + 4 * (6 - std::abs(x - 6))));
   }));
   REQUIRE(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 6);
@@ -345,9 +345,9 @@ TEST_CASE("where the normals turn around, a face is put between")
 TEST_CASE("the size and the place of the source do not matter")
 {
   const double scale = GENERATE(1e-150, 1e150);
-  Complex complex(bricks(size, is_bracket, [&](const double x, const double y, const double z)
+  Labelled_complex complex(bricks(size, is_bracket, [&](const double x, const double y, const double z)
   {
-    return stay(scale * x, scale * (y + 100), scale * z);
+    return in_place(scale * x, scale * (y + 100), scale * z);
   }));
   REQUIRE(complex.parameterize() == VMP::OK);
   for(const auto& entry : complex.image)
@@ -357,7 +357,7 @@ TEST_CASE("the size and the place of the source do not matter")
 
 TEST_CASE("labels that no polycube has are named")
 {
-  Complex complex(bricks(size, is_box, stay));
+  Labelled_complex complex(bricks(size, is_box, in_place));
   copy_labels(complex, complex);
   CHECK(complex.parameterize_with_labels() == VMP::OK);
   const auto status = [&](const auto& change)
@@ -389,7 +389,7 @@ TEST_CASE("labels that no polycube has are named")
 
 TEST_CASE("a facet between two lines of the same edge is named")
 {
-  Complex complex(bricks(size, is_box, stay));
+  Labelled_complex complex(bricks(size, is_box, in_place));
   copy_labels(complex, complex);
   for(const Facet& f : complex.boundary()) // one with two vertices on the edge
   {
@@ -404,18 +404,18 @@ TEST_CASE("a facet between two lines of the same edge is named")
 
 TEST_CASE("a boundary with fewer vertices than a box has corners is too coarse")
 {
-  Complex tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, { 1 }, {}, {} });
+  Labelled_complex tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, { 1 }, {}, {} });
   CHECK(tetrahedron.parameterize() == VMP::ERROR_BOUNDARY_TOO_COARSE);
   CHECK(tetrahedron.image.empty());
 }
 
 TEST_CASE("boundaries without a polycube are named")
 {
-  Complex broken(bricks(size, is_box, stay));
+  Labelled_complex broken(bricks(size, is_box, in_place));
   broken.vertices.front()->set_point(Point_3((std::numeric_limits<double>::infinity)(), 0, 0));
   CHECK(broken.parameterize() == VMP::ERROR_NON_FINITE_COORDINATE);
 
-  Complex kissing(bricks({2, 2, 1}, [](const int x, const int y, int) { return x == y; }, stay));
+  Labelled_complex kissing(bricks({2, 2, 1}, [](const int x, const int y, int) { return x == y; }, in_place));
   CHECK(kissing.parameterize() == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
 
   const C3t3 empty;
@@ -425,12 +425,12 @@ TEST_CASE("boundaries without a polycube are named")
 
 TEST_CASE("maps to polycubes can be ended anywhere, with nothing written")
 {
-  Complex complex(bricks(size, is_stair, bend));
+  Labelled_complex complex(bricks(size, is_stair, bend));
   const auto target = boost::make_assoc_property_map(complex.image);
   check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, target, np); }, complex.image);
   check_interruption([&](const auto& np) { return Polycube(0.5).parameterize(complex.c3t3, target, np); }, complex.image);
 
-  copy_labels(Complex(bricks(size, is_stair, stay)), complex);
+  copy_labels(Labelled_complex(bricks(size, is_stair, in_place)), complex);
   const auto labels = boost::make_assoc_property_map(complex.labels);
   check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, labels, target, np); },
                      complex.image);
@@ -440,17 +440,17 @@ namespace {
 
 using Surface = CGAL::Surface_mesh<Point_3>;
 
-Surface boundary_surface(const Complex& complex)
+Surface boundary_surface(const Labelled_complex& complex)
 {
   Surface result;
   std::map<Vertex_handle, Surface::Vertex_index> index;
   for(const Facet& f : complex.boundary())
-    for(const Vertex_handle v : Complex::vertices_of(f))
+    for(const Vertex_handle v : Labelled_complex::vertices_of(f))
       if(index.count(v) == 0)
         index[v] = result.add_vertex(v->point());
   for(const Facet& f : complex.boundary())
   {
-    const std::array<Vertex_handle, 3> v = Complex::vertices_of(f);
+    const std::array<Vertex_handle, 3> v = Labelled_complex::vertices_of(f);
     result.add_face(index[v[1]], index[v[2]], index[v[0]]);
   }
   return result;
@@ -460,7 +460,7 @@ Surface boundary_surface(const Complex& complex)
 
 TEST_CASE("the boundary is mapped to a surface with the same connectivity")
 {
-  Complex complex(bricks(size, is_ring, bend));
+  Labelled_complex complex(bricks(size, is_ring, bend));
   Surface boundary = boundary_surface(complex), target = boundary;
   for(const auto v : target.vertices())
     target.point(v) = Point_3(boundary.point(v).z(), boundary.point(v).x(), 2 * boundary.point(v).y());
@@ -491,7 +491,7 @@ TEST_CASE("the boundary is mapped to a surface with the same connectivity")
 
 TEST_CASE("maps to given surfaces can be ended anywhere, with nothing written")
 {
-  Complex complex(bricks(size, is_ring, bend));
+  Labelled_complex complex(bricks(size, is_ring, bend));
   const Surface boundary = boundary_surface(complex);
   const VMP::Surface_boundary_parameterizer_3<Surface> parameterizer(boundary, boundary);
   check_interruption([&](const auto& np)

@@ -278,7 +278,7 @@ Soup five_cells_around_edge()
   return fan({ 0, 0, -1 }, { 0, 0, 1 }, { around[0], { 0, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 }, { 1, -1, 0 } });
 }
 
-// The lower half of an octahedron around the edge of vertices 0 and 1 is filled from the vertex 6 inside, above its lowest 5.
+// The lower half of an octahedron around the edge of vertices 0 and 1 is filled from vertex 6 inside, above its lowest 5.
 Soup octahedron_with_vertex_below_axis()
 {
   Soup soup;

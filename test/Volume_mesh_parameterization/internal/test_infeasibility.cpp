@@ -21,10 +21,10 @@
 #include <utility>
 #include <vector>
 
-namespace VMP = CGAL::Volume_mesh_parameterization::internal;
+namespace internal = CGAL::Volume_mesh_parameterization::internal;
 
-using Mesh = VMP::Numbered_mesh_3;
-using Proof = VMP::Infeasibility_proof_3;
+using Mesh = internal::Numbered_mesh_3;
+using Proof = internal::Infeasibility_proof_3;
 using Point = Eigen::Vector3d;
 
 namespace {
@@ -93,15 +93,15 @@ void enclose(Mesh& m, const int v, const double z)
 // The proofs found without any knowledge of good positions, all of them checked.
 std::vector<Proof> prove(const Mesh& m)
 {
-  const std::vector<Proof> proofs = VMP::prove_infeasibility_3(m, m.target);
+  const std::vector<Proof> proofs = internal::prove_infeasibility_3(m, m.target);
   for(const Proof& proof : proofs)
-    REQUIRE(VMP::is_valid(proof, m));
+    REQUIRE(internal::is_valid(proof, m));
   return proofs;
 }
 
 bool is_positive_everywhere(const Mesh& m, const Eigen::Matrix3Xd& positions)
 {
-  return VMP::inverted_cells(m, positions).number == 0;
+  return internal::inverted_cells(m, positions).number == 0;
 }
 
 } // namespace
@@ -114,7 +114,7 @@ TEST_CASE("an edge has a place in a convex ring, from either side, but not in a 
   const std::vector<Proof> proofs = prove(edge_ring(bow_tie));
   REQUIRE(proofs.size() == 1);
   CHECK(proofs[0].cells.size() >= 3); // any two of its sides leave room for the edge
-  CHECK(VMP::blamed_vertices(proofs[0], edge_ring(bow_tie)) == std::set<int>{0, 1});
+  CHECK(internal::blamed_vertices(proofs[0], edge_ring(bow_tie)) == std::set<int>{0, 1});
 }
 
 TEST_CASE("a ring that goes to and fro leaves no place, by its first two cells alone")
@@ -146,7 +146,7 @@ TEST_CASE("a free vertex has a place in an octahedron unless its poles change si
   const Mesh m = octahedron(-2, -1); // the image must be below -2 and above -1
   const std::vector<Proof> proofs = prove(m);
   REQUIRE(proofs.size() == 1);
-  CHECK(VMP::blamed_vertices(proofs[0], m).count(0) == 1);
+  CHECK(internal::blamed_vertices(proofs[0], m).count(0) == 1);
 
   CHECK(prove(octahedron(-1, -1)).size() == 1); // the image must be below and above the same height
 }
@@ -158,7 +158,7 @@ TEST_CASE("a vertex without a place is not reported again with its edges")
   enclose(m, 0, 2);
   const std::vector<Proof> proofs = prove(m);
   REQUIRE(proofs.size() == 1);
-  CHECK(VMP::blamed_vertices(proofs[0], m) == std::set<int>{0});
+  CHECK(internal::blamed_vertices(proofs[0], m) == std::set<int>{0});
 }
 
 TEST_CASE("two vertices with a place each, and an edge with a place, may contradict each other")
@@ -173,7 +173,7 @@ TEST_CASE("two vertices with a place each, and an edge with a place, may contrad
   enclose(downwards, 1, -3);
   const std::vector<Proof> proofs = prove(downwards);
   REQUIRE(proofs.size() == 1);
-  CHECK(VMP::blamed_vertices(proofs[0], downwards) == std::set<int>{0, 1});
+  CHECK(internal::blamed_vertices(proofs[0], downwards) == std::set<int>{0, 1});
 }
 
 TEST_CASE("a cell that cannot be positive is a proof of its own")
@@ -212,7 +212,7 @@ TEST_CASE("there is no proof against a map that exists")
     hidden.col(0) = point();
     hidden.col(1) = point();
     for(std::array<int, 4>& cell : m.cells)
-      if(!VMP::is_positive(hidden, cell))
+      if(!internal::is_positive(hidden, cell))
         std::swap(cell[2], cell[3]);
     REQUIRE(is_positive_everywhere(m, hidden));
     CHECK(prove(m).empty());
@@ -237,13 +237,13 @@ TEST_CASE("a random cloud of cells at an edge has no map, and the proof is small
 TEST_CASE("only sets with a cell that is not positive are examined")
 {
   const Mesh m = edge_ring(bow_tie);
-  CHECK(VMP::prove_infeasibility_3(m, m.target).size() == 1);
+  CHECK(internal::prove_infeasibility_3(m, m.target).size() == 1);
 
   const Mesh good = edge_ring(square);
   Eigen::Matrix3Xd positions = good.target;
   positions(2, 1) = 1;
   REQUIRE(is_positive_everywhere(good, positions));
-  CHECK(VMP::prove_infeasibility_3(good, positions).empty());
+  CHECK(internal::prove_infeasibility_3(good, positions).empty());
 }
 
 TEST_CASE("a search that is ended returns the proofs found by then")
@@ -260,20 +260,20 @@ TEST_CASE("a search that is ended returns the proofs found by then")
   {
     REQUIRE(last_question < 100);
     int number_of_questions = 0;
-    const VMP::Budget budget(1e9, [&] { return ++number_of_questions < last_question; });
-    const std::vector<Proof> proofs = VMP::prove_infeasibility_3(m, m.target, budget);
+    const internal::Budget budget(1e9, [&] { return ++number_of_questions < last_question; });
+    const std::vector<Proof> proofs = internal::prove_infeasibility_3(m, m.target, budget);
     CHECK(number_of_questions <= (std::max)(1, last_question));
     CHECK((proofs.size() == number_of_proofs || proofs.size() == number_of_proofs + 1));
     for(const Proof& proof : proofs)
-      CHECK(VMP::is_valid(proof, m));
+      CHECK(internal::is_valid(proof, m));
     number_of_proofs = proofs.size();
 
   }
 
-  VMP::Budget exhausted;
+  internal::Budget exhausted;
   exhausted.exhaust();
-  CHECK(VMP::diagnose_3(m, m.target, exhausted).number_of_proofs == 0);
-  CHECK(VMP::diagnose_3(m, m.target, exhausted).inverted_cells.size() == 8);
+  CHECK(internal::diagnose_3(m, m.target, exhausted).number_of_proofs == 0);
+  CHECK(internal::diagnose_3(m, m.target, exhausted).inverted_cells.size() == 8);
 }
 
 TEST_CASE("a proof that was tampered with is refused")
@@ -283,34 +283,34 @@ TEST_CASE("a proof that was tampered with is refused")
 
   Proof changed = proof;
   changed.factors[0] += CGAL::Exact_rational(std::ldexp(1., -200));
-  CHECK_FALSE(VMP::is_valid(changed, m));
+  CHECK_FALSE(internal::is_valid(changed, m));
 
   changed = proof;
   for(auto& factor : changed.factors)
     factor *= 3;
-  CHECK(VMP::is_valid(changed, m)); // a multiple is as good
+  CHECK(internal::is_valid(changed, m)); // a multiple is as good
   for(auto& factor : changed.factors)
     factor = -factor;
-  CHECK_FALSE(VMP::is_valid(changed, m));
+  CHECK_FALSE(internal::is_valid(changed, m));
   for(auto& factor : changed.factors)
     factor = 0;
-  CHECK_FALSE(VMP::is_valid(changed, m));
+  CHECK_FALSE(internal::is_valid(changed, m));
 
   changed = proof;
   changed.cells.pop_back();
-  CHECK_FALSE(VMP::is_valid(changed, m));
+  CHECK_FALSE(internal::is_valid(changed, m));
   changed.factors.pop_back();
-  CHECK_FALSE(VMP::is_valid(changed, m));
+  CHECK_FALSE(internal::is_valid(changed, m));
 
   changed = proof;
   changed.cells[0] = m.cells.size();
-  CHECK_FALSE(VMP::is_valid(changed, m));
-  CHECK_FALSE(VMP::is_valid(Proof(), m));
+  CHECK_FALSE(internal::is_valid(changed, m));
+  CHECK_FALSE(internal::is_valid(Proof(), m));
 
   Mesh moved = m;
   for(int i = 0; i < 4; ++i)
     moved.target.col(2 + i) = square[i];
-  CHECK_FALSE(VMP::is_valid(proof, moved));
+  CHECK_FALSE(internal::is_valid(proof, moved));
 }
 
 TEST_CASE("a sum of volumes that is a positive constant proves nothing")
@@ -322,15 +322,15 @@ TEST_CASE("a sum of volumes that is a positive constant proves nothing")
     all.cells.push_back(c);
     all.factors.push_back(1);
   }
-  CHECK_FALSE(VMP::is_valid(all, m));
-  CHECK(VMP::is_valid(all, octahedron(-1, 1)));  // turned inside out
-  CHECK(VMP::is_valid(all, octahedron(-1, -1))); // without volume
+  CHECK_FALSE(internal::is_valid(all, m));
+  CHECK(internal::is_valid(all, octahedron(-1, 1)));  // turned inside out
+  CHECK(internal::is_valid(all, octahedron(-1, -1))); // without volume
 }
 
 TEST_CASE("the user learns how many sets of cells are to blame and where the first is")
 {
   const Mesh m = edge_ring(bow_tie);
-  const std::string sentence = VMP::describe_infeasibility(prove(m), m);
+  const std::string sentence = internal::describe_infeasibility(prove(m), m);
   CHECK(sentence.find("found: 1; cells of the first one: ") != std::string::npos);
   CHECK(sentence.find("(0, 0, 0), (1, 0, 0)") != std::string::npos);
 }
@@ -342,7 +342,7 @@ TEST_CASE("two facets intersect if they share more than their common vertices")
     Eigen::Matrix3Xd matrix(3, points.size());
     for(std::size_t v = 0; v < points.size(); ++v)
       matrix.col(v) = points[v];
-    const auto found = VMP::Self_intersection_3(matrix, facets).find();
+    const auto found = internal::Self_intersection_3(matrix, facets).find();
     CHECK((!found || found->first < found->second));
     return found.has_value();
   };
@@ -367,28 +367,28 @@ TEST_CASE("a search for intersections that is ended claims none")
             0, 0, 4, 1, 1, 9,
             0, 0, 0, -1, 1, 9;
   const std::vector<std::array<int, 3> > facets = { {0, 1, 2}, {3, 4, 5} };
-  VMP::Budget budget;
-  CHECK(VMP::Self_intersection_3(points, facets).find(budget));
+  internal::Budget budget;
+  CHECK(internal::Self_intersection_3(points, facets).find(budget));
   budget.exhaust();
-  CHECK(!VMP::Self_intersection_3(points, facets).find(budget));
+  CHECK(!internal::Self_intersection_3(points, facets).find(budget));
 }
 
 TEST_CASE("icosahedra with moved vertices intersect themselves where Polygon_mesh_processing says so")
 {
-  using Surface_mesh = CGAL::Surface_mesh<VMP::Exact_point_3>;
+  using Surface_mesh = CGAL::Surface_mesh<internal::Exact_point_3>;
   std::mt19937 random(7);
   int number_of_intersections = 0;
   for(int run = 0; run < 200; ++run)
   {
     Surface_mesh surface;
-    CGAL::make_icosahedron(surface, VMP::Exact_point_3(0, 0, 0), 1.);
+    CGAL::make_icosahedron(surface, internal::Exact_point_3(0, 0, 0), 1.);
     std::uniform_real_distribution<double> step(-0.01 * run, 0.01 * run);
     Eigen::Matrix3Xd points(3, 12);
     for(const auto v : surface.vertices())
     {
       for(int i = 0; i < 3; ++i)
         points(i, int(v)) = surface.point(v)[i] + step(random);
-      surface.point(v) = VMP::Exact_point_3(points(0, int(v)), points(1, int(v)), points(2, int(v)));
+      surface.point(v) = internal::Exact_point_3(points(0, int(v)), points(1, int(v)), points(2, int(v)));
     }
     std::vector<std::array<int, 3> > facets;
     for(const auto f : surface.faces())
@@ -403,7 +403,7 @@ TEST_CASE("icosahedra with moved vertices intersect themselves where Polygon_mes
       if(pair.second < pair.first)
         std::swap(pair.first, pair.second);
 
-    const auto found = VMP::Self_intersection_3(points, facets).find();
+    const auto found = internal::Self_intersection_3(points, facets).find();
     REQUIRE(found.has_value() == !expected.empty());
     if(!found)
       continue;

@@ -326,8 +326,8 @@ TEST_CASE("Conjugate gradients stop early for a large tolerance, and at the limi
 
 TEST_CASE("Beyond thirty thousand rows, conjugate gradients need fewer iterations, and the same bits with threads")
 {
-  // the Laplacian of a grid of n^3 points, which are in the order of their cells in halves of halves: without a correction of
-  // what is smooth, iterations grow as n
+  // the Laplacian of a grid of n^3 points, which are in the order of their cells in halves of halves: without a correction
+  // of what is smooth, iterations grow as n
   const auto laplacian = [](const int n)
   {
     std::map<int, std::array<int, 3> > points; // by the bits of their coordinates, in turns

@@ -20,7 +20,7 @@ namespace internal = CGAL::Volume_mesh_parameterization::internal;
 
 using Constraint = VMP::Linear_constraint_3<int>;
 using Constraints = std::vector<Constraint>;
-using Solver = VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>;
+using Precise_solver = VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>;
 
 namespace {
 
@@ -28,8 +28,8 @@ const internal::Cell_energy_of<VMP::Stretch_energy_3> stretch{VMP::Stretch_energ
 
 struct Solver_of_approach
 {
-  Solver traits;
-  internal::Linear_solver_of<Solver> solver{traits};
+  Precise_solver traits;
+  internal::Linear_solver_of<Precise_solver> solver{traits};
 };
 
 // With a solver of its own.
@@ -300,7 +300,7 @@ TEST_CASE("The distance of two vertices that share no cell is kept")
 const internal::Approach_start_3 impatient = {{}, 0, 1};
 
 // Two vertices of the boundary change their places.
-internal::Numbered_mesh_3 impossible_cube()
+internal::Numbered_mesh_3 cube_with_exchanged_targets()
 {
   internal::Numbered_mesh_3 mesh = cube_mesh(2);
   const int last = mesh.number_of_vertices() - 1;
@@ -310,7 +310,7 @@ internal::Numbered_mesh_3 impossible_cube()
 
 TEST_CASE("A boundary that cannot be reached is approached, and said so")
 {
-  const internal::Numbered_mesh_3 mesh = impossible_cube();
+  const internal::Numbered_mesh_3 mesh = cube_with_exchanged_targets();
   Approach approach(mesh);
   run(approach, mesh);
   CHECK(approach.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
@@ -320,7 +320,7 @@ TEST_CASE("A boundary that cannot be reached is approached, and said so")
 
 TEST_CASE("An approach that is blocked ends early, names the cells to blame, and goes on from there")
 {
-  const internal::Numbered_mesh_3 mesh = impossible_cube();
+  const internal::Numbered_mesh_3 mesh = cube_with_exchanged_targets();
   const VMP::Soft_boundary_parameters parameters = VMP::approaching_soft_boundary_parameters();
   Approach approach(mesh, parameters, {}, impatient);
   run(approach, mesh);
