@@ -61,17 +61,18 @@ hexahedron is taken for a tetrahedron, which is untangled \cgalCite{cgal:gkkrs-f
 corner of a box by the same energy, and by its square for the sake of the worst corners. First those inside move, and then
 all: those on the boundary in its tangent planes, from where they are put back to its nearest points after each round, and
 along sharp edges of the body that are mapped to edges of the domain, with more than 60 degrees between the normals on
-both sides. A weak pull to where they came from keeps the boundary covered. Where corners are inverted after a round, or the
-smallest scaled Jacobian is below 0.2 after the last one, vertices move one after the other such that the worst corners around
-them become better.
+both sides. A weak pull to where they came from keeps them apart, and a strong one draws quadrangles to those vertices of
+the body's boundary that are far from all of them, so that it remains covered. Where the smallest scaled Jacobian is below 0.1
+after a round, or below 0.3 after the last one, vertices move one after the other such that the worst corners around them
+become better. The rounds end when one gains less than 0.002 of the mean.
 
 Where the body has no sharp edges at most of the edges of the domain, hexahedra there would be flat, or almost so: then a
 layer of hexahedra is put along the boundary, of which each has only one quadrangle on it. If the minimal scaled Jacobian is
 below 0.2 in the end, the same is done without the layer, or with it if there was none.
 
-The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest minimal
-scaled Jacobian as long as that is below 0.3, or, among these, with the largest mean scaled Jacobian. That all corners are
-positive is checked with exact predicates on the coordinates written.
+The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest sum of
+the mean scaled Jacobian and the minimal one, of which no more than 0.3 counts. That all corners are positive is checked with
+exact predicates on the coordinates written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.

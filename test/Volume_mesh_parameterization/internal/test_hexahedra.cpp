@@ -246,7 +246,7 @@ struct Sliding_hexahedra
   std::vector<VMP::internal::Freedom_3> freedoms;
   VMP::internal::Sliding_hexahedra_3 hexahedra;
 
-  explicit Sliding_hexahedra(const Body& body) : Sliding_hexahedra(body, boxes(body)) {}
+  explicit Sliding_hexahedra(const Body& body, const double spacing = 1) : Sliding_hexahedra(body, boxes(body, spacing)) {}
 
   Sliding_hexahedra(const Body& body, const Hexahedron_soup_3& start)
     : linear_solver(solver), surface(body.soup.points, body.soup.cells, body.images), start(start),
@@ -254,9 +254,9 @@ struct Sliding_hexahedra
       hexahedra(start, freedoms, surface, linear_solver, false, budget)
   {}
 
-  static Hexahedron_soup_3 boxes(const Body& body)
+  static Hexahedron_soup_3 boxes(const Body& body, const double spacing)
   {
-    const VMP::internal::Box_grid_3 grid(body.soup.cells, body.images, 1);
+    const VMP::internal::Box_grid_3 grid(body.soup.cells, body.images, spacing);
     const VMP::Volume_map_3 map(body.soup.points, body.soup.cells, body.images);
     const VMP::internal::Budget budget;
     return VMP::internal::pulled_back(map, grid.boxes([&](const Points& centers)
@@ -390,6 +390,55 @@ TEST_CASE("Vertices on sharp edges of a bent bar stay on them while others move"
   CHECK(number == 6 * 9);
 }
 
+namespace {
+
+double distance_to_facets(const Hexahedron_soup_3& mesh, const std::array<double, 3>& p)
+{
+  using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto point = [](const std::array<double, 3>& q) { return K::Point_3(q[0], q[1], q[2]); };
+  double result = std::numeric_limits<double>::infinity();
+  for(const auto& f : mesh.facets)
+    for(const std::size_t i : { 1, 2 })
+      result = (std::min)(result, std::sqrt(CGAL::squared_distance(point(p),
+        K::Triangle_3(point(mesh.points[f[0]]), point(mesh.points[f[i]]), point(mesh.points[f[i + 1]])))));
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertices is at")
+{
+  const Body egg(8, 0, [](const Vector3d& p) -> Vector3d { return rounded(p).cwiseProduct(Vector3d(1, 1, 3)); });
+  const std::array<double, 3> tip = { 0, 0, 12 };
+  REQUIRE(egg.distance_to_boundary(tip) == 0);
+  Sliding_hexahedra sliding(egg, 8 / 3.); // the tip is mapped to the middle of a quadrangle
+  const double before = distance_to_facets(sliding.start, tip);
+  REQUIRE(before > 1);
+  for(int round = 0; round < 5; ++round)
+    sliding.hexahedra.improve(3, true, 1);
+  CHECK(distance_to_facets(sliding.hexahedra.mesh(), tip) < 0.95 * before); // for their corners alone they would leave it
+}
+
+TEST_CASE("A better worst hexahedron does not make up for a mean that loses more")
+{
+  const auto result = [](const std::size_t number_of_inverted_corners, const double minimum, const double mean)
+  {
+    Hexahedral_mesh_result r;
+    r.number_of_inverted_corners = number_of_inverted_corners;
+    r.minimal_scaled_jacobian = minimum;
+    r.mean_scaled_jacobian = mean;
+    return r;
+  };
+  const auto is_better = [](const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
+  {
+    return VMP::internal::is_better(a, b) && !VMP::internal::is_better(b, a);
+  };
+  CHECK(is_better(result(0, 0.09, 0.97), result(0, 0.10, 0.93)));
+  CHECK(is_better(result(0, 0.20, 0.92), result(0, 0.10, 0.93)));
+  CHECK(is_better(result(0, 0.30, 0.93), result(0, 0.40, 0.92))); // both suffice
+  CHECK(is_better(result(0, 0.01, 0.70), result(1, -0.01, 0.95)));
+}
+
 TEST_CASE("Improvement keeps positive corners, the boundary covered, and never makes the worst hexahedron worse")
 {
   for(const Body& body : { Body(8, 0, rounded), turned_box(), l_shaped_bar() })
@@ -407,20 +456,9 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     CHECK(after.number_of_inverted_corners <= before.number_of_inverted_corners);
     CHECK(after.minimal_scaled_jacobian >= (std::min)(0.3, before.minimal_scaled_jacobian));
 
-    const auto distance_to_facets = [&](const std::array<double, 3>& p)
-    {
-      using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-      const auto point = [](const std::array<double, 3>& q) { return K::Point_3(q[0], q[1], q[2]); };
-      double result = std::numeric_limits<double>::infinity();
-      for(const auto& f : mesh.facets)
-        for(const std::size_t i : { 1, 2 })
-          result = (std::min)(result, std::sqrt(CGAL::squared_distance(point(p),
-            K::Triangle_3(point(mesh.points[f[0]]), point(mesh.points[f[i]]), point(mesh.points[f[i + 1]])))));
-      return result;
-    };
     for(const std::array<double, 3>& p : body.soup.points)
       if(body.distance_to_boundary(p) == 0)
-        CHECK(distance_to_facets(p) < 0.5); // of the spacing
+        CHECK(distance_to_facets(mesh, p) < 0.5); // of the spacing
   }
 }
 

@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -49,8 +50,14 @@ public:
       const auto& [a, b, c] = facets[f];
       return Kernel::Triangle_3(exact_point(positions[a]), exact_point(positions[b]), exact_point(positions[c]));
     };
+    std::set<std::size_t> vertices;
     for(std::size_t f = 0; f < facets.size(); ++f)
+    {
       m_triangles.push_back(triangle(f, points));
+      vertices.insert(facets[f].begin(), facets[f].end());
+    }
+    for(const std::size_t v : vertices)
+      m_vertices.push_back(to_vector(points[v]));
     for_each_edge(facets, [&](const auto begin, const auto end)
     {
       const std::size_t f = begin->second[0] / 3, g = (end - 1)->second[0] / 3;
@@ -64,6 +71,8 @@ public:
     const Bbox_3 box = m_surface.bbox();
     m_rounding = 1e-9 * std::hypot(box.x_span(), box.y_span(), box.z_span());
   }
+
+  const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
 
   // Where a vertex may move that lies on as many planes of the boundary of the domain: on an edge of it, or in a corner, it
   // is held only if the body has a line there, too.
@@ -112,6 +121,7 @@ private:
     return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized();
   }
 
+  std::vector<Eigen::Vector3d> m_vertices;
   Triangles m_triangles;
   Segments m_segments;
   double m_rounding; // of points on lines

@@ -16,10 +16,16 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
 
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -56,18 +62,23 @@ public:
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
 
   // Some steps of Newton's method for all vertices at once, or for those inside. Those on the boundary move in its tangent
-  // planes, or along lines, are put back, and are pulled a little to where they were at first, so that the boundary
-  // remains covered. Hexahedra whose corners are positive keep them so.
+  // planes, or along lines, are put back, and are pulled such that the boundary is covered. Hexahedra whose corners are
+  // positive keep them so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent)
   {
-    constexpr double pull = 50; // keeps the tips of fingers, and hardly makes corners worse
-    Corner_goals_3 goals = { {}, {}, 1, pull, exponent, number_of_steps };
+    constexpr double pull = 5; // hardly makes corners worse
+    Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
       const bool stays = !do_slide && m_freedom[i] != Freedom_3::SPACE;
       goals.projectors.push_back(m_surface.projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
     }
     set_edges(goals);
+    if(do_slide)
+    {
+      hold_boundary(goals);
+      cover_boundary(goals);
+    }
     put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget));
     write_points();
   }
@@ -102,33 +113,92 @@ private:
         goals.edges[c][i] = (std::max)(length(c, i), shortest * goals.mean_edge);
   }
 
-  // Takes positions, put back onto the boundary. Where this inverts a corner, vertices go a part of their way only, and in
-  // the end none of it; while corners are inverted anyway, that is left to the next steps.
+  // Pulls vertices that slide to where they were at first.
+  void hold_boundary(Corner_goals_3& goals) const
+  {
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      if(m_freedom[i] == Freedom_3::SURFACE || m_freedom[i] == Freedom_3::LINE)
+        for(int axis = 0; axis < 3; ++axis)
+          goals.constraints.push_back({ { { static_cast<int>(i), Eigen::Vector3d::Unit(axis) } },
+                                        m_numbered.source(axis, i) });
+  }
+
+  // Pulls quadrangles to vertices of the body's surface that are far from all of them, along the shortest way only, so that
+  // they may slide across it (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
+  // multiple range images, 1992).
+  void cover_boundary(Corner_goals_3& goals) const
+  {
+    constexpr double far = 0.2, most = 1; // relative to the mean edge
+    const double factor = std::sqrt(200.); // of the residual
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    using Triangles = std::vector<Kernel::Triangle_3>;
+    std::vector<int> places(m_order.size());
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      places[m_order[i]] = static_cast<int>(i);
+    std::vector<std::array<int, 3> > vertices;
+    Triangles triangles;
+    for(const std::array<std::size_t, 4>& quadrangle : m_mesh.facets)
+      for(const std::size_t k : { 1, 2 })
+      {
+        vertices.push_back({ places[quadrangle[0]], places[quadrangle[k]], places[quadrangle[k + 1]] });
+        triangles.emplace_back(exact_point(m_mesh.points[quadrangle[0]]), exact_point(m_mesh.points[quadrangle[k]]),
+                               exact_point(m_mesh.points[quadrangle[k + 1]]));
+      }
+    AABB_tree<AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator> > >
+      tree(triangles.begin(), triangles.end());
+    tree.accelerate_distance_queries();
+    for(const Eigen::Vector3d& p : m_surface.vertices())
+    {
+      const auto& [nearest, triangle] = tree.closest_point_and_primitive(exact_point(p));
+      const Eigen::Vector3d q = to_vector(nearest);
+      const double distance = (p - q).norm();
+      if(distance < far * goals.mean_edge)
+        continue;
+      const auto& [a, b, c] = vertices[triangle - triangles.cbegin()];
+      Eigen::Matrix<double, 3, 2> sides;
+      sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
+      const Eigen::Vector2d st = sides.colPivHouseholderQr().solve(q - m_numbered.target.col(a));
+      const Eigen::Vector3d way = factor * (p - q) / distance;
+      goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
+                                    way.dot(q) + factor * (std::min)(distance, most * goals.mean_edge) });
+    }
+  }
+
+  // Takes positions, put back onto the boundary. Where this inverts a corner, or makes it almost flat, which would take all
+  // of the next steps, vertices go a part of their way only, and in the end none of it; while corners are inverted anyway,
+  // that is left to the next steps.
   void put_back(const Eigen::Matrix3Xd& moved)
   {
     constexpr int number_of_attempts = 5;
+    constexpr double most_lost = 0.9; // of a scaled Jacobian
     const Eigen::Matrix3Xd before = m_numbered.target;
     const bool was_valid = inverted_cells(m_numbered, before).number == 0;
     const bool may_shorten = was_valid || inverted_cells(m_numbered, moved).number == 0;
-    std::vector<double> part(m_order.size(), 1);
+    const auto quality = [&](const Eigen::Matrix3Xd& positions, const std::size_t c)
+    {
+      return scaled_jacobian(edge_matrix(positions, m_numbered.cells[c]));
+    };
+    std::vector<double> least(m_numbered.cells.size(), 0), part(m_order.size(), 1);
+    for(std::size_t c = 0; c < least.size() && was_valid; ++c)
+      least[c] = (std::min)({ flat_scaled_jacobian, (1 - most_lost) * quality(before, c), quality(before, c) });
     for(int attempt = 1; ; ++attempt)
     {
       for(std::size_t i = 0; i < m_order.size(); ++i)
         m_numbered.target.col(i) = part[i] == 0 ? Eigen::Vector3d(before.col(i))
           : m_surface.nearest(before.col(i) + part[i] * (moved.col(i) - before.col(i)), m_freedom[i]);
-      std::vector<bool> is_at_inverted(m_order.size(), false);
+      std::vector<bool> is_at_bad(m_order.size(), false);
       bool is_valid = true;
-      for(const std::array<int, 4>& cell : m_numbered.cells)
-        if(!is_positive(m_numbered.target, cell))
+      for(std::size_t c = 0; c < least.size(); ++c)
+        if(!is_positive(m_numbered.target, m_numbered.cells[c]) || quality(m_numbered.target, c) < least[c])
         {
           is_valid = false;
-          for(const int v : cell)
-            is_at_inverted[v] = true;
+          for(const int v : m_numbered.cells[c])
+            is_at_bad[v] = true;
         }
       if(is_valid || !may_shorten || (attempt >= number_of_attempts && !was_valid))
         return;
       for(std::size_t i = 0; i < m_order.size(); ++i)
-        if(is_at_inverted[i])
+        if(is_at_bad[i])
           part[i] *= attempt < number_of_attempts ? 0.5 : 0;
     }
   }

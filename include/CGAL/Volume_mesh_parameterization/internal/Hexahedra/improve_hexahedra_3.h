@@ -119,18 +119,16 @@ inline Hexahedral_mesh_result judged(const Hexahedron_soup_3& mesh, const bool h
   return result;
 }
 
-constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2;
-
-// The one with fewer inverted corners, or with a better worst one as long as it is poor, or in the mean.
+// The one with fewer inverted corners, or where the worst one, as long as it does not suffice, and the mean are better:
+// what one of the two gains must not cost as much of the other.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
 {
-  const auto worst = [](const Hexahedral_mesh_result& result)
+  const auto quality = [](const Hexahedral_mesh_result& result)
   {
-    return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian);
+    return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian) + result.mean_scaled_jacobian;
   };
   return a.number_of_inverted_corners != b.number_of_inverted_corners
-         ? a.number_of_inverted_corners < b.number_of_inverted_corners
-         : worst(a) != worst(b) ? worst(a) > worst(b) : a.mean_scaled_jacobian > b.mean_scaled_jacobian;
+         ? a.number_of_inverted_corners < b.number_of_inverted_corners : quality(a) > quality(b);
 }
 
 // The best hexahedra so far.
@@ -183,14 +181,16 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
   return result;
 }
 
-// Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners. Where corners
-// are inverted in between, or poor in the end, vertices around them move one after the other.
+// Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the
+// mean gains little. Where corners are inverted or almost flat in between, or poor in the end, vertices around them move one
+// after the other.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget,
                                 Best_hexahedra_3& best)
 {
   constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3;
   constexpr std::size_t first_steps = 10, steps = 3;
   constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
+  constexpr double least_gain = 0.002; // of the mean, in a round
   const auto judge = [&]
   {
     const Hexahedral_mesh_result result = judged(hexahedra.mesh(), has_padding);
@@ -206,15 +206,19 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_p
   std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
   for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
   {
-    if(round > 0 && result.number_of_inverted_corners > 0)
+    if(round > 0 && result.minimal_scaled_jacobian < flat_scaled_jacobian)
       result = smooth(result);
+    const double mean = result.mean_scaled_jacobian;
     hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
     result = judge();
     in_vain = result.number_of_inverted_corners == 0 || result.number_of_inverted_corners < fewest_inverted_corners
               ? 0 : in_vain + 1;
     fewest_inverted_corners = (std::min)(fewest_inverted_corners, result.number_of_inverted_corners);
+    if(round >= number_of_first_rounds && result.number_of_inverted_corners == 0
+       && result.mean_scaled_jacobian < mean + least_gain)
+      break;
   }
-  if(result.minimal_scaled_jacobian < poor_scaled_jacobian && !budget.is_exhausted())
+  if(result.minimal_scaled_jacobian < sufficient_scaled_jacobian && !budget.is_exhausted())
     smooth(result);
 }
 

@@ -27,6 +27,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1;
+
 using Corners_of_vertex = std::vector<std::array<int, 4> >; // those to which it belongs
 
 // The sum of squares of what the scaled Jacobians lack.

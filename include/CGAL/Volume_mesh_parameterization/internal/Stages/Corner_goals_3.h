@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -25,7 +27,8 @@ struct Corner_goals_3
   std::vector<Eigen::Matrix3d> projectors; // of each vertex, onto the directions in which it moves
   std::vector<Eigen::Vector3d> edges;      // of each corner: the lengths of its edges where it has right angles
   double mean_edge = 1;
-  double pull = 0;                         // to its place in the source, for each vertex that moves in some directions
+  std::vector<Linear_constraint_3<int> > constraints; // where vertices are wanted
+  double weight = 0;                       // of constraints: how many corners a residual of one edge costs as much as
   int exponent = 1;                        // of the energy: 2 for the sake of the worst corners
   std::size_t number_of_steps = 1;         // with positive corners; three times as many to get there
 };

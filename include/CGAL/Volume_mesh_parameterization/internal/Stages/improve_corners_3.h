@@ -39,21 +39,25 @@ inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_go
   return result;
 }
 
-// A pull towards the source, for the vertices that slide. A distance of one edge costs as much as the energy of as many
-// corners as the factor tells, in a sum over corners where each has the energy 1.
-inline Quadratic_penalty_3 pull_to_source_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
-                                            const Unknowns_3& unknowns, const double unit)
+// The penalty of the constraints on vertices that move, in a sum over corners where each has the energy 1.
+inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
+                                              const Unknowns_3& unknowns, const double unit)
 {
-  std::vector<Linear_constraint_3<int> > constraints;
-  for(int v = 0; v < mesh.number_of_vertices() && goals.pull > 0; ++v)
-    if(unknowns.contains(v) && !goals.projectors[v].isIdentity(0))
-      for(int axis = 0; axis < 3; ++axis)
-      {
-        constraints.emplace_back();
-        constraints.back().terms.push_back({ unknowns.row(v), Eigen::Vector3d::Unit(axis) });
-        constraints.back().value = unit * mesh.source(axis, v);
-      }
-  return Quadratic_penalty_3(std::move(constraints), goals.pull / static_cast<double>(mesh.cells.size()));
+  std::vector<Linear_constraint_3<int> > result;
+  for(const Linear_constraint_3<int>& constraint : goals.constraints)
+  {
+    Linear_constraint_3<int> of_rows;
+    double value = constraint.value;
+    for(const auto& [v, coefficient] : constraint.terms)
+      if(unknowns.contains(v))
+        of_rows.terms.push_back({ unknowns.row(v), coefficient });
+      else
+        value -= coefficient.dot(mesh.target.col(v));
+    of_rows.value = unit * value;
+    if(!of_rows.terms.empty())
+      result.push_back(std::move(of_rows));
+  }
+  return Quadratic_penalty_3(std::move(result), goals.weight / static_cast<double>(mesh.cells.size()));
 }
 
 // Moves the vertices of hexahedra, whose corners are the cells and overlap, from their targets on: untangles corners,
@@ -68,8 +72,8 @@ Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
   if(unknowns.size() == 0 || budget.is_exhausted())
     return mesh.target;
   const Scaled_cells_3 boxes = box_corners_3(mesh, goals);
-  const Quadratic_penalty_3 pull = pull_to_source_3(mesh, goals, unknowns, boxes.unit);
-  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, &pull);
+  const Quadratic_penalty_3 penalty = penalty_of_goals_3(mesh, goals, unknowns, boxes.unit);
+  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, &penalty);
   Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
   Eigen::Matrix3Xd positions = mesh.target;
   if(inverted_cells(mesh, positions).number > 0)
