@@ -14,8 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
-#include <CGAL/config.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -29,9 +29,7 @@ public:
   {}
 
   static bool is_binary(const std::string_view bytes)
-  {
-    return first_number(bytes) == 1 || first_number(bytes) == std::int32_t(1) << 24;
-  }
+  { return first_number(bytes) == 1 || first_number(bytes) == std::int32_t(1) << 24; }
 
   Tetrahedron_soup_3 read()
   {
@@ -57,21 +55,13 @@ private:
   enum Keyword { DIMENSION = 3, VERTICES = 4, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10, PYRAMIDS = 49, END = 54 };
 
   static std::int32_t first_number(const std::string_view bytes)
-  {
-    return bytes.size() < 4 ? 0 : Binary_scanner(bytes, false).next<std::int32_t>();
-  }
+  { return bytes.size() < 4 ? 0 : Binary_scanner(bytes, false).next<std::int32_t>(); }
 
-  std::int64_t next_integer(const int first_version_of_8_bytes)
-  {
-    return m_version >= first_version_of_8_bytes ? m_scanner.next<std::int64_t>() : m_scanner.next<std::int32_t>();
-  }
-
-  std::int64_t next_integer() { return next_integer(4); }
+  std::int64_t next_integer(const int first_version_of_8_bytes = 4)
+  { return m_version >= first_version_of_8_bytes ? m_scanner.next<std::int64_t>() : m_scanner.next<std::int32_t>(); }
 
   double next_coordinate()
-  {
-    return checked_coordinate(m_version == 1 ? static_cast<double>(m_scanner.next<float>()) : m_scanner.next<double>());
-  }
+  { return checked_coordinate(m_version == 1 ? static_cast<double>(m_scanner.next<float>()) : m_scanner.next<double>()); }
 
   // False if this was the last one.
   bool read_section(Tetrahedron_soup_3& soup)
