@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Binary_MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
