@@ -5,6 +5,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -340,6 +341,46 @@ TEST_CASE("where the normals turn around, a face is put between")
   }));
   REQUIRE(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 6);
+}
+
+TEST_CASE("where a line between charts leads back behind its corner, another chart is extended to the turn")
+{
+  using namespace VMP::internal;
+  // the cube [0, 4]^3, whose top will be so steep that it is low at y = 0
+  const VMP::Tetrahedron_soup_3 soup = bricks({4, 4, 4}, is_box, in_place);
+  struct { std::vector<Eigen::Vector3d> points; std::vector<std::array<std::size_t, 3> > facets; } surface;
+  std::map<std::size_t, std::size_t> number;
+  for(std::array<std::size_t, 3> facet : boundary_facets_3(soup.cells))
+  {
+    for(std::size_t& v : facet)
+    {
+      const auto inserted = number.emplace(v, surface.points.size());
+      if(inserted.second)
+        surface.points.emplace_back(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
+      v = inserted.first->second;
+    }
+    surface.facets.push_back(facet);
+  }
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Budget budget;
+  const std::vector<std::size_t> labels = Normal_labels_3(mesh, budget).closest();
+  std::vector<std::size_t> folded = labels; // on the top, a part has the label of the face y = 4
+  for(const auto f : mesh.faces())
+  {
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for(const std::size_t v : surface.facets[f])
+      center += surface.points[v] / 3;
+    if(labels[f] == 4 && center[0] > 3 && center[1] > 2)
+      folded[f] = 2;
+  }
+  for(Eigen::Vector3d& p : surface.points)
+    p[2] *= 0.2 + 0.2 * p[1];
+  set_points(mesh, surface.points);
+  const Normal_labels_3 costs(mesh, budget);
+  CHECK(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded)); // the line leads up, and down along the top
+  CHECK(folded == labels);
+  CHECK_FALSE(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded));
 }
 
 TEST_CASE("the size and the place of the source do not matter")

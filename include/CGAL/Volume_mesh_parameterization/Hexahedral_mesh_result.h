@@ -37,7 +37,7 @@ struct Hexahedral_mesh_result
   std::size_t number_of_boundary_vertices = 0; ///< those of them on the boundary of the body
   std::size_t number_of_cells = 0;             ///< hexahedra
   std::size_t number_of_inverted_corners = 0;  ///< or flat ones, by exact predicates
-  bool has_padding = false;                    ///< has a layer of hexahedra been added along the boundary?
+  bool has_padding = false;                    ///< has a layer of hexahedra been added along faces of the domain?
   bool is_interrupted = false;                 ///< has a limit of time, or a visitor, ended the search for better ones?
   /// of all hexahedra; not a number if there is none
   double minimal_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();

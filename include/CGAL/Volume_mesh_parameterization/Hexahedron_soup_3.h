@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization {
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
 /// A mesh of hexahedra as arrays, with what it inherits from a polycube: the planes of all faces of a polycube cut it into
-/// blocks, and a block is a regular grid of hexahedra. So is a layer of padding on what a block has of a face.
+/// blocks, and a block is a regular grid of hexahedra. So is a layer of padding on what a block, or another layer, has of a face.
 /// Blocks and faces are numbered from 1.
 struct Hexahedron_soup_3
 {

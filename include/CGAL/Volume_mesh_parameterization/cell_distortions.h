@@ -17,6 +17,8 @@
 
 #include <Eigen/Dense>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {

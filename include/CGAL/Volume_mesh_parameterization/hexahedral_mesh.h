@@ -20,7 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -66,9 +66,11 @@ the body's boundary that are far from all of them, so that it remains covered. W
 after a round, or below 0.3 after the last one, vertices move one after the other such that the worst corners around them
 become better. The rounds end when one gains less than 0.002 of the mean.
 
-Where the body has no sharp edges at most of the edges of the domain, hexahedra there would be flat, or almost so: then a
-layer of hexahedra is put along the boundary, of which each has only one quadrangle on it. If the minimal scaled Jacobian is
-below 0.2 in the end, the same is done without the layer, or with it if there was none.
+Where normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
+almost flat: then a layer of hexahedra is put along the faces on both sides, of which each has one quadrangle there, in the
+manner of Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing (2019). It ends
+at other convex edges, on the faces behind them: the wall of a cylinder gets a layer, and its ends a ring of quadrangles. If the minimal scaled
+Jacobian is below 0.2 in the end, the same is done with one layer along all of the boundary, or without any if that was it.
 
 The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest sum of
 the mean scaled Jacobian and the minimal one, of which no more than 0.3 counts. That all corners are positive is checked with

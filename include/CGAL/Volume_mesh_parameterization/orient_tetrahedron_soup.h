@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization {
 

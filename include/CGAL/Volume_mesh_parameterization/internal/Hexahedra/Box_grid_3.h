@@ -189,59 +189,6 @@ private:
   Input_check_3 m_check;
 };
 
-// Adds a layer along the boundary: each vertex of the boundary stays where it is, and the hexahedra around it get a
-// copy further inside; a hexahedron is put between each quadrangle of the boundary and its copy. So no hexahedron has
-// more than one quadrangle on the boundary, and each of its corners has a vertex inside. Quadrangles keep their order.
-inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh)
-{
-  constexpr double depth = 0.5; // on the way to the mean center of the hexahedra around the vertex
-  std::vector<Eigen::Vector3d> sum(mesh.points.size(), Eigen::Vector3d::Zero());
-  std::vector<int> number(mesh.points.size(), 0);
-  for(const std::array<std::size_t, 8>& cell : mesh.cells)
-  {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for(const std::size_t v : cell)
-      center += to_vector(mesh.points[v]) / 8;
-    for(const std::size_t v : cell)
-    {
-      sum[v] += center;
-      ++number[v];
-    }
-  }
-
-  Hexahedron_soup_3 result = mesh;
-  std::vector<std::size_t> inner(mesh.points.size());
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-  {
-    inner[v] = v;
-    if(!is_outer[v])
-      continue;
-    const Eigen::Vector3d p = (1 - depth) * to_vector(mesh.points[v]) + depth * sum[v] / number[v];
-    inner[v] = result.points.size();
-    result.points.push_back({ p[0], p[1], p[2] });
-  }
-  for(std::array<std::size_t, 8>& cell : result.cells)
-    for(std::size_t& v : cell)
-      v = inner[v];
-  std::map<std::array<std::size_t, 2>, std::size_t> blocks; // of a patch on a block
-  const std::size_t number_of_blocks = *std::max_element(mesh.cell_blocks.begin(), mesh.cell_blocks.end());
-  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-  {
-    const auto& [a, b, c, d] = mesh.facets[f];
-    result.cells.push_back({ inner[a], inner[b], inner[c], inner[d], a, b, c, d });
-    const std::size_t below = mesh.facet_cells[f];
-    result.cell_blocks.push_back(blocks.emplace(std::array<std::size_t, 2>{ mesh.cell_blocks[below], mesh.facet_patches[f] },
-                                                number_of_blocks + blocks.size() + 1).first->second);
-    const auto& axes = axes_of_quadrangle[side_of_facet(mesh, f)];
-    const auto& index = mesh.cell_indices[below];
-    result.cell_indices.push_back({ index[axes[0]], index[axes[1]], 0 });
-    result.cell_references.push_back(mesh.cell_references[below]);
-    result.facet_cells[f] = mesh.cells.size() + f;
-  }
-  return result;
-}
-
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BOX_GRID_3_H

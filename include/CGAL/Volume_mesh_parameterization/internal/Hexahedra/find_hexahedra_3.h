@@ -31,8 +31,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with and without a layer along the
-// boundary. The mesh is written if all corners are positive, as the status then tells, and only then.
+// Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with the layers that it needs or
+// others. The mesh is written if all corners are positive, as the status then tells, and only then.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
                                         bool is_parallel, const Budget& budget, Hexahedron_soup_3& mesh);
@@ -66,17 +66,20 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   const Body_surface_3 surface(soup.points, soup.cells, soup.images);
   Best_hexahedra_3 best
     = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
-  const Hexahedron_soup_3 unpadded = pulled_back(map, boxes, is_parallel, budget);
-  const bool begins_with_padding = wants_padding(unpadded, freedoms_3(unpadded, surface));
-  for(const bool has_padding : {begins_with_padding, !begins_with_padding})
+  const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(map, boxes, is_parallel, budget)).layers();
+  const std::vector<Layer_3> one = { layer_along_boundary(boxes) };
+  for(const std::vector<Layer_3>& layers : { chosen, chosen == one ? std::vector<Layer_3>() : one })
   {
     if(best.result.minimal_scaled_jacobian >= poor_scaled_jacobian || budget.is_exhausted())
       break;
-    const Hexahedron_soup_3 candidate = has_padding ? pulled_back(map, padded(boxes), is_parallel, budget) : unpadded;
+    Hexahedron_soup_3 candidate = boxes;
+    for(const Layer_3& layer : layers)
+      candidate = padded(candidate, layer);
+    candidate = pulled_back(map, candidate, is_parallel, budget);
     if(budget.is_exhausted())
       break;
     Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
-    improve_hexahedra_3(hexahedra, has_padding, budget, best);
+    improve_hexahedra_3(hexahedra, !layers.empty(), budget, best);
   }
   Hexahedral_mesh_result result = best.result;
   result.is_interrupted = budget.is_exhausted();

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Box_grid_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Padded_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Sliding_hexahedra_3.h>
 
 #include <CGAL/tags.h>
@@ -220,25 +221,6 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_p
   }
   if(result.minimal_scaled_jacobian < sufficient_scaled_jacobian && !budget.is_exhausted())
     smooth(result);
-}
-
-// Is a layer along the boundary better in most places? Without it, hexahedra are flat, or almost so, along edges of the
-// domain where the body has no line.
-inline bool wants_padding(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedoms)
-{
-  std::vector<std::size_t> patches(mesh.points.size(), 0);
-  std::vector<bool> is_on_edge(mesh.points.size(), false);
-  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    for(const std::size_t v : mesh.facets[f])
-    {
-      is_on_edge[v] = is_on_edge[v] || (patches[v] != 0 && patches[v] != mesh.facet_patches[f]);
-      patches[v] = mesh.facet_patches[f];
-    }
-  std::ptrdiff_t difference = 0;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_on_edge[v])
-      difference += freedoms[v] == Freedom_3::SURFACE ? 1 : -1;
-  return difference > 0;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

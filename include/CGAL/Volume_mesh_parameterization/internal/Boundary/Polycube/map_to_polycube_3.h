@@ -114,6 +114,7 @@ public:
   }
 
   const std::vector<Eigen::Vector3d>& images() const { return m_images; }
+  const Polycube_charts_3& charts() const { return m_charts; }
 
   // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
   const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
@@ -130,9 +131,11 @@ public:
       Eigen::Matrix<double, 3, 2> from, to;
       from << eigen_point(m_mesh, b) - eigen_point(m_mesh, a), eigen_point(m_mesh, c) - eigen_point(m_mesh, a);
       to << m_images[b] - m_images[a], m_images[c] - m_images[a];
-      const Eigen::Matrix2d metric = from.transpose() * from, metric_of_image = to.transpose() * to;
-      const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> solver(metric_of_image, metric);
-      sum += std::sqrt(metric.determinant()) / 2 * (solver.eigenvalues().array().log() / 2).square().sum();
+      const Eigen::Matrix2d metric = from.transpose() * from, ratio = metric.inverse() * (to.transpose() * to);
+      const double mean = ratio.trace() / 2, determinant = ratio.determinant(); // of the squared singular values
+      const double larger = mean + std::sqrt((std::max)(0., mean * mean - determinant));
+      sum += std::sqrt(metric.determinant()) / 8
+             * (std::pow(std::log(larger), 2) + std::pow(std::log(determinant / larger), 2));
     }
     return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
   }
@@ -204,7 +207,7 @@ private:
 };
 
 // Proposes labels with more and more smoothing, and takes those whose map has the least distortion. Where the boundary
-// is too coarse, faces for which there is no place are given to neighbouring charts.
+// is too coarse, faces for which there is no place are given to neighbouring charts, and borders that fold are straightened.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                              const double spacing, std::vector<Eigen::Vector3d>& images,
                                              const Budget& budget)
@@ -225,7 +228,8 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
       const Error_code status_of_map = map.start(budget);
       if(status == ERROR_NO_POLYCUBE)
         status = status_of_map;
-      const bool has_changed = give_away_faces(mesh, map.flipped_faces(), costs, candidate);
+      const bool has_changed = give_away_faces(mesh, map.flipped_faces(), costs, candidate)
+        || unfold_chain(mesh, map.charts(), costs, candidate);
       if(status_of_map == OK)
         maps.emplace(map.distortion(), std::move(map));
       if(!has_changed)
