@@ -95,6 +95,12 @@ public:
 
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
 
+  // Do the normals on both sides of an edge make more than 60 degrees?
+  bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const
+  {
+    return 4 * m_edge_costs[m_mesh.edge(h)] < (eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h))).norm();
+  }
+
   // For all other labels of each chart, the cheapest one first.
   std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
                                                       const std::vector<std::size_t>& chart_of_face) const

@@ -220,10 +220,11 @@ inline Chain_fold_3 deepest_fold(const Boundary_mesh_3& mesh, const Polycube_cha
   return result;
 }
 
-// The faces to the left of a line that are joined to it within their chart, with centers that are between the ends of the
-// line along an axis.
+// The faces to the left of a line that are joined to it within their chart, not across sharp edges, with centers that are
+// between the ends of the line along an axis.
 inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                                             const Boundary_line_3& line, const int axis)
+                                                             const Normal_labels_3& costs, const Boundary_line_3& line,
+                                                             const int axis)
 {
   const auto [lowest, highest]
     = std::minmax<double>({ mesh.point(mesh.source(line.front()))[axis], mesh.point(mesh.target(line.back()))[axis] });
@@ -243,7 +244,8 @@ inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh
     reach(h);
   for(std::size_t i = 0; i < faces.size(); ++i)
     for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(faces[i]), mesh))
-      reach(mesh.opposite(h));
+      if(!costs.is_sharp(h))
+        reach(mesh.opposite(h));
   return faces;
 }
 
@@ -266,7 +268,7 @@ inline bool unfold_chain(const Boundary_mesh_3& mesh, const Polycube_charts_3& c
   std::map<double, std::vector<Boundary_mesh_3::Face_index> > sides; // by what a face of them loses
   for(const Boundary_line_3& line : { fold.line, other_side })
   {
-    const auto faces = faces_beside(mesh, charts, line, fold.axis);
+    const auto faces = faces_beside(mesh, charts, costs, line, fold.axis);
     double loss = 0;
     for(const auto f : faces)
       loss += costs.cost(f, label) - costs.cost(f, labels[f]);
