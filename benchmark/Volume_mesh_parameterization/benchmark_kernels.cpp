@@ -8,7 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
 
 #include <Eigen/Core>
 

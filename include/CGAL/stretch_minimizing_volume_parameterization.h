@@ -24,12 +24,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/tags.h>
-
-#include <boost/property_map/property_map.hpp>
-
-#include <type_traits>
-#include <unordered_map>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
@@ -40,15 +34,13 @@ namespace CGAL {
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted
-cell and a low distortion of angles and volumes. The map is linear on each cell and given by the images of the
-vertices.
+computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted cell and a low
+distortion of angles and volumes. The map is linear on each cell and given by the images of the vertices.
 
-The method is the stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary,
-a harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps
-that never invert a cell. With soft boundary, the method of the paper, no cell is inverted from the
-beginning, and the boundary may be missed. That no cell is inverted is checked at the end with exact
-predicates on the coordinates that are written.
+The method is the stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
+harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps that never invert a
+cell. With soft boundary, the method of the paper, no cell is inverted from the beginning, and the boundary may be missed.
+That no cell is inverted is checked at the end with exact predicates on the coordinates that are written.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -157,11 +149,10 @@ predicates on the coordinates that are written.
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
-                          the targets describe is planar. As soon as a map with the boundary at its targets inverts
-                          no cell, a vertex whose facets are coplanar moves in their plane, one whose facets
-                          lie in two planes along their common line, and every other one stays. So the images of
-                          planar patches, of the edges between them and of the complex remain the same, and
-                          remain one to one.}
+                          the targets describe is planar. As soon as a map with the boundary at its targets inverts no cell,
+                          a vertex whose facets are coplanar moves in their plane, one whose facets lie in two planes along
+                          their common line, and every other one stays. So the images of planar patches, of the edges
+                          between them and of the complex remain the same, and remain one to one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A
@@ -237,12 +228,9 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename VertexUVWMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Volume_mesh_parameterization::Parameterization_result
-stretch_minimizing_volume_parameterization(C3t3& c3t3,
-                                           VertexUVWMap uvw_map,
+stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   namespace VMP = Volume_mesh_parameterization;
 
   static_assert(VMP::internal::Is_complex<C3t3>::value,
@@ -251,12 +239,11 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
   using Vertex_handle = typename C3t3::Vertex_handle;
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
-  constexpr bool has_boundary_map
-    = !parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value;
+  constexpr bool has_boundary_map = !parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value;
   constexpr bool has_do_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
   std::unordered_map<Vertex_handle, Point_3> points_of_ball;
-  const auto boundary_map = choose_parameter(get_parameter(np, internal_np::boundary_map),
-                                             boost::make_assoc_property_map(points_of_ball));
+  const auto boundary_map = VMP::internal::given(np, internal_np::boundary_map,
+                                                 boost::make_assoc_property_map(points_of_ball));
   using Boundary_map = std::remove_const_t<decltype(boundary_map)>;
   static_assert(VMP::internal::Is_map_of<Boundary_map, Vertex_handle>::value,
                 "boundary_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
@@ -280,8 +267,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3,
     if(result.status != VMP::OK)
     {
       const VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
-      result.message
-        = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(body, result.status);
+      result.message = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(body, result.status);
       return result;
     }
   }

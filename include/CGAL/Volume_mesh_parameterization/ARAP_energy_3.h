@@ -36,24 +36,16 @@ struct ARAP_energy_3
 {
   /// returns \f$\psi\f$.
   template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return (s - Eigen::Matrix<T, 3, 1>::Ones()).squaredNorm();
-  }
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return (s - Eigen::Matrix<T, 3, 1>::Ones()).squaredNorm(); }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return T(2) * (s - Eigen::Matrix<T, 3, 1>::Ones());
-  }
+  { return T(2) * (s - Eigen::Matrix<T, 3, 1>::Ones()); }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
-  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>&) const
-  {
-    return T(2) * Eigen::Matrix<T, 3, 3>::Identity();
-  }
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>&) const { return T(2) * Eigen::Matrix<T, 3, 3>::Identity(); }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -14,12 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
 #include <memory>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization {
 

@@ -39,17 +39,14 @@ The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if t
 
 \sa `Cube_boundary_parameterizer_3`
 */
-class Ball_boundary_parameterizer_3
-  : public internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>
+class Ball_boundary_parameterizer_3 : public internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>
 {
   friend internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>;
 
   // a template, like what it calls
   template <typename Surface>
   Error_code map(const Surface& surface, std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
-  {
-    return internal::map_to_sphere_3(surface, images, budget);
-  }
+  { return internal::map_to_sphere_3(surface, images, budget); }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

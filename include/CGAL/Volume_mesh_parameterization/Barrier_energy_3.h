@@ -15,10 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
 
-#include <Eigen/Core>
-
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // The function phi(x) = 1 / g(x) - 1 with the spline g(x) = 1 - (1 - x)^3 of Schueller et al., Locally
@@ -86,26 +83,18 @@ public:
   /// \param beta the weight \f$\beta\f$ of the barrier
   /// \param lambda the change of volume \f$\lambda\f$ below which the barrier begins
   /// \pre `beta > 0` and `lambda > 0`
-  explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01,
-                            const double lambda = 1)
+  explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01, const double lambda = 1)
     : m_energy(energy), m_beta(beta), m_lambda(lambda)
-  {
-    internal::require(beta > 0 && lambda > 0, "The coefficients of a barrier are positive.");
-  }
+  { internal::require(beta > 0 && lambda > 0, "The coefficients of a barrier are positive."); }
 
   /// returns \f$\psi\f$.
   template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return m_energy.value(s) + T(m_beta) * barrier(s).value;
-  }
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return m_energy.value(s) + T(m_beta) * barrier(s).value; }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return m_energy.gradient(s) + T(m_beta / m_lambda) * barrier(s).first * cofactors(s);
-  }
+  { return m_energy.gradient(s) + T(m_beta / m_lambda) * barrier(s).first * cofactors(s); }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
@@ -126,16 +115,12 @@ public:
 private:
   template <typename T>
   internal::Inverse_spline_barrier<T> barrier(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return internal::Inverse_spline_barrier<T>(s[0] * s[1] * s[2] * T(1 / m_lambda));
-  }
+  { return internal::Inverse_spline_barrier<T>(s[0] * s[1] * s[2] * T(1 / m_lambda)); }
 
   // the derivative of D
   template <typename T>
   static Eigen::Matrix<T, 3, 1> cofactors(const Eigen::Matrix<T, 3, 1>& s)
-  {
-    return Eigen::Matrix<T, 3, 1>(s[1] * s[2], s[2] * s[0], s[0] * s[1]);
-  }
+  { return Eigen::Matrix<T, 3, 1>(s[1] * s[2], s[2] * s[0], s[0] * s[1]); }
 
   Energy m_energy;
   double m_beta, m_lambda;

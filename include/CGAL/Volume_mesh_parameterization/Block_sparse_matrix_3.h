@@ -43,9 +43,8 @@ A symmetric sparse matrix of 3x3 blocks: the Hessian of an energy, one block row
 one block for each pair of vertices that share a cell or a linear constraint. Both triangles are stored, in
 compressed rows; blocks are stored by columns, and the columns of each row are sorted.
 
-Rows and columns count blocks, from 0. A position is the index of a block in the order of storage, also from 0: the
-blocks of a row have the positions from `row_begin(row)` to `row_end(row) - 1`. Memory: nine numbers and an index a
-block.
+Rows and columns count blocks, from 0. A position is the index of a block in the order of storage, also from 0: the blocks
+of a row have the positions from `row_begin(row)` to `row_end(row) - 1`. Memory: nine numbers and an index a block.
 
 \tparam NT_ the number type, `float` or `double`
 
@@ -128,9 +127,7 @@ public:
     {
       const NT* a = values(k);
       const NT* y = x + 3 * std::size_t(column(k));
-      sum += Eigen::Map<const Four>(a) * y[0]
-           + Eigen::Map<const Four>(a + 3) * y[1]
-           + Eigen::Map<const Four>(a + 6) * y[2];
+      sum += Eigen::Map<const Four>(a) * y[0] + Eigen::Map<const Four>(a + 3) * y[1] + Eigen::Map<const Four>(a + 6) * y[2];
     }
     return sum.template head<3>().matrix();
   }

@@ -14,8 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 
-#include <Eigen/Core>
-
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
@@ -58,8 +56,7 @@ public:
   /// \param energy the energy \f$\psi_0\f$
   /// \param relaxation the number \f$\varepsilon\f$; 0 for the barrier as it is
   /// \pre `bound > 2` and `0 <= relaxation && relaxation < 1`
-  explicit Bounded_angle_energy_3(const double bound, const Energy& energy = Energy(),
-                                  const double relaxation = 0.05)
+  explicit Bounded_angle_energy_3(const double bound, const Energy& energy = Energy(), const double relaxation = 0.05)
     : m_energy(energy), m_slope(-2 / bound), m_relaxation(relaxation)
   {
     internal::require(bound > 2 && 0 <= relaxation && relaxation < 1,
@@ -122,10 +119,7 @@ private:
 
   // of a / b + b / a by a
   template <typename T>
-  static T derivative(const T& a, const T& b)
-  {
-    return (a - b) * (a + b) / (a * a * b);
-  }
+  static T derivative(const T& a, const T& b) { return (a - b) * (a + b) / (a * a * b); }
 
   Energy m_energy;
   double m_slope; // of the argument of phi, by k

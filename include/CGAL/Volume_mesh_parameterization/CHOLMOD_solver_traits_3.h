@@ -18,19 +18,14 @@
 
 #include <cholmod.h>
 
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // The lower triangle of a matrix with blocks of 3x3 in both, of which there is one on each place of the diagonal.
 constexpr std::size_t number_of_entries_of_lower_triangle(const std::size_t number_of_rows, const std::size_t number_of_blocks)
-{
-  return 9 * ((number_of_blocks - number_of_rows) / 2) + 6 * number_of_rows;
-}
+{ return 9 * ((number_of_blocks - number_of_rows) / 2) + 6 * number_of_rows; }
 
 } // namespace internal
 
@@ -183,9 +178,7 @@ private:
   }
 
   cholmod_sparse matrix_view()
-  {
-    return view(static_cast<int>(m_column_begin.size()) - 1, m_column_begin, m_rows, m_values.data());
-  }
+  { return view(static_cast<int>(m_column_begin.size()) - 1, m_column_begin, m_rows, m_values.data()); }
 
   static cholmod_sparse view(const int size, std::vector<int>& begin, std::vector<int>& rows, double* values)
   {

@@ -13,13 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Conjugate_gradient_3.h>
-
-#include <CGAL/tags.h>
-
-#include <Eigen/Core>
-
-#include <functional>
+#include <CGAL/Volume_mesh_parameterization/internal/Solver/Conjugate_gradient_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -71,9 +65,7 @@ public:
   ///         `FAILED` if a number is not finite
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
                              const std::function<bool()>& goes_on = nullptr)
-  {
-    return m_solver.solve(b, x, tolerance, goes_on);
-  }
+  { return m_solver.solve(b, x, tolerance, goes_on); }
 
   /// returns the number of iterations of the last call of `solve()`.
   int number_of_iterations() const { return m_solver.number_of_iterations(); }

@@ -19,13 +19,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
@@ -58,16 +51,13 @@ if their degrees are bounded, plus the solution of two sparse linear systems for
 
 \sa `Ball_boundary_parameterizer_3`
 */
-class Cube_boundary_parameterizer_3
-  : public internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>
+class Cube_boundary_parameterizer_3 : public internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>
 {
   friend internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>;
 
 public:
   /// chooses the unit cube.
-  Cube_boundary_parameterizer_3()
-    : Cube_boundary_parameterizer_3(1, 1, 1)
-  {}
+  Cube_boundary_parameterizer_3() : Cube_boundary_parameterizer_3(1, 1, 1) {}
 
   /// chooses the box with these lengths of its sides, in the unit of the images. Its center is the origin.
   /// \pre The lengths are positive and finite.
@@ -94,8 +84,7 @@ public:
   ///         the mirrored box
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
-                          VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+                          VertexPointMap target, const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_of_complex_3<C3t3> body(c3t3);
     std::array<std::size_t, 8> points;
@@ -109,16 +98,12 @@ public:
             typename = internal::Iterator_of<PointRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, const std::array<std::size_t, 8>& corners,
                           TargetRange& targets, const CGAL_NP_CLASS& np = parameters::default_values()) const
-  {
-    return this->parameterize_arrays(internal::body_of(points, cells), targets, np, corners);
-  }
+  { return this->parameterize_arrays(internal::body_of(points, cells), targets, np, corners); }
 
 private:
   Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
                  const internal::Budget& budget) const
-  {
-    return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images, budget);
-  }
+  { return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images, budget); }
 
   Error_code map(const internal::Numbered_surface_3& surface, const std::array<std::size_t, 8>& corners,
                  std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const

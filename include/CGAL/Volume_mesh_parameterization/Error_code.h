@@ -67,28 +67,19 @@ inline const char* get_error_message(const Error_code code)
   switch(code)
   {
     case OK: return "Success.";
-    case ERROR_NOT_CONVERGED:
-      return "The map is valid, but the minimization ended before its energy was minimal.";
-    case ERROR_INTERRUPTED:
-      return "The visitor or the time limit ended the computation.";
+    case ERROR_NOT_CONVERGED: return "The map is valid, but the minimization ended before its energy was minimal.";
+    case ERROR_INTERRUPTED: return "The visitor or the time limit ended the computation.";
     case ERROR_ANGLE_BOUND_NOT_REACHED:
       return "The map is valid, but the distortion of angles is not below the bound in every cell.";
-    case ERROR_BOUNDARY_NOT_REACHED:
-      return "The map has no inverted cell, but it does not meet the boundary.";
-    case ERROR_NOT_FLIP_FREE:
-      return "No map without inverted cells was found for this boundary and this connectivity.";
-    case ERROR_LINEAR_SOLVER_FAILED:
-      return "The linear solver failed; try another one.";
-    case ERROR_EMPTY_COMPLEX:
-      return "The complex has no cell.";
-    case ERROR_NON_FINITE_COORDINATE:
-      return "A coordinate is infinite or not a number.";
+    case ERROR_BOUNDARY_NOT_REACHED: return "The map has no inverted cell, but it does not meet the boundary.";
+    case ERROR_NOT_FLIP_FREE: return "No map without inverted cells was found for this boundary and this connectivity.";
+    case ERROR_LINEAR_SOLVER_FAILED: return "The linear solver failed; try another one.";
+    case ERROR_EMPTY_COMPLEX: return "The complex has no cell.";
+    case ERROR_NON_FINITE_COORDINATE: return "A coordinate is infinite or not a number.";
     case ERROR_SIZE_OUT_OF_RANGE:
       return "The source or the target is too large or too small for floating-point numbers; scale it.";
-    case ERROR_INVERTED_SOURCE_CELL:
-      return "A cell of the source has no positive volume.";
-    case ERROR_MISSING_BOUNDARY_TARGET:
-      return "A boundary vertex has no target.";
+    case ERROR_INVERTED_SOURCE_CELL: return "A cell of the source has no positive volume.";
+    case ERROR_MISSING_BOUNDARY_TARGET: return "A boundary vertex has no target.";
     case ERROR_INVERTED_TARGET_BOUNDARY:
       return "The target boundary is flat or turned inside out: it encloses no positive volume.";
     case ERROR_PRESCRIBED_CELL_INVERTED:
@@ -96,14 +87,12 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_NON_MANIFOLD_BOUNDARY:
       return "The boundary of the complex is not a manifold; Mesh_3 makes manifolds with the parameters manifold(), "
              "no_perturb() and no_exude().";
-    case ERROR_SEVERAL_BOUNDARY_COMPONENTS:
-      return "The boundary of the complex has several connected components.";
+    case ERROR_SEVERAL_BOUNDARY_COMPONENTS: return "The boundary of the complex has several connected components.";
     case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
       return "The boundary of the complex has handles; it must be a topological sphere.";
     case ERROR_BOUNDARY_TOO_COARSE:
       return "The boundary has not enough vertices for the edges of the target; refine it or choose others.";
-    case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE:
-      return "Rounding made the map of the boundary not one to one.";
+    case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE: return "Rounding made the map of the boundary not one to one.";
     case ERROR_OTHER_CONNECTIVITY:
       return "The surface for the target has another connectivity than the boundary of the complex.";
     case ERROR_NO_POLYCUBE:
@@ -128,8 +117,7 @@ inline const char* get_error_message(const Error_code code)
 ///
 /// The exception of the functions that read files and of `tetrahedron_soup_to_mesh_complex_3()`;
 /// `what()` is one sentence that says where the input is wrong and how.
-class Input_error
-  : public std::runtime_error
+class Input_error : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;

@@ -36,23 +36,17 @@ struct LPM_energy_3
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return (s.cwiseProduct(s) - Eigen::Matrix<T, 3, 1>::Ones()).squaredNorm();
-  }
+  { return (s.cwiseProduct(s) - Eigen::Matrix<T, 3, 1>::Ones()).squaredNorm(); }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return T(4) * s.cwiseProduct(s.cwiseProduct(s) - Eigen::Matrix<T, 3, 1>::Ones());
-  }
+  { return T(4) * s.cwiseProduct(s.cwiseProduct(s) - Eigen::Matrix<T, 3, 1>::Ones()); }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return (T(12) * s.cwiseProduct(s) - T(4) * Eigen::Matrix<T, 3, 1>::Ones()).asDiagonal();
-  }
+  { return (T(12) * s.cwiseProduct(s) - T(4) * Eigen::Matrix<T, 3, 1>::Ones()).asDiagonal(); }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

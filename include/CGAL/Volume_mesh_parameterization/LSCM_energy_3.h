@@ -39,17 +39,14 @@ struct LSCM_energy_3
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   {
     const Eigen::Matrix<T, 3, 1> square = s.cwiseProduct(s);
-    const Eigen::Matrix<T, 3, 1> difference(square[0] - square[1], square[1] - square[2],
-                                            square[2] - square[0]);
+    const Eigen::Matrix<T, 3, 1> difference(square[0] - square[1], square[1] - square[2], square[2] - square[0]);
     return difference.squaredNorm();
   }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return s.cwiseProduct(derivative_by_squares(s));
-  }
+  { return s.cwiseProduct(derivative_by_squares(s)); }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>

@@ -15,8 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
 
-#include <Eigen/Core>
-
 #include <cmath>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -37,8 +35,7 @@ cell collapses, so it needs no further barrier.
 The root keeps the range of the values independent of \f$p\f$: nothing overflows for large \f$p\f$. It
 concerns each cell by itself; with `Power_energy_3` the maximum over the cells can be approached, too.
 
-To be used where only the strongest compression in a cell matters. The larger \f$p\f$, the more Newton
-steps are needed.
+To be used where only the strongest compression in a cell matters. The larger \f$p\f$, the more Newton steps are needed.
 
 \cgalModels{DistortionEnergy_3}
 */
@@ -47,11 +44,8 @@ class Lp_stretch_energy_3
 public:
   /// constructs the energy for this \f$p\f$.
   /// \pre `p >= 2`
-  explicit Lp_stretch_energy_3(const double p = 8)
-    : m_p(p)
-  {
-    internal::require(p >= 2, "The exponent of the stretch is 2 or more.");
-  }
+  explicit Lp_stretch_energy_3(const double p = 8) : m_p(p)
+  { internal::require(p >= 2, "The exponent of the stretch is 2 or more."); }
 
   /// returns \f$\psi\f$.
   template <typename T>
@@ -66,9 +60,7 @@ public:
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return T(-2) * value(s) * Powers<T>(s, m_p).shares().cwiseProduct(s.cwiseInverse());
-  }
+  { return T(-2) * value(s) * Powers<T>(s, m_p).shares().cwiseProduct(s.cwiseInverse()); }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>

@@ -42,9 +42,7 @@ struct MIPS_energy_3
   /// returns \f$\psi\f$.
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return T(0.125) * (s.squaredNorm() * s.cwiseInverse().squaredNorm() - T(1));
-  }
+  { return T(0.125) * (s.squaredNorm() * s.cwiseInverse().squaredNorm() - T(1)); }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>

@@ -14,8 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <Eigen/Core>
-
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
@@ -47,25 +45,17 @@ public:
   /// \param exponent the number \f$p\f$
   /// \param energy the energy \f$\psi_0\f$
   /// \pre `exponent >= 2`
-  explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy())
-    : m_energy(energy), m_exponent(exponent)
-  {
-    internal::require(exponent >= 2, "The exponent of an energy is 2 or more.");
-  }
+  explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy()) : m_energy(energy), m_exponent(exponent)
+  { internal::require(exponent >= 2, "The exponent of an energy is 2 or more."); }
 
   /// returns \f$\psi\f$.
   template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return power(m_energy.value(s), m_exponent);
-  }
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return power(m_energy.value(s), m_exponent); }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return T(m_exponent) * power(m_energy.value(s), m_exponent - 1) * m_energy.gradient(s);
-  }
+  { return T(m_exponent) * power(m_energy.value(s), m_exponent - 1) * m_energy.gradient(s); }
 
   /// returns the second derivatives \f$\partial^2\psi/\partial\sigma_i\partial\sigma_j\f$.
   template <typename T>

@@ -42,9 +42,8 @@ linear constraints. Lengths are measured on a copy of the problem in which the t
 authors take the sum over the cells, and units as they are; with mean and unit volume the parameters
 depend neither on the number of cells nor on units.)
 
-The minimization for one weight ends as soon as one of three criteria holds: the energy, the
-positions, or the gradient have become stationary. The weight is raised as long as the constraints
-are not satisfied then.
+The minimization for one weight ends as soon as one of three criteria holds: the energy, the positions, or the gradient have
+become stationary. The weight is raised as long as the constraints are not satisfied then.
 */
 struct Soft_boundary_parameters
 {

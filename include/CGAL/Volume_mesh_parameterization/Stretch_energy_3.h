@@ -33,10 +33,7 @@ struct Stretch_energy_3
 {
   /// returns \f$\psi\f$.
   template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return s.cwiseInverse().squaredNorm();
-  }
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return s.cwiseInverse().squaredNorm(); }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>

@@ -20,16 +20,9 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <map>
 #include <set>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 

@@ -35,10 +35,7 @@ struct Symmetric_Dirichlet_energy_3
 {
   /// returns \f$\psi\f$.
   template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
-  {
-    return s.squaredNorm() + s.cwiseInverse().squaredNorm();
-  }
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return s.squaredNorm() + s.cwiseInverse().squaredNorm(); }
 
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>

@@ -66,9 +66,7 @@ public:
 
   /// puts a point into the container.
   friend void put(const Vertex_point_map& map, const key_type& vertex, const value_type& point)
-  {
-    (*map.m_container)[vertex] = point;
-  }
+  { (*map.m_container)[vertex] = point; }
 
 private:
   Container* m_container;
@@ -78,10 +76,7 @@ private:
 ///
 /// returns the property map over `container`.
 template <typename Container>
-Vertex_point_map<Container> make_vertex_point_map(Container& container)
-{
-  return Vertex_point_map<Container>(container);
-}
+Vertex_point_map<Container> make_vertex_point_map(Container& container) { return Vertex_point_map<Container>(container); }
 
 } // namespace CGAL::Volume_mesh_parameterization
 

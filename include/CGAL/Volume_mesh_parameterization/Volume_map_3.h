@@ -14,25 +14,14 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/tags.h>
-
 #include <Eigen/Dense>
 
-#include <array>
-#include <cstddef>
-#include <iterator>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // The map of a complex or of arrays.
@@ -40,9 +29,7 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
 {
   Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images)
     : Tetrahedron_soup_3(std::move(soup)), images(std::move(images))
-  {
-    require(this->images.size() == points.size(), "There are as many images as points.");
-  }
+  { require(this->images.size() == points.size(), "There are as many images as points."); }
 
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
@@ -99,8 +86,7 @@ public:
           `C3t3::Triangulation::Geom_traits::Point_3` as value type
   */
   template <typename C3t3, typename VertexUVWMap>
-  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map))
-  {}
+  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map)) {}
 
   /// takes the points and cells of a mesh that is given by arrays, as `CGAL::stretch_minimizing_volume_parameterization()`
   /// does, and the image of each point. Throws `std::out_of_range` if there is a cell without all points, or a point
@@ -125,10 +111,7 @@ public:
   std::optional<Location> nearest_image(const Point_3& p) const { return carried(m_source.find_nearest(p), m_target); }
 
   /// returns the preimage of the nearest point of the image of the body, as `nearest_image()` does.
-  std::optional<Location> nearest_preimage(const Point_3& q) const
-  {
-    return carried(m_target.find_nearest(q), m_source);
-  }
+  std::optional<Location> nearest_preimage(const Point_3& q) const { return carried(m_target.find_nearest(q), m_source); }
 
   /// returns the differential in the cell that `image()` finds, a 3 x 3 matrix; empty if the point is outside.
   std::optional<Eigen::Matrix3d> differential(const Point_3& p) const
@@ -143,9 +126,7 @@ public:
 
   /// returns the differential of the inverse in a cell, a 3 x 3 matrix; not finite if the image of the cell is flat.
   Eigen::Matrix3d inverse_differential(const std::size_t cell) const
-  {
-    return edges(m_source, cell) * edges(m_target, cell).inverse();
-  }
+  { return edges(m_source, cell) * edges(m_target, cell).inverse(); }
 
   /// \name Ranges
   /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
@@ -170,8 +151,7 @@ public:
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Eigen::Matrix3d> > differentials(const PointRange& points) const
   {
-    return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points,
-                                                           [this](const Point_3& p) { return differential(p); });
+    return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points, [this](const Point_3& p) { return differential(p); });
   }
   /// @}
 
@@ -213,9 +193,7 @@ private:
     internal::sort_in_space(order.begin(), order.end(), queries);
     std::vector<std::optional<Result> > results(queries.size());
     internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, order.size(), [&](const std::size_t k)
-    {
-      results[order[k]] = query(queries[order[k]]);
-    });
+    { results[order[k]] = query(queries[order[k]]); });
     return results;
   }
 

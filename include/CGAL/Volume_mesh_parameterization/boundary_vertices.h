@@ -13,37 +13,29 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #endif
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
-#include <string>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Numbered_surface_3 surface_of(const Body_3& body);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body);
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<std::size_t> non_manifold_points(const Body_3& body);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body);
 
 // Where the boundary of a body is not a manifold, as a sentence; empty for other errors.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::string place_of_boundary_error(const Body_3& body, Error_code status);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string place_of_boundary_error(const Body_3& body, Error_code status);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Numbered_surface_3 surface_of(const Body_3& body)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body)
 {
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   Numbered_surface_3 surface;
@@ -63,8 +55,7 @@ Numbered_surface_3 surface_of(const Body_3& body)
   return surface;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<std::size_t> non_manifold_points(const Body_3& body)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body)
 {
   const Numbered_surface_3 surface = surface_of(body);
   std::vector<std::size_t> result;
@@ -73,8 +64,7 @@ std::vector<std::size_t> non_manifold_points(const Body_3& body)
   return result;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::string place_of_boundary_error(const Body_3& body, const Error_code status)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string place_of_boundary_error(const Body_3& body, const Error_code status)
 {
   if(status != ERROR_NON_MANIFOLD_BOUNDARY)
     return "";
@@ -122,9 +112,7 @@ returns the points on the boundary of a mesh that is given by arrays, as indices
 */
 template <typename PointRange, typename CellRange, typename = internal::Iterator_of<PointRange> >
 std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellRange& cells)
-{
-  return internal::surface_of(internal::body_of(points, cells)).vertices;
-}
+{ return internal::surface_of(internal::body_of(points, cells)).vertices; }
 
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
@@ -161,9 +149,7 @@ returns those points of a mesh that is given by arrays, as indices.
 */
 template <typename PointRange, typename CellRange, typename = internal::Iterator_of<PointRange> >
 std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points, const CellRange& cells)
-{
-  return internal::non_manifold_points(internal::body_of(points, cells));
-}
+{ return internal::non_manifold_points(internal::body_of(points, cells)); }
 
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -17,8 +17,6 @@
 
 #include <Eigen/Dense>
 
-#include <array>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {

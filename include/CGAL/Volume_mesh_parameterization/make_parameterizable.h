@@ -13,22 +13,18 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>
-#include <CGAL/property_map.h>
-
-#include <cstddef>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
 #endif
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 template <typename Vertex, typename NamedParameters, typename VertexOfPoint>
@@ -57,7 +53,7 @@ std::size_t tell_insertions(const std::vector<Insertion_3>& insertions, const Na
                             const VertexOfPoint& vertex)
 {
   using Vertex = decltype(vertex(0));
-  auto out = parameters::choose_parameter(parameters::get_parameter(np, internal_np::output_iterator), Emptyset_iterator());
+  auto out = given(np, internal_np::output_iterator, Emptyset_iterator());
   for(const Insertion_3& insertion : insertions)
   {
     Inserted_vertex_3<Vertex> inserted = { vertex(insertion.point), {} };
@@ -79,11 +75,10 @@ Where the boundary is mapped to something flat, such simplices become degenerate
 vertices inside the complex are. Meshes made by \ref PkgMesh3 "Mesh_3" have many of them.
 
 A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come
-first; among edges those that the boundary map degenerates, then the one that most of the simplices to be
-removed contain (each counted once for each cell around the edge), then the longest. Facets and cells get a vertex
-only if none of their edges can be split. Without a boundary map, all edges inside the complex that join two
-vertices of the boundary must be split, and the number of insertions is minimal; with a
-boundary map this rule is a heuristic for a small number.
+first; among edges those that the boundary map degenerates, then the one that most of the simplices to be removed contain
+(each counted once for each cell around the edge), then the longest. Facets and cells get a vertex only if none of their
+edges can be split. Without a boundary map, all edges inside the complex that join two vertices of the boundary must be
+split, and the number of insertions is minimal; with a boundary map this rule is a heuristic for a small number.
 
 The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
 subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of

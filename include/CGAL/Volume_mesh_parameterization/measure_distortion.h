@@ -21,7 +21,6 @@
 #endif
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

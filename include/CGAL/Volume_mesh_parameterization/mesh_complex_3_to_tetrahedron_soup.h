@@ -13,10 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // The points that a property map has for vertices, in their order.
@@ -43,8 +42,7 @@ std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& 
 /// \param soup gets the mesh, with the subdomain indices as cell references
 /// \param vertices gets the vertex handle of each point of the soup
 template <typename C3t3>
-void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3,
-                                        Tetrahedron_soup_3& soup,
+void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3, Tetrahedron_soup_3& soup,
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
 {
   internal::Body_of_complex_3<C3t3> body(c3t3);

@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
-
-#include <utility>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 

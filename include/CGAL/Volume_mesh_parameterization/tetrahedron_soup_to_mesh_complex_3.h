@@ -13,16 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 
-#include <array>
-#include <cstddef>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // Builds a complex from a checked soup through the functions of the triangulation data structure.
@@ -124,9 +119,7 @@ private:
 
   // The handle of the vertex opposite to a facet also finds the index of the facet, whichever vertices were swapped.
   int facet_index(std::size_t facet) const
-  {
-    return m_cells[facet / 4]->index(m_vertices[m_soup.cells[facet / 4][facet % 4]]);
-  }
+  { return m_cells[facet / 4]->index(m_vertices[m_soup.cells[facet / 4][facet % 4]]); }
 
   void join_cells()
   {
@@ -246,8 +239,7 @@ private:
 ///            a facet has more than two cells, or two cells lie on the same side of their common facet;
 ///            the other parameters are then unchanged.
 template <typename C3t3>
-void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup,
-                                        C3t3& c3t3,
+void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3t3,
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices,
                                         std::vector<typename C3t3::Triangulation::Cell_handle>& cells)
 {

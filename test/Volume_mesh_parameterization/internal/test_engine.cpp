@@ -8,11 +8,11 @@
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
@@ -630,7 +630,7 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
   VMP::internal::Progress_3 progress = patient_progress();
-  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, image, progress);
+  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, judged(mesh, image), progress);
   CHECK(edges.size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
   CHECK(edges.size() <= 8); // of 16
   split_patch_edges_3(mesh, image, edges);
@@ -663,7 +663,7 @@ TEST_CASE("An edge between prescribed vertices is split where it leaves the targ
   REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
   VMP::internal::Progress_3 progress = patient_progress();
-  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, image, progress);
+  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, judged(mesh, image), progress);
   CHECK(std::count(edges.begin(), edges.end(), std::array<int, 2>{ 1, 2 }) == 1);
   CHECK(edges.size() <= 3);
   split_patch_edges_3(mesh, image, edges);

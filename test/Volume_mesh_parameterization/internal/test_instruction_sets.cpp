@@ -10,7 +10,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
 
 #include <Eigen/Dense>
 
@@ -107,9 +107,9 @@ Sums sums(const Cell_kernels_3& kernels, const Problem& problem, const Cell_ener
   {
     kernels.evaluate(first, last, u.data(), energy, result.evaluation);
     kernels.add_gradient(first, last, u.data(), energy, result.gradient.data());
-    kernels.add_derivatives_double(first, last, u.data(), energy, negative_curvature,
+    kernels.add_derivatives.second(first, last, u.data(), energy, negative_curvature,
                                    result.gradient_with_hessian.data(), result.hessian.data());
-    kernels.add_derivatives_float(first, last, u.data(), energy, negative_curvature,
+    kernels.add_derivatives.first(first, last, u.data(), energy, negative_curvature,
                                   result.gradient_with_floats.data(), result.hessian_in_floats.data());
   });
   return result;

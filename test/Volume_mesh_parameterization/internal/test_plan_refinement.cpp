@@ -3,7 +3,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 
 #include <Eigen/Core>

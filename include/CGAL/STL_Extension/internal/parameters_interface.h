@@ -7,9 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-// Puts the named parameters of this package in front of CGAL's list, by standing in for CGAL's header
-// of the same name. There is no guard: CGAL reads the list several times, each time with another
-// meaning of CGAL_add_named_parameter.
+// Puts the named parameters of this package in front of CGAL's list, by standing in for CGAL's header of the same name.
+// There is no guard: CGAL reads the list several times, each time with another meaning of CGAL_add_named_parameter.
 
 #ifdef __GNUC__
 #  pragma GCC system_header // #include_next is an extension, which -pedantic would report

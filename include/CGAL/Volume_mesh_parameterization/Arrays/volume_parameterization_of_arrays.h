@@ -17,13 +17,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/tags.h>
 
 #include <boost/property_map/function_property_map.hpp>
-
-#include <cstddef>
-#include <type_traits>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -37,7 +32,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   const Prescription_3 prescription = prescription_3<Vertex>(body, np, boundary_map, vertex);
   if constexpr(may_refine) // it is compiled only where it can be asked for
   {
-    if(parameters::choose_parameter(parameters::get_parameter(np, internal_np::do_refine), true))
+    if(given(np, internal_np::do_refine, true))
       return refine_and_parameterize_body_3(body, prescription, problem, insertions, images);
   }
   return parameterize_body_3(body, prescription, problem, images);
@@ -90,8 +85,7 @@ The result is the same as through a complex, bit for bit, whose cells and vertic
 \param cells four indices of points each, such that all cells are positive; modified only if the mesh may be refined. A cell
        that is split becomes one of its parts, the other parts are appended.
 \param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
-       read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing
-       target.
+       read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a missing target.
 \param images receives the image of each point, also of the new ones, if the map is valid, and is left alone otherwise.
        Points without a cell receive coordinates that are not numbers. May be the same array as `targets`, or, without
        refinement, as `points`.
@@ -117,8 +111,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           >
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cells, const TargetRange& targets,
-                                           ImageRange& images,
-                                           const NamedParameters& np = parameters::default_values())
+                                           ImageRange& images, const NamedParameters& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag>(

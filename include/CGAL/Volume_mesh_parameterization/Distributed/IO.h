@@ -21,23 +21,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <ios>
-#include <limits>
-#include <ostream>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <system_error>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // The lines of a file that begin in the range of bytes of this process. So that it does not depend on the number of processes
@@ -46,8 +30,7 @@ namespace internal {
 class Text_slice
 {
 public:
-  Text_slice(const MPI_communicator_3& communicator, const std::string& filename, const Budget& budget)
-    : m_budget(budget)
+  Text_slice(const MPI_communicator_3& communicator, const std::string& filename, const Budget& budget) : m_budget(budget)
   {
     std::error_code ignored;
     if(std::filesystem::exists(filename, ignored) && !std::filesystem::is_regular_file(filename, ignored))
@@ -222,10 +205,7 @@ Error_code read_boundary_targets(const std::string& filename, const Distributed_
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
     const internal::MPI_communicator_3 communicator(soup.communicator);
-    targets = communicator.together([&]
-    {
-      return internal::read_boundary_targets(communicator, filename, soup, budget);
-    });
+    targets = communicator.together([&] { return internal::read_boundary_targets(communicator, filename, soup, budget); });
   });
 }
 
@@ -236,9 +216,7 @@ Error_code read_boundary_targets(const std::string& filename, const Distributed_
 /// \param filename the name of the file that names them, `NAME.pvtu`
 /// \param rank the number of the process
 inline std::string name_of_piece(const std::string& filename, const int rank)
-{
-  return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu";
-}
+{ return std::filesystem::path(filename).replace_extension().string() + "_" + std::to_string(rank) + ".vtu"; }
 
 /// \ingroup PkgVolumeMeshParameterizationDistributed
 ///

@@ -20,14 +20,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/property_map.h>
-#include <CGAL/tags.h>
 
-#include <array>
-#include <cstddef>
 #include <iostream>
-#include <limits>
-#include <vector>
 
 namespace CGAL {
 
@@ -38,8 +32,7 @@ template <typename IsConstrained>
 Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3& communicator,
                                                         const Distributed_tetrahedron_soup_3& soup,
                                                         const std::vector<std::array<double, 3> >& targets,
-                                                        const IsConstrained& is_constrained,
-                                                        const Map_problem_3& problem,
+                                                        const IsConstrained& is_constrained, const Map_problem_3& problem,
                                                         std::vector<std::array<double, 3> >& images)
 {
   const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights,
@@ -79,14 +72,13 @@ computes the same map for a mesh that several processes share, by MPI and PETSc.
 call this function, after `PetscInitialize()`, with the same named parameters. A partition of the mesh is computed by
 PT-Scotch; so points and cells may come in any order. A process may have to do with at most \f$2^{31} - 1\f$ cells.
 
-The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative
-(`KSPSTCG`) with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for
-instance `-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two
-runs of a program with the same number of processes give the same bits, if PT-Scotch runs without threads: with the
-environment variable `SCOTCH_PTHREAD_NUMBER=1`. All is tried that is tried for one process with
-fixed boundary, except to untangle small patches of the mesh, or to relax them, if there are more than a million cells
-around the inverted or flat ones. Connected components of the target are not looked at one by one: the volume of all must
-be positive.
+The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative (`KSPSTCG`)
+with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for instance
+`-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two runs of a
+program with the same number of processes give the same bits, if PT-Scotch runs without threads: with the environment
+variable `SCOTCH_PTHREAD_NUMBER=1`. All is tried that is tried for one process with fixed boundary, except to untangle small
+patches of the mesh, or to relax them, if there are more than a million cells around the inverted or flat ones. Connected
+components of the target are not looked at one by one: the volume of all must be positive.
 
 \param soup this process's slice of the mesh
 \param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The
@@ -116,8 +108,6 @@ stretch_minimizing_volume_parameterization(
   std::vector<std::array<double, 3> >& images,
   const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using parameters::is_default_parameter;
   namespace VMP = Volume_mesh_parameterization;
   using Result = VMP::Parameterization_result;
@@ -136,12 +126,12 @@ stretch_minimizing_volume_parameterization(
                 "solver_traits must not be passed for a distributed mesh: PETSc's options choose the solver.");
 
   const VMP::internal::MPI_communicator_3 communicator(soup.communicator);
-  const bool is_printing = communicator.rank() == 0 && choose_parameter(get_parameter(np, internal_np::verbose), false);
+  const bool is_printing = communicator.rank() == 0 && VMP::internal::given(np, internal_np::verbose, false);
   return communicator.together([&]() -> Result
   {
     VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");
-    const auto map = choose_parameter(get_parameter(np, internal_np::vertex_is_constrained),
-                                      Static_boolean_property_map<std::size_t, false>());
+    const auto map = VMP::internal::given(np, internal_np::vertex_is_constrained,
+                                          Static_boolean_property_map<std::size_t, false>());
     return VMP::internal::run_problem<Sequential_tag>(
       np.verbose(is_printing), [&](const VMP::internal::Map_problem_3& problem)
     {

@@ -13,21 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 
-#include <array>
-#include <charconv>
-#include <cstddef>
-#include <map>
-#include <ostream>
 #include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // As many digits of a number as its field has room for: all 17 of most.

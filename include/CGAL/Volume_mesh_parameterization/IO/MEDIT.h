@@ -15,18 +15,11 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Binary_MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
 #include <CGAL/Named_function_parameters.h>
-
-#include <array>
-#include <cstddef>
-#include <istream>
-#include <ostream>
-#include <string>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
@@ -46,10 +39,8 @@ inline void write_MEDIT_points(Text_writer& writer, const std::vector<std::array
 }
 
 template <std::size_t N, typename Reference>
-void write_MEDIT_cells(Text_writer& writer,
-                       const char* keyword,
-                       const std::vector<std::array<std::size_t, N> >& cells,
-                       const std::vector<Reference>& references)
+void write_MEDIT_cells(Text_writer& writer, const char* keyword,
+                       const std::vector<std::array<std::size_t, N> >& cells, const std::vector<Reference>& references)
 {
   writer << keyword << "\n" << cells.size() << "\n";
   for(std::size_t i = 0; i < cells.size(); ++i)
@@ -84,13 +75,10 @@ namespace IO {
 ///
 /// \exception Input_error names the line of a text that is wrong, or what is wrong; `soup` is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup,
-                      const NamedParameters& np = parameters::default_values())
+Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, "", [&](const internal::Budget& budget)
-  {
-    soup = internal::read_MEDIT_text(internal::read_text(is, budget), budget);
-  });
+  { soup = internal::read_MEDIT_text(internal::read_text(is, budget), budget); });
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
@@ -109,9 +97,7 @@ Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
                       const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
-  {
-    soup = internal::read_MEDIT_text(internal::read_file(filename, budget), budget);
-  });
+  { soup = internal::read_MEDIT_text(internal::read_file(filename, budget), budget); });
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO

@@ -15,20 +15,13 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
-#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
-#include <CGAL/config.h>
-
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 // Cells of a type, by the number that VTK gives it.
@@ -112,10 +105,7 @@ private:
   static const char* type_name(std::int64_t) { return "Int64"; }
 
   template <typename Number>
-  void append(const Number number)
-  {
-    m_data.append(reinterpret_cast<const char*>(&number), sizeof(number));
-  }
+  void append(const Number number) { m_data.append(reinterpret_cast<const char*>(&number), sizeof(number)); }
 
   std::string m_xml, m_data;
 };
@@ -175,12 +165,8 @@ namespace IO {
 /// \param soup the mesh
 /// \param uvw the image of each point, in the order of the points
 /// \pre `uvw` has as many points as `soup`.
-inline void write_VTU(std::ostream& os,
-                      const Tetrahedron_soup_3& soup,
-                      const std::vector<std::array<double, 3> >& uvw)
-{
-  internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points));
-}
+inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
+{ internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points)); }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -216,9 +202,7 @@ inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
   const std::size_t number_of_hexahedra = mesh.cells.size(), number_of_cells = number_of_hexahedra + mesh.facets.size();
   const std::vector<double> quality = internal::scaled_jacobians(mesh);
   const auto hexahedron = [&](const std::size_t i)
-  {
-    return i < number_of_hexahedra ? i : mesh.facet_cells[i - number_of_hexahedra];
-  };
+  { return i < number_of_hexahedra ? i : mesh.facet_cells[i - number_of_hexahedra]; };
 
   internal::VTU_writer writer(mesh.points, internal::VTU_cells<8>{ mesh.cells, 12 }, internal::VTU_cells<4>{ mesh.facets, 9 });
   writer.begin("PointData");
@@ -231,9 +215,7 @@ inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
                            [&](std::size_t i) { return mesh.cell_indices[hexahedron(i / 3)][i % 3]; }, 3);
   writer.add<std::int32_t>("subdomain", number_of_cells, [&](std::size_t i) { return mesh.cell_references[hexahedron(i)]; });
   writer.add<std::int32_t>("patch", number_of_cells, [&](std::size_t i)
-  {
-    return i < number_of_hexahedra ? 0 : mesh.facet_patches[i - number_of_hexahedra];
-  });
+  { return i < number_of_hexahedra ? 0 : mesh.facet_patches[i - number_of_hexahedra]; });
   writer.end("CellData");
   writer.write(os);
 }

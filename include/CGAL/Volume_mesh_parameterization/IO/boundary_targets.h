@@ -18,18 +18,9 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <filesystem>
-#include <istream>
-#include <limits>
-#include <string>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 struct Target_of_vertex
@@ -71,16 +62,11 @@ inline std::vector<std::array<double, 3> > points_of_vertices(const std::vector<
   return points;
 }
 
-inline bool is_MEDIT_file(const std::string& filename)
-{
-  return std::filesystem::path(filename).extension() == ".mesh";
-}
+inline bool is_MEDIT_file(const std::string& filename) { return std::filesystem::path(filename).extension() == ".mesh"; }
 
 // Is it one of the formats of meshes? Lines of targets begin with a number in text.
 inline bool is_mesh(const std::string_view text)
-{
-  return Binary_MEDIT_reader::is_binary(text) || VTU_reader::is_VTU(text) || text.find("MeshVersionFormatted") < 100;
-}
+{ return Binary_MEDIT_reader::is_binary(text) || VTU_reader::is_VTU(text) || text.find("MeshVersionFormatted") < 100; }
 
 // the cells as a set of vertex sets
 inline std::vector<std::array<std::size_t, 4> > sorted_cells(std::vector<std::array<std::size_t, 4> > cells)
@@ -123,8 +109,7 @@ namespace IO {
 ///
 /// \exception Input_error names the line that is wrong; `targets` is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_boundary_targets(std::istream& is,
-                                 std::size_t number_of_vertices,
+Error_code read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
                                  std::vector<std::array<double, 3> >& targets,
                                  const NamedParameters& np = parameters::default_values())
 {
@@ -150,8 +135,7 @@ Error_code read_boundary_targets(std::istream& is,
 ///
 /// \exception Input_error names the file and what is wrong; `targets` is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_boundary_targets(const std::string& filename,
-                                 const Tetrahedron_soup_3& source,
+Error_code read_boundary_targets(const std::string& filename, const Tetrahedron_soup_3& source,
                                  std::vector<std::array<double, 3> >& targets,
                                  const NamedParameters& np = parameters::default_values())
 {

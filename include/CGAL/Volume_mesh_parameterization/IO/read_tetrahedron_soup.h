@@ -16,13 +16,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Files/VTU_reader.h>
 
 namespace CGAL::Volume_mesh_parameterization {
-
 namespace internal {
 
 inline Tetrahedron_soup_3 read_soup(const std::string& text, const Budget& budget)
-{
-  return VTU_reader::is_VTU(text) ? VTU_reader(text, budget).read() : read_MEDIT_text(text, budget);
-}
+{ return VTU_reader::is_VTU(text) ? VTU_reader(text, budget).read() : read_MEDIT_text(text, budget); }
 
 } // namespace internal
 
@@ -49,9 +46,7 @@ Error_code read_tetrahedron_soup(const std::string& filename, Tetrahedron_soup_3
                                  const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
-  {
-    soup = internal::read_soup(internal::read_file(filename, budget), budget);
-  });
+  { soup = internal::read_soup(internal::read_file(filename, budget), budget); });
 }
 
 } // namespace IO

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -21,8 +20,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -34,9 +31,7 @@ public:
   explicit Budget(const double seconds = (std::numeric_limits<double>::infinity)(),
                   std::function<bool()> goes_on = [] { return true; })
     : m_seconds(seconds), m_goes_on(std::move(goes_on))
-  {
-    m_timer.start();
-  }
+  { m_timer.start(); }
 
   double seconds() const { return m_timer.time(); } // since the beginning
 
@@ -76,8 +71,7 @@ class Limits
 public:
   explicit Limits(const NamedParameters& np)
     : m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), m_default)),
-      m_seconds(parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_running_time),
-                                             (std::numeric_limits<double>::infinity)()))
+      m_seconds(given(np, internal_np::maximum_running_time, (std::numeric_limits<double>::infinity)()))
   {}
 
   Limits(const Limits&) = delete;

@@ -19,10 +19,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <Eigen/Core>
-
 #include <type_traits>
-#include <utility>
 
 // What tells mistakes in calls, which the compiler is to answer with one sentence. Of a model of a concept is asked that it
 // can be called.
@@ -90,6 +87,11 @@ struct Named_parameter
 {
   static_assert(is_known, "A named parameter is passed that this function does not know: see the type of Named_parameter.");
 };
+
+// What was passed by a name, or what stands for it otherwise.
+template <typename NamedParameters, typename Tag, typename Otherwise>
+auto given(const NamedParameters& np, const Tag tag, const Otherwise& otherwise)
+{ return parameters::choose_parameter(parameters::get_parameter(np, tag), otherwise); }
 
 // Refuses named parameters that a function does not read: others than these, and the limits that all functions read.
 template <typename... Tags, typename T, typename Tag, typename Base>

@@ -33,9 +33,7 @@ std::string sentence(const Parts&... parts)
 }
 
 inline std::string describe(const Eigen::Vector3d& point)
-{
-  return sentence("(", point[0], ", ", point[1], ", ", point[2], ")");
-}
+{ return sentence("(", point[0], ", ", point[1], ", ", point[2], ")"); }
 
 // A precondition that is cheap, so that it holds in programs compiled with NDEBUG, too. Nothing is printed.
 inline void require(const bool condition, const char* const message)

@@ -12,10 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Pack.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -112,9 +111,7 @@ private:
   using Vector = Eigen::Matrix<Pack, 3, 1>;
 
   static Vector load(const Packed_vector_3& numbers, const int first)
-  {
-    return Vector(Pack::load(numbers[0] + first), Pack::load(numbers[1] + first), Pack::load(numbers[2] + first));
-  }
+  { return Vector(Pack::load(numbers[0] + first), Pack::load(numbers[1] + first), Pack::load(numbers[2] + first)); }
 
   static void store(const Vector& v, Packed_vector_3& numbers, const int first)
   {

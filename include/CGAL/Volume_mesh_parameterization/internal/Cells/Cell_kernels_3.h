@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -22,19 +21,18 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 struct Cell_kernels_3
 {
   using Range = const Cell_pack_3*;
+  template <typename NT>
+  using Add_derivatives = void (*)(Range, Range, const double* u, const Cell_energy_3&, double negative_curvature,
+                                   double* gradient, NT* hessian);
 
   void (*evaluate)(Range, Range, const double* u, const Cell_energy_3&, Energy_evaluation&);
   void (*add_gradient)(Range, Range, const double* u, const Cell_energy_3&, double* gradient);
-  void (*add_derivatives_float)(Range, Range, const double* u, const Cell_energy_3&, double negative_curvature,
-                                double* gradient, float* hessian);
-  void (*add_derivatives_double)(Range, Range, const double* u, const Cell_energy_3&, double negative_curvature,
-                                 double* gradient, double* hessian);
+  std::pair<Add_derivatives<float>, Add_derivatives<double> > add_derivatives;
   double (*largest_step)(Range, Range, const double* u, const double* d);
 };
 
-// A number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its
-// first root, less at most the resolution times that root, however small it is. Bisects by de
-// Casteljau's algorithm.
+// A number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its first root, less at most the
+// resolution times that root, however small it is. Bisects by de Casteljau's algorithm.
 inline double positive_until(const std::array<double, 4>& b, const double resolution = 1. / 1024)
 {
   if((std::min)((std::min)(b[0], b[1]), (std::min)(b[2], b[3])) > 0)

@@ -113,8 +113,7 @@ private:
 
       const T q = (D * D + T(1)) * inverse;
       const T q_first = T(2) * D * inverse - q * slope;
-      const T q_second = T(2) * inverse - T(4) * D * inverse * slope
-                       + q * (T(2) * slope * slope - curvature);
+      const T q_second = T(2) * inverse - T(4) * D * inverse * slope + q * (T(2) * slope * slope - curvature);
 
       const T theta(energy.m_theta);
       const T norm = s.squaredNorm();

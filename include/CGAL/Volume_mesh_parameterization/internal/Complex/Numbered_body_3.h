@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -21,15 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Says what is going to be solved, and by which linear solver.
-inline void print(const Numbered_mesh_3& mesh, const Linear_solver_3& solver)
-{
-  std::cout << mesh.cells.size() << " cells, " << mesh.number_of_vertices() << " vertices, "
-            << mesh.number_of_free_vertices << " of them free; linear solver " << solver.name() << std::endl;
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void print(const Parameterization_step& step)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step)
 {
   std::cout << std::setw(5) << step.iteration
             << (step.phase == Phase::UNTANGLING ? " untangling  " : " minimization")
@@ -58,9 +50,7 @@ struct Checked_body_3
   }
 
   bool allows(const Boundary_mode mode) const
-  {
-    return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED);
-  }
+  { return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED); }
 };
 
 // The stages that are allowed, one after the other.
@@ -70,7 +60,9 @@ inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Prescrip
 {
   const Numbered_body_3& numbered = body.numbered;
   if(problem.verbose)
-    print(numbered.mesh, problem.solver);
+    std::cout << numbered.mesh.cells.size() << " cells, " << numbered.points.size() << " vertices, "
+              << numbered.mesh.number_of_free_vertices << " of them free; linear solver " << problem.solver.name()
+              << std::endl;
   Map_options_3 options = problem.options;
   options.untangling = untangling;
   options.approach = approach;
@@ -136,12 +128,10 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   Carried_search_3 carried;
   for(bool is_first = true; ; is_first = false)
   {
-    prescription.resize(body.soup.points.size());
+    prescription.extend_to(body.soup.points.size());
     const Checked_body_3 checked(body, prescription, problem);
     const auto take = [&](const std::vector<Insertion_3>& made)
-    {
-      insertions.insert(insertions.end(), made.begin(), made.end());
-    };
+    { insertions.insert(insertions.end(), made.begin(), made.end()); };
     if(is_first && checked.check.allows_soft_boundary() && checked.check.is_refinable)
     {
       take(remove_degenerate_simplices(body, prescription, budget));

@@ -12,14 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_options_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -50,18 +48,13 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
                                                        std::vector<std::array<double, 3> >& images);
 
 // A line of `verbose`.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void print(const Parameterization_step& step);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step);
 
 // Reads the named parameters that are not about vertices, and returns `run(problem)`.
 template <typename ConcurrencyTag, typename NamedParameters, typename Run>
 Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                                     const Communicator_3& communicator = single_process())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-
   check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::do_refine_t,
                          internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
                          internal_np::initial_map_t, internal_np::maximal_angle_distortion_t,
@@ -71,37 +64,35 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                          internal_np::vertex_is_constrained_t>(np);
   using Energy = typename internal_np::Lookup_named_param_def<
     internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
-  const Energy energy = choose_parameter<Energy>(get_parameter(np, internal_np::energy));
+  const Energy energy = parameters::choose_parameter<Energy>(parameters::get_parameter(np, internal_np::energy));
 
   using Default_solver = Conjugate_gradient_solver_traits_3<ConcurrencyTag>;
   using Solver = Mutable_parameter<typename internal_np::Lookup_named_param_def<
     internal_np::solver_traits_t, NamedParameters, Default_solver>::reference>;
   Default_solver default_solver;
-  Solver solver = choose_parameter(get_parameter_reference(np, internal_np::solver_traits), default_solver);
+  Solver solver
+    = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::solver_traits), default_solver);
 
   Limits<NamedParameters> limits(np);
-  const bool verbose = choose_parameter(get_parameter(np, internal_np::verbose), false);
+  const bool verbose = given(np, internal_np::verbose, false);
   const auto after_step = [&](const Parameterization_step& step)
   {
     if(verbose)
       print(step);
     return limits.visitor().after_step(step);
   };
-  const auto number_of_iterations = choose_parameter(get_parameter(np, internal_np::number_of_iterations), 1000);
+  const auto number_of_iterations = given(np, internal_np::number_of_iterations, 1000);
   require(static_cast<double>(number_of_iterations) >= 0, "A number of iterations is not negative.");
   Progress_3 progress(limits.budget(), static_cast<std::size_t>(number_of_iterations), after_step, communicator);
 
   Map_options_3 options;
-  options.mode = choose_parameter(get_parameter(np, internal_np::boundary_mode), Boundary_mode::AUTO);
-  options.soft = choose_parameter(get_parameter(np, internal_np::soft_boundary_parameters),
-                                  options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters()
-                                                                      : approaching_soft_boundary_parameters());
-  options.do_slide = choose_parameter(get_parameter(np, internal_np::do_slide_boundary), false);
-  options.energy_tolerance = choose_parameter(get_parameter(np, internal_np::energy_tolerance), options.energy_tolerance);
-  options.minimize_maximal_angle_distortion
-    = choose_parameter(get_parameter(np, internal_np::minimize_maximal_angle_distortion), false);
-  options.maximal_angle_distortion = choose_parameter(get_parameter(np, internal_np::maximal_angle_distortion),
-                                                      (std::numeric_limits<double>::infinity)());
+  options.mode = given(np, internal_np::boundary_mode, Boundary_mode::AUTO);
+  options.soft = given(np, internal_np::soft_boundary_parameters,
+    options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
+  options.do_slide = given(np, internal_np::do_slide_boundary, options.do_slide);
+  options.energy_tolerance = given(np, internal_np::energy_tolerance, options.energy_tolerance);
+  options.minimize_maximal_angle_distortion = given(np, internal_np::minimize_maximal_angle_distortion, false);
+  options.maximal_angle_distortion = given(np, internal_np::maximal_angle_distortion, options.maximal_angle_distortion);
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
@@ -111,7 +102,7 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
-  const Map_problem_3 problem = { options, choose_parameter(get_parameter(np, internal_np::use_volume_weights), false),
+  const Map_problem_3 problem = { options, given(np, internal_np::use_volume_weights, false),
                                   is_parallel<ConcurrencyTag>(), verbose, cell_energy, linear_solver, progress };
   return run(problem);
 }

@@ -45,18 +45,14 @@ public:
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
-  {
-    return parameterize_complex(Body_of_complex_3<C3t3>(c3t3), target, np);
-  }
+  { return parameterize_complex(Body_of_complex_3<C3t3>(c3t3), target, np); }
 
   /// writes the image of each point on the boundary of a mesh that is given by arrays.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
             typename = Iterator_of<PointRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
-  {
-    return parameterize_arrays(body_of(points, cells), targets, np);
-  }
+  { return parameterize_arrays(body_of(points, cells), targets, np); }
 
 protected:
   // With what the user has given for this boundary behind, which `map()` takes as well.
@@ -66,9 +62,7 @@ protected:
   {
     using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
     return parameterize_boundary_3(body, np, map(given...), [&](const std::size_t v, const Eigen::Vector3d& image)
-    {
-      put(target, body.vertices[v], Point_3(image[0], image[1], image[2]));
-    });
+    { put(target, body.vertices[v], Point_3(image[0], image[1], image[2])); });
   }
 
   // Of points inside, coordinates that are not numbers.
@@ -80,9 +74,7 @@ protected:
     std::vector<std::array<double, 3> > images(body.soup.points.size(), { nan, nan, nan });
     const Error_code status
       = parameterize_boundary_3(body, np, map(given...), [&](const std::size_t v, const Eigen::Vector3d& image)
-    {
-      images[v] = coordinates(image);
-    });
+    { images[v] = coordinates(image); });
     if(status == OK)
       assign_coordinates(images, targets);
     return status;
@@ -93,9 +85,7 @@ private:
   auto map(const Given&... given) const
   {
     return [&](const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget)
-    {
-      return static_cast<const Model&>(*this).map(surface, given..., images, budget);
-    };
+    { return static_cast<const Model&>(*this).map(surface, given..., images, budget); };
   }
 };
 

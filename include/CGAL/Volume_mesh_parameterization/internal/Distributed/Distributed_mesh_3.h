@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
@@ -82,7 +82,7 @@ public:
   std::size_t number_of_boundary_vertices() const { return m_number_of_boundary_vertices; }
 
   // The row of each free vertex in the systems of all processes; those of this one's own vertices are consecutive.
-  const std::vector<PetscInt>& rows() const { return m_rows; }
+  const std::vector<PetscInt>& global_rows() const { return m_rows; }
   int number_of_own_rows() const { return m_mesh.number_of_free_vertices - m_mesh.number_of_copied_vertices; }
 
   // The images of the points of the slice; those without a cell have coordinates that are not numbers.

@@ -12,7 +12,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <mpi.h>
 
@@ -60,9 +60,7 @@ public:
   }
 
   std::vector<double> concatenated(const std::vector<double>& numbers) const override
-  {
-    return exchanged(std::vector<std::vector<double> >(m_size, numbers));
-  }
+  { return exchanged(std::vector<std::vector<double> >(m_size, numbers)); }
 
   std::pair<int, std::string> first_failure(const int code, const std::string& sentence) const override
   {
@@ -131,9 +129,7 @@ public:
 
   // The process whose slice has an element of the whole, by where the slices begin.
   static std::size_t holder(const std::vector<std::size_t>& begins, const std::size_t i)
-  {
-    return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), i) - begins.begin()) - 1;
-  }
+  { return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), i) - begins.begin()) - 1; }
 
   // The same elements in slices that begin there, those of the ranks one behind the other before and after.
   template <typename T>

@@ -14,8 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 
-#include <CGAL/tags.h>
-
 #include <petscksp.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -32,7 +30,7 @@ public:
     constexpr int maximal_number_of_iterations = 2000;
     communicator.synchronize();
     const PetscInt n = number_of_own_rows();
-    const std::vector<PetscInt>& rows = mesh.rows();
+    const std::vector<PetscInt>& rows = mesh.global_rows();
     check(VecCreateGhostBlock(communicator.get(), 3, 3 * n, PETSC_DETERMINE, static_cast<PetscInt>(rows.size()) - n,
                               rows.data() + n, &m_x));
     check(VecDuplicate(m_x, &m_b));
@@ -150,13 +148,14 @@ private:
   Linear_solver_status factorize(const Matrix& matrix)
   {
     m_communicator.synchronize();
+    const std::vector<PetscInt>& rows = m_mesh.global_rows();
     for(PetscInt row = 0; row < number_of_own_rows(); ++row)
     {
       const int begin = matrix.row_begin(row), size = matrix.row_end(row) - begin;
       for(int k = 0; k < size; ++k)
-        m_columns[k] = m_mesh.rows()[matrix.column(begin + k)];
+        m_columns[k] = rows[matrix.column(begin + k)];
       std::copy(matrix.values(begin), matrix.values(begin) + 9 * size, m_values.begin());
-      check(MatSetValuesBlocked(m_matrix, 1, &m_mesh.rows()[row], size, m_columns.data(), m_values.data(), INSERT_VALUES));
+      check(MatSetValuesBlocked(m_matrix, 1, &rows[row], size, m_columns.data(), m_values.data(), INSERT_VALUES));
     }
     check(MatAssemblyBegin(m_matrix, MAT_FINAL_ASSEMBLY));
     check(MatAssemblyEnd(m_matrix, MAT_FINAL_ASSEMBLY));
@@ -195,10 +194,8 @@ private:
       case KSP_DIVERGED_INDEFINITE_MAT:
       case KSP_DIVERGED_INDEFINITE_PC:
         return number_of_iterations <= 1 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::TRUNCATED;
-      case KSP_DIVERGED_ITS:
-        return Linear_solver_status::ITERATION_LIMIT;
-      default:
-        return reason > 0 ? Linear_solver_status::SUCCESS : Linear_solver_status::FAILED;
+      case KSP_DIVERGED_ITS: return Linear_solver_status::ITERATION_LIMIT;
+      default: return reason > 0 ? Linear_solver_status::SUCCESS : Linear_solver_status::FAILED;
     }
   }
 

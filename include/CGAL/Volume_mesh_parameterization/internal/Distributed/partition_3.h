@@ -37,16 +37,13 @@ std::vector<PetscInt> sorted_vertices(const Cells& cells)
 
 // The index of an element of a sorted array.
 inline std::size_t place(const std::vector<PetscInt>& sorted, const PetscInt v)
-{
-  return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin());
-}
+{ return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin()); }
 
 // Each process holds a slice of an array, those of the ranks one behind the other, and has a list of indices of the whole.
 class Star_forest
 {
 public:
-  Star_forest(const MPI_communicator_3& communicator, const std::size_t size_of_slice,
-              const std::vector<PetscInt>& indices)
+  Star_forest(const MPI_communicator_3& communicator, const std::size_t size_of_slice, const std::vector<PetscInt>& indices)
     : m_communicator(communicator), m_size(indices.size())
   {
     communicator.synchronize();
@@ -114,8 +111,7 @@ struct Global_cell_3
   auto end() const { return vertices.end(); }
 };
 
-// Sends each cell to all processes that own one of its vertices. Each process receives cells in the order of their
-// numbers.
+// Sends each cell to all processes that own one of its vertices. Each process receives cells in the order of their numbers.
 template <typename OwnerOfVertex>
 std::vector<Global_cell_3> cells_of_owners(const MPI_communicator_3& communicator, const std::vector<Global_cell_3>& cells,
                                            const OwnerOfVertex& owner_of)

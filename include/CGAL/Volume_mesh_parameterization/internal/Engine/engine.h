@@ -12,13 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Corner_goals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
@@ -28,8 +27,6 @@
 #  include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Stages/make_result_3.h>
 #endif
-
-#include <CGAL/tags.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -83,9 +80,7 @@ std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> 
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
-{
-  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image));
-}
+{ return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)); }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 #endif

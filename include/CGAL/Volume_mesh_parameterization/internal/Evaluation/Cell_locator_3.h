@@ -16,7 +16,6 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/determinant.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/config/pragma_message.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -48,9 +47,7 @@ std::array<FT, 4> volumes_with_point_3(const Corners_3& corners, const Exact_poi
     for(int k = 0; k < 3; ++k)
       d[i][static_cast<std::size_t>(k)] = FT(corners[i][k]) - FT(p[k]);
   const auto volume = [&](const std::size_t i, const std::size_t j, const std::size_t k)
-  {
-    return FT(CGAL::determinant<FT>(d[i][0], d[i][1], d[i][2], d[j][0], d[j][1], d[j][2], d[k][0], d[k][1], d[k][2]));
-  };
+  { return FT(CGAL::determinant<FT>(d[i][0], d[i][1], d[i][2], d[j][0], d[j][1], d[j][2], d[k][0], d[k][1], d[k][2])); };
   return { volume(1, 2, 3), volume(0, 3, 2), volume(0, 1, 3), volume(0, 2, 1) };
 }
 
@@ -93,8 +90,7 @@ struct Place_3
 class Cell_locator_3
 {
 public:
-  Cell_locator_3(const std::vector<std::array<double, 3> >& points,
-                 const std::vector<std::array<std::size_t, 4> >& cells)
+  Cell_locator_3(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells)
     : m_cells(cells)
   {
     m_points.reserve(points.size());
@@ -214,9 +210,7 @@ private:
       candidates[i] = Kernel().construct_projected_point_3_object()(
         Kernel::Triangle_3(corners[(i + 1) % 4], corners[(i + 2) % 4], corners[(i + 3) % 4]), p);
     return *std::min_element(candidates.begin(), candidates.end(), [&](const Exact_point_3& a, const Exact_point_3& b)
-    {
-      return CGAL::squared_distance(a, p) < CGAL::squared_distance(b, p);
-    });
+    { return CGAL::squared_distance(a, p) < CGAL::squared_distance(b, p); });
   }
 
   std::vector<Exact_point_3> m_points;

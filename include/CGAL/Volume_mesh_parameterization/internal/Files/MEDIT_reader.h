@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <optional>
 
@@ -79,19 +79,13 @@ private:
 
   // The next keyword does, or the end of the text.
   static bool ends_section(const std::string_view text)
-  {
-    return text.empty() || ('A' <= text[0] && text[0] <= 'Z') || ('a' <= text[0] && text[0] <= 'z');
-  }
+  { return text.empty() || ('A' <= text[0] && text[0] <= 'Z') || ('a' <= text[0] && text[0] <= 'z'); }
 
   static std::size_t keyword(const std::string_view word)
-  {
-    return static_cast<std::size_t>(std::find(m_keywords.begin(), m_keywords.end(), word) - m_keywords.begin());
-  }
+  { return static_cast<std::size_t>(std::find(m_keywords.begin(), m_keywords.end(), word) - m_keywords.begin()); }
 
   std::size_t sum(const std::size_t x) const
-  {
-    return static_cast<std::size_t>(m_communicator.sum(static_cast<double>(x)));
-  }
+  { return static_cast<std::size_t>(m_communicator.sum(static_cast<double>(x))); }
 
   void find_sections(Text_scanner scanner)
   {
@@ -120,9 +114,7 @@ private:
   }
 
   [[noreturn]] static void fail_of_second(const std::size_t line, const std::size_t k)
-  {
-    Text_scanner::fail(line, "a second section '" + std::string(m_keywords[k]) + "'");
-  }
+  { Text_scanner::fail(line, "a second section '" + std::string(m_keywords[k]) + "'"); }
 
   // Finds in which section of the slices before the text of this one begins.
   void share_sections(Text_scanner text)
@@ -207,10 +199,7 @@ private:
     return static_cast<std::size_t>(v - 1);
   }
 
-  static int next_reference(Text_scanner& scanner)
-  {
-    return scanner.next_number<int>("an integral reference");
-  }
+  static int next_reference(Text_scanner& scanner) { return scanner.next_number<int>("an integral reference"); }
 
   const Communicator_3& m_communicator;
   bool m_is_slice, m_is_last;

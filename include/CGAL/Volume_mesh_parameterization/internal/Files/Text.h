@@ -15,22 +15,19 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <fstream>
-#include <ios>
-#include <istream>
-#include <locale>
-#include <string_view>
-#include <system_error>
-
 #ifndef _WIN32
 #  include <fcntl.h>
 #  include <poll.h>
 #  include <unistd.h>
 #  include <cerrno>
 #endif
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <locale>
+#include <string_view>
+#include <system_error>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -188,9 +185,7 @@ public:
   [[noreturn]] void fail(const std::string& sentence) const { fail(m_line, sentence); }
 
   [[noreturn]] static void fail(const std::size_t line, const std::string& sentence)
-  {
-    throw Input_error("line " + std::to_string(line) + ": " + sentence);
-  }
+  { throw Input_error("line " + std::to_string(line) + ": " + sentence); }
 
   // the beginning of a word, fit for a terminal
   static std::string quote(std::string_view word)
@@ -202,10 +197,7 @@ public:
   }
 
 private:
-  static bool is_blank(char c)
-  {
-    return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-  }
+  static bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
   template <typename Integer>
   static bool parse(const char* const first, const char* const last, Integer& number)
@@ -226,8 +218,7 @@ private:
     static const Parser parser;
     thread_local Format format;
     std::ios::iostate error = std::ios::goodbit;
-    return parser.get(first, last, format, error, number) == last && !(error & std::ios::failbit)
-        && std::isfinite(number);
+    return parser.get(first, last, format, error, number) == last && !(error & std::ios::failbit) && std::isfinite(number);
   }
 
   void skip_blanks()
@@ -261,6 +252,43 @@ private:
   const Budget* m_budget;
   const char* m_name = "file";
   std::size_t m_line, m_position = 0, m_next_question = 0;
+};
+
+// Writes text and numbers to a stream, whatever its locale and precision. Floating-point numbers get the fewest digits
+// (at most 17) from which reading restores the same bits. A failure is left in the state of the stream.
+class Text_writer
+{
+public:
+  explicit Text_writer(std::ostream& os) : m_os(os) {}
+  Text_writer(const Text_writer&) = delete;
+  Text_writer& operator=(const Text_writer&) = delete;
+  ~Text_writer() { flush(); }
+
+  Text_writer& operator<<(const std::string_view text)
+  {
+    m_buffer += text;
+    if(m_buffer.size() >= (1 << 16)) // streams of files have small buffers
+      flush();
+    return *this;
+  }
+
+  template <typename Number, typename = std::enable_if_t<std::is_arithmetic_v<Number> > >
+  Text_writer& operator<<(const Number number)
+  {
+    char digits[32];
+    const std::to_chars_result result = std::to_chars(digits, digits + sizeof(digits), number);
+    return *this << std::string_view(digits, static_cast<std::size_t>(result.ptr - digits));
+  }
+
+private:
+  void flush()
+  {
+    m_os.write(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
+    m_buffer.clear();
+  }
+
+  std::ostream& m_os;
+  std::string m_buffer;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -17,7 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
 #include <map>
-#include <type_traits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -57,9 +56,7 @@ public:
   VTU_reader(const std::string_view text, const Budget& budget) : m_text(text), m_budget(budget) {}
 
   static bool is_VTU(const std::string_view text)
-  {
-    return text.substr(0, 5) == "<?xml" || text.substr(0, 8) == "<VTKFile";
-  }
+  { return text.substr(0, 5) == "<?xml" || text.substr(0, 8) == "<VTKFile"; }
 
   Tetrahedron_soup_3 read()
   {
@@ -118,9 +115,7 @@ private:
   }
 
   static bool begins(const std::string_view tag, const std::string_view name)
-  {
-    return tag.substr(0, name.size()) == name && (tag.size() == name.size() || std::strchr(" \t\r\n/", tag[name.size()]));
-  }
+  { return tag.substr(0, name.size()) == name && (tag.size() == name.size() || std::strchr(" \t\r\n/", tag[name.size()])); }
 
   void find_arrays()
   {

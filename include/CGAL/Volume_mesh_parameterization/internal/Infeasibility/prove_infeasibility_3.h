@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
@@ -21,7 +21,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <map>
-#include <numeric>
 #include <optional>
 #include <set>
 
@@ -221,21 +220,22 @@ inline std::vector<std::size_t> cells_among(const Cells_of_free_ends& cells_of, 
   return result;
 }
 
-// Proves, where it can, that no map with the prescribed vertices has only positive cells. Three kinds of reasons are
-// looked for: a cell that can never be positive, a free vertex and an edge between two of them for which there
-// is no place. Any image of the vertices, `positions`, speeds up the search by the cells that are positive there.
-// No proof does not mean that there is a map; with a limited budget, not even that the search was complete. Near-linear in
-// the number of cells.
+// Proves, where it can, that no map with the prescribed vertices has only positive cells. Three kinds of reasons are looked
+// for: a cell that can never be positive, a free vertex and an edge between two of them for which there is no place. Only
+// sets with a suspect are looked at: a cell that is not positive in some image of the vertices, whichever. No proof does
+// not mean that there is a map; with a limited budget, not even that the search was complete. Near-linear in the number of
+// cells.
 inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_mesh_3& mesh,
-                                                                const Eigen::Matrix3Xd& positions,
+                                                                const std::vector<std::size_t>& suspects,
                                                                 const Budget& budget = Budget())
 {
   std::vector<Infeasibility_proof_3> proofs;
   std::vector<bool> is_suspect(mesh.cells.size());
+  for(const std::size_t c : suspects)
+    is_suspect[c] = true;
   Cells_of_free_ends cells_of;
   for(std::size_t c = 0; c < mesh.cells.size() && !budget.is_exhausted(); ++c)
   {
-    is_suspect[c] = !is_positive(positions, mesh.cells[c]);
     const std::set<int> free = free_vertices_of(mesh, { c });
     if(is_suspect[c] && !can_be_positive(mesh, mesh.cells[c]))
       proofs.push_back({{c}, {Exact_rational(1)}});

@@ -12,14 +12,13 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <Eigen/Dense>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
+#include <limits>
 #include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -44,6 +43,7 @@ struct Numbered_mesh_3
   std::vector<double> vertex_numbers;    // in the mesh of all processes; none if this process is alone
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
+  int number_of_prescribed_vertices() const { return number_of_vertices() - number_of_free_vertices; }
   std::size_t number_of_own_cells() const { return cells.size() - number_of_copied_cells; }
   bool is_whole() const { return communicator->is_alone(); } // what needs all cells asks for it
   double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
@@ -54,7 +54,7 @@ struct Numbered_mesh_3
 // The positions with the prescribed vertices on their targets.
 inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
 {
-  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  const int n = mesh.number_of_prescribed_vertices();
   positions.rightCols(n) = mesh.target.rightCols(n);
   return positions;
 }
@@ -62,14 +62,14 @@ inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd po
 // How far the prescribed vertices are from their targets at most.
 inline double largest_distance_to_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
-  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  const int n = mesh.number_of_prescribed_vertices();
   return mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
 }
 
 // Are the prescribed vertices exactly on their targets?
 inline bool is_on_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
 {
-  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  const int n = mesh.number_of_prescribed_vertices();
   return mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
 }
 
@@ -90,13 +90,10 @@ Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Point
 
 inline Eigen::AlignedBox3d target_box(const Numbered_mesh_3& mesh)
 {
-  return bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_vertices() - mesh.number_of_free_vertices));
+  return bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_prescribed_vertices()));
 }
 
-inline double target_diagonal(const Numbered_mesh_3& mesh)
-{
-  return target_box(mesh).diagonal().norm();
-}
+inline double target_diagonal(const Numbered_mesh_3& mesh) { return target_box(mesh).diagonal().norm(); }
 
 // Puts the free vertices to the point of the bounding box of the targets that is nearest to the origin. The volume of the
 // target depends on its boundary only, but with free vertices far from it would be the difference of large numbers.
@@ -128,18 +125,14 @@ auto values_of_cells(const Numbered_mesh_3& mesh, const std::size_t n, const Fun
 inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
 {
   return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
-  {
-    return edge_matrix(mesh.source, cell).inverse() * factor;
-  });
+  { return edge_matrix(mesh.source, cell).inverse() * factor; });
 }
 
 template <typename Positions>
 double volume(const Numbered_mesh_3& mesh, const Positions& positions)
 {
   const std::vector<double> volumes = values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell)
-  {
-    return edge_matrix(positions, cell).determinant() / 6;
-  });
+  { return edge_matrix(positions, cell).determinant() / 6; });
   return mesh.communicator->sum(std::accumulate(volumes.begin(), volumes.end(), 0.));
 }
 
@@ -166,10 +159,7 @@ struct Scaled_cells_3
 };
 
 // Gives cells with this mean volume a volume near 1.
-inline double unit_of_cells(const double mean_volume)
-{
-  return std::exp2(-std::round(std::log2(mean_volume) / 3));
-}
+inline double unit_of_cells(const double mean_volume) { return std::exp2(-std::round(std::log2(mean_volume) / 3)); }
 
 // The unit gives the cells of the target a volume near 1.
 inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
@@ -199,6 +189,86 @@ inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const 
   const double factor = std::cbrt(volume(mesh, mesh.source)) / (unit * length);
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
+
+// How many cells there are with some property, and the first of them in the order of the user.
+struct Found_cells
+{
+  std::size_t number = 0;
+  std::size_t first = 0;
+  bool has_first = false; // does this process own it?
+};
+
+template <typename Condition>
+Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
+{
+  const std::vector<char> is_found = values_of_cells(mesh, mesh.number_of_own_cells(),
+    [&](const std::array<int, 4>& cell) { return static_cast<char>(condition(cell)); });
+  Found_cells result;
+  for(std::size_t c = 0; c < is_found.size(); ++c)
+    if(is_found[c] && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
+      result.first = c;
+  const double first = result.number > 0 ? static_cast<double>(mesh.user_number(result.first))
+                                         : std::numeric_limits<double>::infinity();
+  result.has_first = mesh.communicator->minimum(first) == first && result.number > 0;
+  result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.number)));
+  return result;
+}
+
+// Those of this process.
+inline std::vector<std::size_t> indices_of_inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    if(!is_positive(positions, mesh.cells[c]))
+      result.push_back(c);
+  return result;
+}
+
+inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
+}
+
+// Those of the cells with four prescribed vertices whose targets give them no positive volume.
+inline Found_cells inverted_prescribed_cells(const Numbered_mesh_3& mesh)
+{
+  return find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
+           && !is_positive(mesh.target, cell);
+  });
+}
+
+// The images of all vertices, with the verdict of exact predicates on them.
+struct Map_3
+{
+  Eigen::Matrix3Xd positions;
+  std::size_t number_of_inverted_cells = (std::numeric_limits<std::size_t>::max)(); // or flat ones
+  bool meets_boundary = false;
+  double distance_to_boundary = 0; // the largest one of a prescribed vertex; may be zero by underflow
+
+  bool is_valid() const { return number_of_inverted_cells == 0; }
+  bool is_solution() const { return is_valid() && meets_boundary; }
+};
+
+// With the prescribed vertices to be on their targets.
+inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+{
+  Map_3 map;
+  map.number_of_inverted_cells = inverted_cells(mesh, positions).number;
+  map.meets_boundary = is_on_target(mesh, positions);
+  map.distance_to_boundary = largest_distance_to_target(mesh, positions);
+  map.positions = std::move(positions);
+  return map;
+}
+
+// Why no map was found with fixed boundary.
+struct Diagnosis_3
+{
+  std::vector<std::size_t> inverted_cells;
+  std::size_t number_of_proofs = 0; // that there is none
+  std::string message;
+};
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

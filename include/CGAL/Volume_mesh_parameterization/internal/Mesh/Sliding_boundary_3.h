@@ -12,10 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -52,9 +50,7 @@ private:
 
   // Along an axis, it is so exactly: a division by the length may be a multiplication by its rounded reciprocal.
   static Eigen::Vector3d unit_normal(const Eigen::Vector3d& n)
-  {
-    return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized();
-  }
+  { return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized(); }
 
   // Are two facets with a common edge coplanar, and on either side of it?
   static bool are_coplanar(const Eigen::Matrix3Xd& points, const Facet& f, const Facet& g)
@@ -115,9 +111,8 @@ private:
   std::vector<bool> m_is_planar;
 };
 
-// Where the vertices of a boundary may go if its planar patches are to cover the same polygons: a vertex
-// inside a patch moves parallel to its plane, one between two patches along their line, and every other
-// vertex stays at its target.
+// Where the vertices of a boundary may go if its planar patches are to cover the same polygons: a vertex inside a patch
+// moves parallel to its plane, one between two patches along their line, and every other vertex stays at its target.
 //
 // While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
 // its cell with it, in between. And patches of facets that are not turned over cover each point as often
@@ -129,8 +124,7 @@ public:
   // Vertices that `is_constrained` tells stay at their targets too.
   template <typename Predicate>
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
-    : m_mesh(mesh),
-      m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
+    : m_mesh(mesh), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
       m_patches(mesh.target, m_facets, planarity * target_diagonal(mesh)),
       m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
   {
@@ -218,9 +212,7 @@ private:
 
   // from where it may be
   Eigen::Vector3d offset(const Eigen::Matrix3Xd& positions, const int v) const
-  {
-    return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v));
-  }
+  { return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v)); }
 
   CGAL::Orientation orientation(const Eigen::Matrix3Xd& positions, const std::size_t facet) const
   {

@@ -12,18 +12,13 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <CGAL/Union_find.h>
 
-#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <limits>
 #include <numeric>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -14,11 +14,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/Map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #endif
 
@@ -36,14 +35,10 @@ struct Input_check_3
 };
 
 template <typename... Parts>
-Input_check_3 failed_check(const Error_code status, const Parts&... parts)
-{
-  return { status, sentence(parts...), true };
-}
+Input_check_3 failed_check(const Error_code status, const Parts&... parts) { return { status, sentence(parts...), true }; }
 
 // Can there be a map? Names the first reason against it.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Input_check_3 check_input_3(const Numbered_mesh_3& mesh);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
@@ -53,8 +48,7 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
   {
     const Eigen::Vector3d point = mesh.source.col(v);
     if(!point.allFinite())
-      return failed_check(ERROR_NON_FINITE_COORDINATE, "A vertex of the source has the coordinates ",
-                          describe(point), ".");
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "A vertex of the source has the coordinates ", describe(point), ".");
     if(mesh.initial.cols() > 0 && mesh.initial.col(v).array().isInf().any())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "The initial image of the vertex at ", describe(point),
                           " is ", describe(mesh.initial.col(v)), ".");
@@ -62,8 +56,7 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
       continue;
     const Eigen::Vector3d target = mesh.target.col(v);
     if(target.array().isNaN().any())
-      return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The boundary vertex at ", describe(point),
-                          " has no target.");
+      return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The boundary vertex at ", describe(point), " has no target.");
     if(!target.allFinite())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "The target of the boundary vertex at ", describe(point),
                           " is ", describe(target), ".");
@@ -109,9 +102,7 @@ inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
 inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 {
   const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
-  {
-    return !has_positive_inverse(edge_matrix(mesh.source, cell));
-  });
+  { return !has_positive_inverse(edge_matrix(mesh.source, cell)); });
   return !flat.has_first ? Input_check_3()
     : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(flat.first),
                    " of the source is so flat that its volume is positive in exact arithmetic only.");
@@ -158,8 +149,7 @@ inline bool has_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 4>
 // Refinement splits facets inside the body, but none of the boundary.
 inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
 {
-  const Found_cells flat
-    = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
+  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
   if(!flat.has_first)
     return {};
   Input_check_3 result
@@ -189,8 +179,7 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
                       mesh.user_number(inverted.first), ".");
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
 {
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));

@@ -13,18 +13,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-
-#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 inline double angle_distortion(const double largest, const double smallest)
-{
-  return largest / smallest + smallest / largest;
-}
+{ return largest / smallest + smallest / largest; }
 
 inline void add_cell(Distortion_3& distortion, const double cell_volume, const Eigen::Vector3d& s)
 {
@@ -51,16 +46,12 @@ inline void replace_by_infinity(Distortion_3& distortion)
 inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
 {
   return values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell) -> Eigen::Vector3d
-  {
-    return signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse());
-  });
+  { return signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse()); });
 }
 
 // By what the singular values of a map are multiplied where its image is scaled to the volume of the source.
 inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
-{
-  return std::cbrt(volume(mesh, mesh.source) / volume(mesh, image));
-}
+{ return std::cbrt(volume(mesh, mesh.source) / volume(mesh, image)); }
 
 // The distortions of a map by its singular values in each cell, multiplied by a factor.
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
@@ -78,9 +69,7 @@ inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std:
 }
 
 inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
-{
-  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)).angle_max;
-}
+{ return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)).angle_max; }
 
 // Psi of each cell, with the singular values multiplied by a factor.
 inline std::vector<double> energies_of_cells_3(const std::vector<Eigen::Vector3d>& s, const Cell_energy_3& energy,
@@ -105,8 +94,7 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
                             const Cell_energy_3& energy, const double factor)
 {
   const std::vector<double> psi = energies_of_cells_3(s, energy, factor), weights = cell_weights(mesh);
-  const double result
-    = mesh.communicator->sum(std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.));
+  const double result = mesh.communicator->sum(std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.));
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
@@ -131,8 +119,7 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
   for(std::array<int, 4> cell : mesh.cells)
   {
     // the prescribed vertices come first
-    const auto first_free
-      = std::stable_partition(cell.begin(), cell.end(), [&](const int v) { return !mesh.is_free(v); });
+    const auto first_free = std::stable_partition(cell.begin(), cell.end(), [&](const int v) { return !mesh.is_free(v); });
     const auto number_of_prescribed = first_free - cell.begin();
     if(number_of_prescribed < 3)
       continue;

@@ -13,15 +13,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
 
-#include <cstddef>
 #include <numeric>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -74,8 +72,7 @@ inline std::vector<int> places_in(const std::vector<std::size_t>& order)
 // The cells with their vertices renumbered, in the order of their first vertices; `user_numbers` receives their old places.
 inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::array<int, 4> >& cells,
                                                          const std::vector<int>& places,
-                                                         std::vector<std::size_t>& user_numbers,
-                                                         const bool is_parallel)
+                                                         std::vector<std::size_t>& user_numbers, const bool is_parallel)
 {
   const std::vector<int> first_vertices = values_of_indices(is_parallel, cells.size(), [&](const std::size_t c)
   {

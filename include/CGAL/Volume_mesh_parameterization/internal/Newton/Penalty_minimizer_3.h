@@ -12,15 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -141,9 +133,7 @@ private:
   }
 
   bool is_gradient_small() const
-  {
-    return m_iterate.direction.gradient_norm < m_parameters.gradient_tolerance * m_iterate.evaluation.energy;
-  }
+  { return m_iterate.direction.gradient_norm < m_parameters.gradient_tolerance * m_iterate.evaluation.energy; }
 
   Newton_system_3& m_system;
   Quadratic_penalty_3& m_penalty;

@@ -12,28 +12,11 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
-
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <utility>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-struct Effort_3
-{
-  std::size_t number_of_iterations = 0;
-  std::size_t number_of_untangling_iterations = 0;
-  double seconds_to_flip_free = 0;
-  double seconds_numbering = 0;
-  double seconds_start = 0;
-  double seconds_untangling = 0;
-  double seconds_minimization = 0;
-};
 
 // What the loops of a computation ask before each step and tell after it: may they go on, for the clock, the user and the
 // number of steps? Where several processes share a mesh, all ask and tell together, and are given one answer.
@@ -51,7 +34,7 @@ public:
 
   const Budget& budget() const { return m_budget; } // of this process, for loops that it runs alone
   double seconds() const { return m_budget.seconds(); }
-  const Effort_3& effort() const { return m_effort; }
+  const Parameterization_result& effort() const { return m_effort; } // only with the numbers of steps, and the seconds
   std::size_t number_of_steps() const { return m_number_of_steps; } // of this stage
 
   void begin_stage() { m_number_of_steps = 0; }
@@ -68,9 +51,7 @@ public:
 
   // How a loop ends that does not go on.
   Error_code status_of_end(const bool is_flip_free) const
-  {
-    return m_is_interrupted ? ERROR_INTERRUPTED : is_flip_free ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE;
-  }
+  { return m_is_interrupted ? ERROR_INTERRUPTED : is_flip_free ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE; }
 
   void after_step(Parameterization_step step)
   {
@@ -110,7 +91,7 @@ private:
   Visitor m_visitor;
   const Communicator_3& m_communicator;
   std::string m_attempt;
-  Effort_3 m_effort;
+  Parameterization_result m_effort;
   double m_lap = 0;
   bool m_is_interrupted = false;
 };

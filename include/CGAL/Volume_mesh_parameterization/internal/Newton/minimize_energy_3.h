@@ -12,21 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
 #include <iterator>
-#include <numeric>
 #include <optional>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -49,8 +38,7 @@ class Minimizer_3
 public:
   Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
               const Negative_curvature& negative_curvature)
-    : m_system(system), m_energy(energy), m_scale(scale_of(energy)),
-      m_iterate{ system.unit() * positions, {} },
+    : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.unit() * positions, {} },
       m_negative_curvature(negative_curvature)
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
@@ -77,9 +65,7 @@ public:
   }
 
   bool is_converged(const double negligible_gain) const
-  {
-    return m_iterate.direction.is_exact() && relative_gain() <= negligible_gain;
-  }
+  { return m_iterate.direction.is_exact() && relative_gain() <= negligible_gain; }
 
 private:
   bool move(const double negative_curvature, const Budget& budget)
@@ -103,10 +89,7 @@ private:
   }
 
   // The squared Newton decrement, which bounds what a step can gain, relative to the energy.
-  double relative_gain() const
-  {
-    return -m_iterate.direction.slope / (std::max)(m_scale, m_iterate.evaluation.energy);
-  }
+  double relative_gain() const { return -m_iterate.direction.slope / (std::max)(m_scale, m_iterate.evaluation.energy); }
 
   // Tighter as the minimum is near, so that the last step meets it (Eisenstat and Walker, Choosing the forcing terms in an
   // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
@@ -190,8 +173,7 @@ using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3
 inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
                                          const Eigen::Matrix3Xd& positions, Progress_3& progress,
                                          const Negative_curvature& negative_curvature = Negative_curvature(),
-                                         const Ends_here& ends_here = nullptr,
-                                         const double negligible_gain = 1e-8)
+                                         const Ends_here& ends_here = nullptr, const double negligible_gain = 1e-8)
 {
   Minimizer_3 minimizer(system, energy, positions, negative_curvature);
   const Newton_iterate_3& iterate = minimizer.iterate();

@@ -12,18 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -170,6 +160,33 @@ inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phas
   step.decrement = std::sqrt((std::max)(0., -iterate.direction.slope));
   step.step_length = iterate.step_length;
   return step;
+}
+
+// Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton step suffices;
+// that of a solver which is not exact leaves about the squared tolerance of its gain. Then further steps with the same
+// matrix follow, until no more than a part of the energy is left to gain, or the budget is exhausted. Returns the last
+// direction.
+inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& positions, Progress_3& progress,
+                                         const double energy_tolerance = 1e-14)
+{
+  constexpr int maximal_number_of_steps = 20;
+  const Dirichlet_energy_3 energy;
+  const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
+  double tolerance = 1e-2;
+  Eigen::Matrix3Xd u = system.unit() * positions;
+  Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance, progress.budget());
+  for(int i = 1; direction.is_usable(); ++i)
+  {
+    u += direction.vectors;
+    const double left = -direction.slope * tolerance * tolerance;
+    const double allowed = energy_tolerance * system.evaluate(dirichlet, u).energy;
+    if(left <= allowed || i == maximal_number_of_steps || progress.is_interrupted())
+      break;
+    tolerance = std::clamp(0.5 * std::sqrt(allowed / left), 1e-3, 1e-1);
+    direction = system.next_direction(dirichlet, u, tolerance, progress.budget());
+  }
+  positions = u / system.unit();
+  return direction;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -13,12 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
-
-#include <Eigen/Core>
-
-#include <cstddef>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -72,9 +67,7 @@ public:
 
 private:
   Energy_evaluation evaluate(const Untangling_energy_3& f) const
-  {
-    return m_system.evaluate(Cell_energy_of<Untangling_energy_3>(f), m_iterate.u);
-  }
+  { return m_system.evaluate(Cell_energy_of<Untangling_energy_3>(f), m_iterate.u); }
 
   void keep_best()
   {

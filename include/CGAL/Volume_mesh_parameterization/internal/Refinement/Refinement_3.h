@@ -12,9 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 
-#include <algorithm>
 #include <optional>
 #include <set>
 
@@ -23,9 +22,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Does a simplex, as a range of its vertices, have a vertex, or all those of a face?
 template <typename Simplex>
 bool contains(const Simplex& simplex, const typename Simplex::value_type& v)
-{
-  return std::find(simplex.begin(), simplex.end(), v) != simplex.end();
-}
+{ return std::find(simplex.begin(), simplex.end(), v) != simplex.end(); }
 
 template <typename Simplex>
 bool contains(const Simplex& simplex, const Simplex_3& face)
@@ -112,8 +109,7 @@ class Refinement_3
 {
 public:
   explicit Refinement_3(Body_3& body)
-    : m_body(body),
-      m_cells(body.soup.cells, body.soup.cell_references, body.soup.points.size()),
+    : m_body(body), m_cells(body.soup.cells, body.soup.cell_references, body.soup.points.size()),
       m_facets(body.soup.facets, body.soup.facet_references, body.soup.points.size())
   {
     for(const auto& [u, v, w] : body.boundary)
@@ -123,10 +119,7 @@ public:
 
   std::vector<std::size_t> cells_around(const Simplex_3& simplex) const { return m_cells.around(simplex); }
 
-  Simplex_3 cell(const std::size_t c) const
-  {
-    return Simplex_3(m_body.soup.cells[c].begin(), m_body.soup.cells[c].end());
-  }
+  Simplex_3 cell(const std::size_t c) const { return Simplex_3(m_body.soup.cells[c].begin(), m_body.soup.cells[c].end()); }
 
   // Is a simplex with these cells around it one of the body, and not of its boundary?
   bool is_interior(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const

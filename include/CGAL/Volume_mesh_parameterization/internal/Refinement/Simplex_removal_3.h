@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Prescription_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Refinement_3.h>
 
 #include <queue>
@@ -25,9 +24,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const Simplex_3& simplex)
 {
   return std::all_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
-  {
-    return v < is_prescribed.size() && is_prescribed[v];
-  });
+  { return v < is_prescribed.size() && is_prescribed[v]; });
 }
 
 // The prescribed simplices that no map with these images of its boundary can map well: their image, the
@@ -154,9 +151,7 @@ private:
   };
 
   bool is_interior(const Simplex_3& simplex) const
-  {
-    return m_refinement.is_interior(simplex, m_refinement.cells_around(simplex));
-  }
+  { return m_refinement.is_interior(simplex, m_refinement.cells_around(simplex)); }
 
   void collect_candidates(const Simplex_3& cell)
   {

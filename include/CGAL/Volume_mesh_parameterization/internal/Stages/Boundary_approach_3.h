@@ -12,18 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Penalty_minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
-
-#include <Eigen/Core>
-
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -33,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // the matrix nearly a scaled rotation, and round the result; the closed form is due to Umeyama 1991.)
 inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
 {
-  const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
+  const Eigen::Index n = mesh.number_of_prescribed_vertices();
   if(n == 0)
     return mesh.source;
   const auto source = mesh.source.rightCols(n), target = mesh.target.rightCols(n);
@@ -68,16 +58,10 @@ public:
 
   Boundary_approach_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
                       const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
-                      const Constraints& constraints = Constraints(),
-                      const Approach_start_3& start = Approach_start_3())
-    : m_mesh(mesh),
-      m_energy(energy),
-      m_parameters(parameters),
-      m_has_constraints(!constraints.empty()),
-      m_patience(start.patience),
-      m_number_of_raises(start.number_of_raises),
-      m_aligned_source(similarity_alignment_3(mesh)),
-      m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
+                      const Constraints& constraints = Constraints(), const Approach_start_3& start = Approach_start_3())
+    : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
+      m_patience(start.patience), m_number_of_raises(start.number_of_raises),
+      m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
       m_scaled(cells_scaled_to_length(mesh, m_length)),
       m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
       m_system(mesh, m_scaled, all_vertices(mesh), solver, &m_penalty)
@@ -117,15 +101,14 @@ public:
 
   // The images of all vertices; those of the prescribed ones are near their targets.
   Eigen::Matrix3Xd positions() const { return m_minimizer->iterate().u / m_scaled.unit; }
+  Map_3 map() const { return judged(m_mesh, positions()); }
 
   // The same with the prescribed vertices on their targets.
   Eigen::Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
 
   // May the minimization with fixed boundary take over from there?
   bool can_snap() const
-  {
-    return m_parameters.do_snap && !m_has_constraints && inverted_cells(m_mesh, snapped_positions()).number == 0;
-  }
+  { return m_parameters.do_snap && !m_has_constraints && inverted_cells(m_mesh, snapped_positions()).number == 0; }
 
   // of the energy with the penalty
   double energy() const { return m_minimizer->iterate().evaluation.energy; }
@@ -133,9 +116,7 @@ public:
   // |P(u)|_2, where the target has volume 1
   double residual() const { return m_penalty.residual(m_minimizer->iterate().u) / (m_scaled.unit * m_length); }
   double weight() const
-  {
-    return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises));
-  }
+  { return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises)); }
   std::size_t number_of_raises() const { return m_number_of_raises; }
   bool is_relaxing() const { return m_minimizer->is_relaxing(); }
 
@@ -181,8 +162,7 @@ private:
   }
 
   // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
-  // for two raises as many cells as before keep vertices from their targets. The first raises only bring the
-  // boundary near.
+  // for two raises as many cells as before keep vertices from their targets. The first raises only bring the boundary near.
   bool is_blocked()
   {
     constexpr std::size_t number_of_first_raises = 3;

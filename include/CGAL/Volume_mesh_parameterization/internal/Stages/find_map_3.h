@@ -18,29 +18,20 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
-
-#include <Eigen/Core>
-
-#include <cstddef>
-#include <optional>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
 // without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. No images at all if
 // none are given.
-inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
-                                                Progress_3& progress)
+inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
 {
   Eigen::Matrix3Xd result = mesh.initial;
   const auto is_missing = [&](const int v) { return mesh.initial.col(v).array().isNaN().any(); };
   for(int v = 0; v < result.cols(); ++v)
     if(is_missing(v))
       result.col(v) = mesh.target.col(v);
-  const Unknowns_3 unknowns(static_cast<int>(result.cols()),
-                            [&](const int v) { return mesh.is_free(v) && is_missing(v); });
+  const Unknowns_3 unknowns(static_cast<int>(result.cols()), [&](const int v) { return mesh.is_free(v) && is_missing(v); });
   if(unknowns.size() == 0)
     return result;
   Newton_system_3 system(mesh, unknowns, solver);
@@ -100,8 +91,7 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));
   found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
   if(found.status == OK && !options.do_slide)
-    minimize_map_3(system, energy, solver, options, progress, found,
-                   Negative_curvature(may_be_near_minimum ? 1 : 0));
+    minimize_map_3(system, energy, solver, options, progress, found, Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 
 // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put
@@ -112,8 +102,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
 {
   std::optional<Eigen::Matrix3Xd> snapped_positions;
   {
-    Boundary_approach_3 approach(mesh, energy, solver, options.soft, options.constraints,
-                                 options.approach);
+    Boundary_approach_3 approach(mesh, energy, solver, options.soft, options.constraints, options.approach);
     progress.begin_stage();
     progress.begin_attempt("soft boundary");
     progress.reach_flip_free();
@@ -124,7 +113,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
       progress.after_step(approach.last_step());
     }
     const Error_code status = approach.is_running() ? progress.status_of_end(true) : approach.status();
-    found.take(status, approach.reason(), judged(mesh, approach.positions()));
+    found.take(status, approach.reason(), approach.map());
     found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();
     if(approach.can_snap() && progress.is_interrupted())
@@ -154,7 +143,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
     {
       progress.begin_stage();
       progress.begin_attempt("splits");
-      found.splits = find_splits_3(mesh, solver, found.map.positions, progress);
+      found.splits = find_splits_3(mesh, solver, found.map, progress);
     }
     else if(found.status == ERROR_NOT_FLIP_FREE && mesh.is_whole())
       found.diagnosis = diagnose_3(mesh, found.map.positions, progress.budget());

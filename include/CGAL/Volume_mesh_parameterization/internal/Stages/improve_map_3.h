@@ -18,15 +18,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
-
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -41,8 +32,7 @@ inline std::string describe_angle_distortion(const double reached, const double 
 // minimized below the bound. `minimize` is a function of the energy that goes on from the map found so far.
 template <typename Minimize>
 void bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const double bound,
-                              const bool is_sliding, const Minimize& minimize, Progress_3& progress,
-                              Found_map_3& found)
+                              const bool is_sliding, const Minimize& minimize, Progress_3& progress, Found_map_3& found)
 {
   double excess = largest_angle_distortion_3(mesh, found.map.positions) - bound;
   if(excess < 0)
@@ -107,9 +97,7 @@ void improve_map_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Lin
 {
   const double bound = options.maximal_angle_distortion;
   const auto exceeds_bound = [&]()
-  {
-    return std::isfinite(bound) && !(largest_angle_distortion_3(mesh, found.map.positions) < bound);
-  };
+  { return std::isfinite(bound) && !(largest_angle_distortion_3(mesh, found.map.positions) < bound); };
   if(!options.do_slide && !options.minimize_maximal_angle_distortion && !exceeds_bound())
     return;
   const bool is_bounded = std::isfinite(bound) || options.minimize_maximal_angle_distortion;

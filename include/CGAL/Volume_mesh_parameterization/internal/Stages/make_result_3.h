@@ -12,20 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
-
-#include <Eigen/Core>
-
-#include <cmath>
-#include <string>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -85,7 +77,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
                                       const Linear_solver_3& solver, const Progress_3& progress)
 {
   const double begin = progress.seconds();
-  Parameterization_result result;
+  Parameterization_result result = progress.effort();
   result.status = final_status(found);
   result.message = get_error_message(result.status) + reason_of(result.status, found, check);
   if(solver.number_of_cut_solutions() > 0)
@@ -113,16 +105,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     result.unavoidable_angle_distortion = found.unavoidable_angle_distortion;
     result.missed_angle_distortion = found.missed_angle_distortion;
   }
-
-  const Effort_3& effort = progress.effort();
-  result.number_of_iterations = effort.number_of_iterations;
-  result.number_of_untangling_iterations = effort.number_of_untangling_iterations;
   result.number_of_linear_solver_iterations = solver.number_of_iterations();
-  result.seconds_to_flip_free = effort.seconds_to_flip_free;
-  result.seconds_numbering = effort.seconds_numbering;
-  result.seconds_start = effort.seconds_start;
-  result.seconds_untangling = effort.seconds_untangling;
-  result.seconds_minimization = effort.seconds_minimization;
   result.seconds_check = progress.seconds() - begin;
   result.seconds_total = progress.seconds();
   return result;

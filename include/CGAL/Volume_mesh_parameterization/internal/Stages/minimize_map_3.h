@@ -17,19 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
-#include <numeric>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The cells far above both the median and the mean of the energy.
@@ -194,8 +181,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
       return status;
     }, options.negligible_gain());
   take(whole);
-  const bool is_minimum
-    = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
+  const bool is_minimum = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
   if(!is_minimum && !has_crawled)
     return;
 

@@ -14,15 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What a refinement keeps of the approach that was blocked.
@@ -91,10 +82,7 @@ inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_
                                        const Stuck_untangling_3& before)
 {
   constexpr std::size_t patience = 2;
-  std::vector<std::size_t> cells;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(!is_positive(found.map.positions, mesh.cells[c]))
-      cells.push_back(c);
+  std::vector<std::size_t> cells = indices_of_inverted_cells(mesh, found.map.positions);
   sort_by_user_number(mesh, cells);
 
   Refinement_plan_3 plan;
@@ -122,14 +110,10 @@ inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, co
     return result;
   };
 
-  std::vector<std::size_t> result;
+  std::vector<std::size_t> result = indices_of_inverted_cells(mesh, at_targets);
   double farthest = 0;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(!is_positive(at_targets, mesh.cells[c]))
-    {
-      result.push_back(c);
-      farthest = (std::max)(farthest, distance(c));
-    }
+  for(const std::size_t c : result)
+    farthest = (std::max)(farthest, distance(c));
   const auto is_near = [&](const std::size_t c) { return distance(c) < farthest / 2; };
   result.erase(std::remove_if(result.begin(), result.end(), is_near), result.end());
   return result;

@@ -14,22 +14,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/Communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
-
-#include <Eigen/Core>
 
 #include <boost/type_index.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <functional>
-#include <memory>
-#include <string>
-#include <type_traits>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -102,9 +90,7 @@ public:
   std::size_t number_of_cut_solutions() const override { return m_number_of_cut_solutions; }
 
   std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3&) override
-  {
-    return std::make_unique<System>(*this, std::move(pattern));
-  }
+  { return std::make_unique<System>(*this, std::move(pattern)); }
 
 private:
   using Matrix = Block_sparse_matrix_3<typename Solver::NT>;
@@ -114,9 +100,7 @@ private:
   public:
     System(Linear_solver_of& owner, Sparsity_pattern_3 pattern)
       : m_owner(owner), m_number(++owner.m_number_of_systems), m_matrix(Matrix())
-    {
-      std::get<Matrix>(m_matrix).set_pattern(std::move(pattern.row_begin), std::move(pattern.columns));
-    }
+    { std::get<Matrix>(m_matrix).set_pattern(std::move(pattern.row_begin), std::move(pattern.columns)); }
 
     Newton_matrix_3& matrix() override { return m_matrix; }
 
@@ -131,9 +115,7 @@ private:
 
     Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
                                const Budget& budget) override
-    {
-      return m_owner.solve(b, x, tolerance, budget);
-    }
+    { return m_owner.solve(b, x, tolerance, budget); }
 
   private:
     Linear_solver_of& m_owner;

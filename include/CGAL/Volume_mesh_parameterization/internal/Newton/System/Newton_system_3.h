@@ -13,18 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Quadratic_penalty_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/sum_over_cells_3.h>
-
-#include <Eigen/Core>
-
-#include <cmath>
-#include <memory>
-#include <type_traits>
-#include <utility>
-#include <variant>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -50,9 +40,7 @@ struct Newton_direction_3
 
   // Has the solver failed for another reason than an indefinite matrix?
   bool has_solver_failed() const
-  {
-    return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED;
-  }
+  { return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED; }
 };
 
 // A sentence for the user about a direction that ended a computation.
@@ -65,8 +53,7 @@ inline const char* describe_failure(const Newton_direction_3& direction)
     case Linear_solver_status::NOT_POSITIVE_DEFINITE:
       return "The matrix is not positive definite, although it should be up to rounding: cells are too flat for the "
              "precision of the solver.";
-    default:
-      return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
+    default: return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
   }
 }
 
@@ -85,31 +72,21 @@ public:
 
   Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
                   Linear_solver_3& solver, const Quadratic_penalty_3* const penalty = nullptr)
-    : m_mesh(mesh),
-      m_communicator(*mesh.communicator),
-      m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices),
-      m_unknowns(std::move(unknowns)),
-      m_penalty(penalty),
-      m_unit(scaled.unit),
+    : m_mesh(mesh), m_communicator(*mesh.communicator),
+      m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
+      m_penalty(penalty), m_unit(scaled.unit),
       m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Incidences_of_rows_3::Groups()
                                                                         : penalty->groups(), mesh.is_parallel)),
-      m_packs(mesh, scaled, m_unknowns, m_pattern),
-      m_system(solver.make_system(std::move(m_pattern), m_communicator)),
+      m_packs(mesh, scaled, m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator)),
       m_is_parallel(mesh.is_parallel)
   {}
 
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
   Newton_system_3(const Newton_system_3& whole, Unknowns_3 some, Linear_solver_3& solver)
-    : m_mesh(whole.m_mesh),
-      m_communicator(whole.m_communicator),
-      m_number_of_own_rows(some.size()),
-      m_unknowns(std::move(some)),
-      m_penalty(nullptr),
-      m_unit(whole.m_unit),
-      m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)),
-      m_packs(whole.m_packs, m_unknowns, m_pattern),
-      m_system(solver.make_system(std::move(m_pattern), m_communicator)),
-      m_is_parallel(false)
+    : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_number_of_own_rows(some.size()),
+      m_unknowns(std::move(some)), m_penalty(nullptr), m_unit(whole.m_unit),
+      m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)), m_packs(whole.m_packs, m_unknowns, m_pattern),
+      m_system(solver.make_system(std::move(m_pattern), m_communicator)), m_is_parallel(false)
   {}
 
   const Numbered_mesh_3& mesh() const { return m_mesh; }
@@ -187,9 +164,7 @@ public:
 
   // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
   double largest_step(const Positions& u, const Positions& d) const
-  {
-    return m_communicator.minimum(largest_step_3(m_packs, u, d, m_is_parallel));
-  }
+  { return m_communicator.minimum(largest_step_3(m_packs, u, d, m_is_parallel)); }
 
 private:
   template <typename NT>

@@ -14,17 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
-#include <optional>
-#include <set>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Edges_3 = std::vector<std::array<int, 2> >;
@@ -77,13 +66,11 @@ inline bool is_inside(const Numbered_mesh_3& mesh, const std::array<int, 2>& edg
 
 // The edges of a patch at vertices of inverted cells that move; and those inside that join two prescribed vertices, and are
 // in a cell at any vertex of an inverted one. Those of inverted cells come last.
-inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch,
-                                                                    const Eigen::Matrix3Xd& image)
+inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const Eigen::Matrix3Xd& image)
 {
   std::set<int> centers;
-  for(const std::array<int, 4>& cell : patch.cells)
-    if(!is_positive(image, cell))
-      centers.insert(cell.begin(), cell.end());
+  for(const std::size_t c : indices_of_inverted_cells(patch, image))
+    centers.insert(patch.cells[c].begin(), patch.cells[c].end());
   std::map<std::array<int, 2>, bool> is_of_inverted_cell;
   for(const std::array<int, 4>& cell : patch.cells)
   {
@@ -95,9 +82,7 @@ inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch,
           is_of_inverted_cell[{(std::min)(v, w), (std::max)(v, w)}] |= is_inverted;
     if(std::any_of(cell.begin(), cell.end(), is_center))
       for_each_prescribed_edge(patch, cell, [&](const std::array<int, 2>& edge)
-      {
-        is_of_inverted_cell[edge] |= is_inverted;
-      });
+      { is_of_inverted_cell[edge] |= is_inverted; });
   }
   Edges_3 result;
   for(const bool is_last : {false, true})
@@ -108,8 +93,7 @@ inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch,
 }
 
 // The points with the midpoints of edges, which come after the first n points.
-inline Eigen::Matrix3Xd with_midpoints(const Eigen::Matrix3Xd& points, const Edges_3& edges,
-                                       const int n)
+inline Eigen::Matrix3Xd with_midpoints(const Eigen::Matrix3Xd& points, const Edges_3& edges, const int n)
 {
   Eigen::Matrix3Xd result(3, points.cols() + edges.size());
   result.leftCols(n) = points.leftCols(n);
@@ -120,8 +104,7 @@ inline Eigen::Matrix3Xd with_midpoints(const Eigen::Matrix3Xd& points, const Edg
 }
 
 // Splits edges of a patch, one after the other, at their midpoints in source and image. The new vertices move.
-inline void split_patch_edges_3(Numbered_mesh_3& patch, Eigen::Matrix3Xd& image,
-                                const Edges_3& edges)
+inline void split_patch_edges_3(Numbered_mesh_3& patch, Eigen::Matrix3Xd& image, const Edges_3& edges)
 {
   const int n = patch.number_of_free_vertices;
   const int number_of_edges = static_cast<int>(edges.size());
@@ -211,8 +194,7 @@ std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solve
 
 // Edges to split where untangling is stuck, as few as possible: first so that the patches of inverted cells can be
 // untangled, and where that cannot be, so that fewer cells are inverted. A step is an attempt at a patch.
-inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Eigen::Matrix3Xd& positions,
-                             Progress_3& progress)
+inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Map_3& map, Progress_3& progress)
 {
   struct Level
   {
@@ -222,7 +204,7 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
   Parameterization_step step;
   step.phase = Phase::UNTANGLING;
   step.kind = Step_kind::SPLIT;
-  step.number_of_inverted_cells = inverted_cells(mesh, positions).number;
+  step.number_of_inverted_cells = map.number_of_inverted_cells;
   const auto after_attempt = [&]
   {
     progress.after_step(step);
@@ -236,11 +218,11 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
   };
   for(const Level level : { Level{1, true}, Level{2, true}, Level{2, false} })
   {
-    std::vector<Patch_3> patches = patches_3(mesh, positions, is_chosen, level.number_of_rings);
+    std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, level.number_of_rings);
     for(; !patches.empty() && progress.goes_on(); patches.pop_back())
     {
-      const Patch_mesh_3 patch(mesh, positions,
-                               with_cells_around_prescribed_edges(mesh, positions, std::move(patches.back())));
+      const Patch_mesh_3 patch(mesh, map.positions,
+                               with_cells_around_prescribed_edges(mesh, map.positions, std::move(patches.back())));
       const auto splits = splits_of_patch_3(patch, solver, level.must_untangle, progress.budget(), after_attempt);
       if(!splits)
         continue;

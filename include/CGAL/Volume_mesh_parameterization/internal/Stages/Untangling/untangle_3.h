@@ -15,12 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 
-#include <Eigen/Core>
-
-#include <cstddef>
-#include <string>
-#include <utility>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Images of all vertices, with the prescribed ones on their targets, and how the search for them ended.
@@ -48,7 +42,7 @@ public:
   bool is_in_vain(const Untangling_attempt_3& attempt) const
   {
     return goes_on() && m_best.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
-        && !prove_infeasibility_3(m_mesh, m_best.positions, m_progress.budget()).empty();
+        && !prove_infeasibility_3(m_mesh, indices_of_inverted_cells(m_mesh, m_best.positions), m_progress.budget()).empty();
   }
 
   bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }

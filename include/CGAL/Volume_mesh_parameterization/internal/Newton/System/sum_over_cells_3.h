@@ -7,20 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_SUM_OVER_CELLS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_SUM_OVER_CELLS_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Cell_packs_3.h>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cstddef>
-#include <numeric>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -32,9 +25,7 @@ inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_e
   const Cell_kernels_3& kernels = cell_kernels_3();
   std::vector<Energy_evaluation> parts(packs.number_of_own_chunks());
   for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t chunk)
-  {
-    kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]);
-  });
+  { kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]); });
   Energy_evaluation result;
   for(const Energy_evaluation& part : parts)
     result.add(part);
@@ -64,23 +55,7 @@ inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& 
 {
   const Cell_kernels_3& kernels = cell_kernels_3();
   for_each_chunk_in_rounds(packs, is_parallel, [&](const std::size_t chunk)
-  {
-    kernels.add_gradient(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, gradient.data());
-  });
-}
-
-inline void add_derivatives(const Cell_kernels_3& kernels, Cell_kernels_3::Range first, Cell_kernels_3::Range last,
-                            const double* const u, const Cell_energy_3& energy, const double negative_curvature,
-                            double* const gradient, float* const hessian)
-{
-  kernels.add_derivatives_float(first, last, u, energy, negative_curvature, gradient, hessian);
-}
-
-inline void add_derivatives(const Cell_kernels_3& kernels, Cell_kernels_3::Range first, Cell_kernels_3::Range last,
-                            const double* const u, const Cell_energy_3& energy, const double negative_curvature,
-                            double* const gradient, double* const hessian)
-{
-  kernels.add_derivatives_double(first, last, u, energy, negative_curvature, gradient, hessian);
+  { kernels.add_gradient(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, gradient.data()); });
 }
 
 // The gradient and the Hessian, of which the part `negative_curvature` of negative eigenvalues in each cell is kept.
@@ -89,12 +64,12 @@ void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, con
                      const double negative_curvature, const bool is_parallel,
                      Eigen::Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
 {
-  const Cell_kernels_3& kernels = cell_kernels_3();
+  const auto add_derivatives = std::get<Cell_kernels_3::Add_derivatives<NT> >(cell_kernels_3().add_derivatives);
   gradient.setZero(3, hessian.size());
   hessian.set_zero();
   for_each_chunk_in_rounds(packs, is_parallel, [&](const std::size_t chunk)
   {
-    add_derivatives(kernels, packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
+    add_derivatives(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
                     gradient.data(), hessian.values(0));
   });
   constexpr int rows_per_range = 1024;
@@ -112,12 +87,10 @@ inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& 
   const Cell_kernels_3& kernels = cell_kernels_3();
   std::vector<double> parts(packs.number_of_own_chunks(), 1.);
   for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t chunk)
-  {
-    parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data());
-  });
+  { parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data()); });
   return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SUM_OVER_CELLS_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_SUM_OVER_CELLS_3_H

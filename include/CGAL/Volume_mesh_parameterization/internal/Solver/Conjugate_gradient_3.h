@@ -7,21 +7,17 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_CONJUGATE_GRADIENT_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_CONJUGATE_GRADIENT_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVER_CONJUGATE_GRADIENT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVER_CONJUGATE_GRADIENT_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Aggregate_hierarchy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Solver/Aggregate_hierarchy_3.h>
 
-#include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -34,8 +30,7 @@ public:
   using Matrix = Block_sparse_matrix_3<NT>;
 
   Conjugate_gradient_3(const bool is_parallel, const int maximal_number_of_iterations)
-    : m_is_parallel(is_parallel), m_maximal_number_of_iterations(maximal_number_of_iterations),
-      m_hierarchy(is_parallel)
+    : m_is_parallel(is_parallel), m_maximal_number_of_iterations(maximal_number_of_iterations), m_hierarchy(is_parallel)
   {}
 
   void analyze_pattern(const Matrix& A)
@@ -107,10 +102,7 @@ private:
   static constexpr int rows_per_range = 1024;
   static_assert(rows_per_range % Aggregate_hierarchy_3::rows_per_aggregate == 0);
 
-  std::size_t number_of_row_ranges() const
-  {
-    return (m_inverse_diagonal.size() / 9 + rows_per_range - 1) / rows_per_range;
-  }
+  std::size_t number_of_row_ranges() const { return (m_inverse_diagonal.size() / 9 + rows_per_range - 1) / rows_per_range; }
 
   // Calls f(first_row, last_row), and returns the sum of its results.
   template <typename Function>
@@ -137,24 +129,16 @@ private:
 
   // Sylvester's criterion.
   static bool is_positive_definite(const Eigen::Matrix3d& D)
-  {
-    return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0;
-  }
+  { return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0; }
 
   auto inverse_diagonal(const int row)
-  {
-    return Eigen::Map<Eigen::Matrix<NT, 3, 3> >(m_inverse_diagonal.data() + 9 * std::size_t(row));
-  }
+  { return Eigen::Map<Eigen::Matrix<NT, 3, 3> >(m_inverse_diagonal.data() + 9 * std::size_t(row)); }
 
   static auto range(Vector& v, const int first, const int last)
-  {
-    return v.segment(3 * std::size_t(first), 3 * std::size_t(last - first));
-  }
+  { return v.segment(3 * std::size_t(first), 3 * std::size_t(last - first)); }
 
   static double dot(Vector& a, Vector& b, const int first, const int last)
-  {
-    return static_cast<double>(range(a, first, last).dot(range(b, first, last)));
-  }
+  { return static_cast<double>(range(a, first, last).dot(range(b, first, last))); }
 
   // z = M^{-1} r on a range; returns its part of r.z
   double precondition(const int first, const int last)
@@ -215,8 +199,7 @@ private:
   {
     sum_over_row_ranges([&](const int first, const int last)
     {
-      range(m_direction, first, last) = range(m_preconditioned, first, last)
-                                      + ratio * range(m_direction, first, last);
+      range(m_direction, first, last) = range(m_preconditioned, first, last) + ratio * range(m_direction, first, last);
       return 0.;
     });
   }
@@ -233,4 +216,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_CONJUGATE_GRADIENT_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVER_CONJUGATE_GRADIENT_3_H

@@ -7,22 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CELL_PACKS_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CELL_PACKS_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_CELL_PACKS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_CELL_PACKS_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Sparsity_pattern_3.h>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -124,9 +115,7 @@ private:
 
   // The unknown vertices in the order of their rows, and the others behind them.
   static int order(const Unknowns_3& unknowns, const int v)
-  {
-    return unknowns.contains(v) ? unknowns.row(v) : unknowns.size() + v;
-  }
+  { return unknowns.contains(v) ? unknowns.row(v) : unknowns.size() + v; }
 
   // Calls f(i) for each place of the packs of these cells.
   template <typename Function>
@@ -266,4 +255,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_CELL_PACKS_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_CELL_PACKS_3_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_CHECK_TETRAHEDRON_SOUP_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_CHECK_TETRAHEDRON_SOUP_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BODY_CHECK_TETRAHEDRON_SOUP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BODY_CHECK_TETRAHEDRON_SOUP_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -97,9 +97,7 @@ public:
   // `numbers` of the cells are for messages; without them, they are those in the soup.
   explicit Facet_matching_3(const Tetrahedron_soup_3& soup, std::vector<std::size_t> numbers = {},
                             const bool is_parallel = false)
-    : m_soup(soup),
-      m_numbers(std::move(numbers)),
-      m_mirrors(4 * soup.cells.size(), none)
+    : m_soup(soup), m_numbers(std::move(numbers)), m_mirrors(4 * soup.cells.size(), none)
   {
     const std::size_t n = m_mirrors.size();
     for_each_group(n + soup.facets.size(), [&](const std::size_t side)
@@ -169,9 +167,7 @@ private:
   }
 
   std::string cell_name(std::size_t facet) const
-  {
-    return "cell " + std::to_string(m_numbers.empty() ? facet / 4 : m_numbers[facet / 4]);
-  }
+  { return "cell " + std::to_string(m_numbers.empty() ? facet / 4 : m_numbers[facet / 4]); }
 
   const Tetrahedron_soup_3& m_soup;
   std::vector<std::size_t> m_numbers;
@@ -181,4 +177,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_CHECK_TETRAHEDRON_SOUP_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BODY_CHECK_TETRAHEDRON_SOUP_H

@@ -7,20 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_AGGREGATE_HIERARCHY_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_AGGREGATE_HIERARCHY_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVER_AGGREGATE_HIERARCHY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVER_AGGREGATE_HIERARCHY_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Parallel/for_each_index.h>
-
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -92,9 +85,7 @@ public:
 
   // That of a row of the matrix.
   auto correction(const int row) const
-  {
-    return m_levels.front().correction.segment<3>(3 * std::size_t(row / rows_per_aggregate));
-  }
+  { return m_levels.front().correction.segment<3>(3 * std::size_t(row / rows_per_aggregate)); }
 
 private:
   static constexpr int aggregates_per_group = 8; // they are an aggregate of the next level
@@ -222,4 +213,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_AGGREGATE_HIERARCHY_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVER_AGGREGATE_HIERARCHY_3_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_QUADRATIC_PENALTY_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_QUADRATIC_PENALTY_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_QUADRATIC_PENALTY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_QUADRATIC_PENALTY_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -18,9 +18,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -33,9 +30,7 @@ public:
 
   explicit Quadratic_penalty_3(std::vector<Linear_constraint_3<int> > constraints, const double weight)
     : m_constraints(std::move(constraints)), m_weight(weight)
-  {
-    release();
-  }
+  { release(); }
 
   double weight() const { return m_weight; }
   void set_weight(const double weight) { m_weight = weight; }
@@ -123,4 +118,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_QUADRATIC_PENALTY_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_NEWTON_SYSTEM_QUADRATIC_PENALTY_3_H

@@ -7,26 +7,28 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_BODY_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_BODY_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BODY_BODY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BODY_BODY_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Complex/check_tetrahedron_soup.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 #endif
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
 
 #include <boost/container/static_vector.hpp>
 
 #include <iterator>
-#include <type_traits>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -65,8 +67,7 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
                                                          const std::vector<std::size_t>& sides);
 
 // Throws `Input_error` if indices are wrong, or facets have more than two cells or two on the same side.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Body_3 body_of(Tetrahedron_soup_3 soup, bool is_parallel = false);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, bool is_parallel = false);
 
 // The points on the boundary, and those that are constrained as well.
 inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {})
@@ -136,15 +137,10 @@ void assign_refined(const Tetrahedron_soup_3& refined, PointRange& points, CellR
 
 template <typename PointRange, typename CellRange>
 Tetrahedron_soup_3 soup_of(const PointRange& points, const CellRange& cells)
-{
-  return { coordinates_of(points), indices_of(cells), std::vector<int>(cells.size()), {}, {} };
-}
+{ return { coordinates_of(points), indices_of(cells), std::vector<int>(cells.size()), {}, {} }; }
 
 template <typename PointRange, typename CellRange>
-Body_3 body_of(const PointRange& points, const CellRange& cells)
-{
-  return body_of(soup_of(points, cells));
-}
+Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_of(soup_of(points, cells)); }
 
 // That of a complex, with references 0, and the way back.
 template <typename C3t3>
@@ -199,8 +195,7 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
   return result;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
 {
   check_simplices(soup);
   const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
@@ -210,6 +205,71 @@ Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
 
 #endif
 
+// What the user tells of the points of a body. Without a target or an initial image, a point has coordinates that are not
+// numbers.
+struct Prescription_3
+{
+  std::vector<std::array<double, 3> > targets;
+  std::vector<bool> is_constrained;            // inside, as those on the boundary are
+  std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
+  std::vector<Linear_constraint_3<std::size_t> > constraints;
+
+  // New points are told nothing of.
+  void extend_to(const std::size_t number_of_points)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    targets.resize(number_of_points, { nan, nan, nan });
+    is_constrained.resize(number_of_points, false);
+    if(!initial.empty())
+      initial.resize(number_of_points, { nan, nan, nan });
+  }
+};
+
+// Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
+template <typename Vertex, typename NamedParameters, typename BoundaryMap, typename VertexOfPoint>
+Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const BoundaryMap& boundary_map,
+                              const VertexOfPoint& vertex)
+{
+  const auto is_constrained = given(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
+  const auto constraints = given(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
+  const std::size_t number_of_points = body.soup.points.size();
+  const std::vector<bool> is_on_boundary = prescribed_points(body);
+  std::vector<bool> has_cell(number_of_points, false);
+  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
+    for(const std::size_t p : cell)
+      has_cell[p] = true;
+
+  Prescription_3 result;
+  result.extend_to(number_of_points);
+  std::unordered_map<Vertex, std::size_t> points;
+  for(std::size_t p = 0; p < number_of_points; ++p)
+    if(has_cell[p])
+    {
+      result.is_constrained[p] = get(is_constrained, vertex(p));
+      if(is_on_boundary[p] || result.is_constrained[p])
+        result.targets[p] = coordinates(get(boundary_map, vertex(p)));
+      if(!constraints.empty())
+        points.emplace(vertex(p), p);
+    }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
+  {
+    const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);
+    static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
+                  "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+    result.initial.resize(number_of_points);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.initial[p] = coordinates(get(initial_map, vertex(p)));
+  }
+  for(const Linear_constraint_3<Vertex>& constraint : constraints)
+  {
+    result.constraints.push_back({ {}, constraint.value });
+    for(const auto& term : constraint.terms)
+      result.constraints.back().terms.push_back({ points.at(term.vertex), term.coefficient });
+  }
+  return result;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_COMPLEX_BODY_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BODY_BODY_3_H

@@ -7,25 +7,52 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_FOR_EACH_INDEX_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_FOR_EACH_INDEX_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/inline.h>
 
-#include <CGAL/tags.h>
-
 #if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE) && defined(CGAL_LINKED_WITH_TBB)
 #  include <tbb/parallel_for.h>
 #endif
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The processes that share a mesh, as computations see them: by global scalars, and where few cells matter, by the numbers
+// of all. All processes call the same functions in the same order and get the same results. This process is alone.
+class Communicator_3
+{
+public:
+  virtual ~Communicator_3() = default;
+  virtual bool is_alone() const { return true; }
+  virtual int rank() const { return 0; }
+  virtual double sum(const double x) const { return x; }
+  virtual double minimum(const double x) const { return x; }
+  double maximum(const double x) const { return -minimum(-x); }
+  virtual std::vector<double> concatenated(const std::vector<double>& numbers) const { return numbers; }
+  bool all(const bool condition) const { return minimum(condition ? 1 : 0) == 1; }
+
+  // The code and the sentence of the first process whose code is not 0.
+  virtual std::pair<int, std::string> first_failure(const int code, const std::string& sentence) const
+  { return { code, sentence }; }
+};
+
+inline const Communicator_3& single_process()
+{
+  static const Communicator_3 communicator;
+  return communicator;
+}
 
 // Does this tag ask for threads, and are there any?
 template <typename ConcurrencyTag>
@@ -62,9 +89,7 @@ void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, 
 // that sum keep one partial sum an index and add them in order, so results do not depend on threads.
 template <typename Function>
 void for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Function& f)
-{
-  call_for_each_index(is_parallel, first, last, Index_function(f));
-}
+{ call_for_each_index(is_parallel, first, last, Index_function(f)); }
 
 // Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in the
 // same way.
@@ -113,4 +138,4 @@ void call_for_each_index(const bool is_parallel, const std::size_t first, const 
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_FOR_EACH_INDEX_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_PARALLEL_H
