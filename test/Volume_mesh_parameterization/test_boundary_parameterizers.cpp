@@ -6,10 +6,6 @@
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -433,63 +429,4 @@ TEST_CASE("all loops that move the vertices of a map to the ball ask whether to 
                               CGAL::parameters::visitor(std::ref(visitor))) == VMP::OK);
   // to coarsen and to insert asks once for each vertex, and a sweep over all of them for each once more
   CHECK(visitor.number_of_questions > 3 * complex.image.size());
-}
-
-TEST_CASE("the derivatives of the radial distortion agree with differences")
-{
-  const Eigen::Vector3d p(0, 0, 0), q(1, 0.2, 0), r(0.3, 0.9, 0.4), b(0.8, -0.1, 0.6), c(0.1, 0.7, 0.9);
-  const VMP::internal::Radial_distortion_3 distortion(p, q, r, 0.7, b, c);
-  const Eigen::Vector3d a(-0.1, -0.2, 1.1);
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-  distortion.add_derivatives(a, gradient, hessian);
-
-  const double h = 1e-5;
-  for(int i = 0; i < 3; ++i)
-  {
-    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
-    CHECK((distortion.value(a + step) - distortion.value(a - step)) / (2 * h) == Approx(gradient[i]));
-    Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;
-    Eigen::Matrix3d unused = hessian;
-    distortion.add_derivatives(a - step, before, unused);
-    distortion.add_derivatives(a + step, after, unused);
-    for(int j = 0; j < 3; ++j)
-      CHECK((after[j] - before[j]) / (2 * h) == Approx(hessian(i, j)));
-  }
-
-  // an isometry of a triangle of area 0.005 at distance 1
-  const VMP::internal::Radial_distortion_3 isometry(p, 0.1 * Eigen::Vector3d::UnitX(), 0.1 * Eigen::Vector3d::UnitY(),
-                                                    1, Eigen::Vector3d(0.1, 0, 1), Eigen::Vector3d(0, 0.1, 1));
-  CHECK(isometry.value(Eigen::Vector3d::UnitZ()) == Approx(4 * 0.005).epsilon(1e-4));
-  CHECK(std::isinf(isometry.value(-Eigen::Vector3d::UnitZ())));
-}
-
-TEST_CASE("coarsening to a tetrahedron is undone exactly")
-{
-  Complex complex(bent_rod());
-  const auto surface = VMP::internal::surface_of(VMP::internal::Body_of_complex_3(complex.c3t3));
-  VMP::internal::Boundary_mesh_3 mesh;
-  REQUIRE(VMP::internal::build_boundary_mesh_3(surface, mesh) == VMP::OK);
-  const VMP::internal::Vertex_rings_3 original(mesh);
-  VMP::internal::Vertex_rings_3 rings = original;
-  const auto levels = VMP::internal::coarsen_surface_3(rings, VMP::internal::unit_points(mesh), VMP::internal::Budget());
-
-  int remaining = 0;
-  for(int v = 0; v < rings.number_of_vertices(); ++v)
-    if(!rings[v].empty())
-    {
-      ++remaining;
-      CHECK(rings[v].size() == 3);
-    }
-  CHECK(remaining == 4);
-
-  for(auto level = levels.rbegin(); level != levels.rend(); ++level)
-    for(auto removed = level->rbegin(); removed != level->rend(); ++removed)
-      rings.insert(*removed);
-  for(int v = 0; v < rings.number_of_vertices(); ++v)
-  {
-    std::vector<int> ring = rings[v];
-    std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), original[v].front()), ring.end());
-    CHECK(ring == original[v]);
-  }
 }

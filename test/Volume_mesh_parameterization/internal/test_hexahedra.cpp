@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -28,6 +29,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Eigen::Vector3d;
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VMP::Hexahedral_mesh_result;
 using VMP::Hexahedron_soup_3;
 using VMP::Tetrahedron_soup_3;
@@ -36,6 +38,12 @@ using Points = std::vector<std::array<double, 3> >;
 namespace {
 
 Vector3d vector(const std::array<double, 3>& p) { return Vector3d(p[0], p[1], p[2]); }
+
+K::Triangle_3 triangle(const Points& points, const std::size_t i, const std::size_t j, const std::size_t k)
+{
+  const auto point = [&](const std::size_t v) { return K::Point_3(points[v][0], points[v][1], points[v][2]); };
+  return K::Triangle_3(point(i), point(j), point(k));
+}
 
 // The cube [0, n]^3, six cells for each unit cube, as the domain; the body is its image under f.
 struct Body
@@ -66,26 +74,46 @@ struct Body
     return VMP::hexahedral_mesh<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
   }
 
-  // The smallest distance to a boundary facet, one after the other.
-  double distance_to_boundary(const std::array<double, 3>& p) const
+  std::vector<K::Triangle_3> boundary_facets() const
   {
-    using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-    const auto point = [](const std::array<double, 3>& q) { return K::Point_3(q[0], q[1], q[2]); };
     std::map<std::set<std::size_t>, int> cells_of_facet;
     for(const auto& c : soup.cells)
       for(std::size_t i = 0; i < 4; ++i)
         ++cells_of_facet[{ c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4] }];
-    double result = std::numeric_limits<double>::infinity();
+    std::vector<K::Triangle_3> result;
     for(const auto& [facet, number] : cells_of_facet)
-    {
-      const std::vector<std::size_t> v(facet.begin(), facet.end());
-      const K::Triangle_3 triangle(point(soup.points[v[0]]), point(soup.points[v[1]]), point(soup.points[v[2]]));
       if(number == 1)
-        result = (std::min)(result, std::sqrt(CGAL::squared_distance(point(p), triangle)));
-    }
+        result.push_back(triangle(soup.points, *facet.begin(), *std::next(facet.begin()), *facet.rbegin()));
     return result;
   }
 };
+
+std::vector<K::Triangle_3> boundary_facets(const Hexahedron_soup_3& mesh)
+{
+  std::vector<K::Triangle_3> result;
+  for(const auto& f : mesh.facets)
+    for(const std::size_t i : { 1, 2 })
+      result.push_back(triangle(mesh.points, f[0], f[i], f[i + 1]));
+  return result;
+}
+
+// The smallest distance, one after the other.
+double distance(const std::array<double, 3>& p, const std::vector<K::Triangle_3>& facets)
+{
+  double result = std::numeric_limits<double>::infinity();
+  for(const K::Triangle_3& facet : facets)
+    result = (std::min)(result, CGAL::squared_distance(K::Point_3(p[0], p[1], p[2]), facet));
+  return std::sqrt(result);
+}
+
+void check_boundary(const Hexahedron_soup_3& mesh, const Body& body)
+{
+  const std::vector<K::Triangle_3> facets = body.boundary_facets();
+  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      CHECK(distance(mesh.points[v], facets) < 1e-13);
+}
 
 Vector3d same(const Vector3d& p) { return p; }
 
@@ -218,10 +246,7 @@ TEST_CASE("A bent bar with an L-shaped section becomes hexahedra")
   CHECK(result.number_of_cells == 4 * 12);
   CHECK(result.minimal_scaled_jacobian > 0.5);
   CHECK(smallest_determinant(mesh) > 0);
-  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_outer[v])
-      CHECK(bar.distance_to_boundary(mesh.points[v]) < 1e-13);
+  check_boundary(mesh, bar);
 
   // the edge inside the L, where y = z = 2 in the domain, is an edge of the hexahedra
   for(int x = 0; x <= 4; ++x)
@@ -245,10 +270,7 @@ TEST_CASE("A ball gets a layer along its boundary")
   CHECK(smallest_determinant(mesh) > 0);
   const std::vector<int> numbers = boundary_quadrangles_of_cells(mesh);
   CHECK(*std::max_element(numbers.begin(), numbers.end()) == 1);
-  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_outer[v])
-      CHECK(ball.distance_to_boundary(mesh.points[v]) < 1e-13);
+  check_boundary(mesh, ball);
 }
 
 TEST_CASE("Cylinders get a layer along their walls alone, which ends on the faces around them")
@@ -361,10 +383,7 @@ TEST_CASE("Vertices slide where the map has turned the faces of a box")
   REQUIRE(result.status == VMP::OK);
   CHECK_FALSE(result.has_padding);
   CHECK(result.minimal_scaled_jacobian > 0.5);
-  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_outer[v])
-      CHECK(box.distance_to_boundary(mesh.points[v]) < 1e-13);
+  check_boundary(mesh, box);
   CHECK(enclosed_volume(mesh) == Approx(216)); // the edges of the box are edges of hexahedra
 }
 
@@ -375,9 +394,10 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
   REQUIRE(VMP::internal::judged(sliding.start, false).minimal_scaled_jacobian < 0.11); // two faces of the cube on the sphere
   sliding.hexahedra.smooth(0.3);
   CHECK(VMP::internal::judged(sliding.hexahedra.mesh(), false).minimal_scaled_jacobian > 0.2);
+  const std::vector<K::Triangle_3> facets = ball.boundary_facets();
   for(std::size_t v = 0; v < sliding.start.points.size(); ++v)
     if(sliding.freedoms[v] != VMP::internal::Freedom_3::SPACE)
-      CHECK(ball.distance_to_boundary(sliding.hexahedra.mesh().points[v]) < 1e-13);
+      CHECK(distance(sliding.hexahedra.mesh().points[v], facets) < 1e-13);
 }
 
 TEST_CASE("Vertices are held by sharp edges of the body, and leave edges of the domain where the body is smooth")
@@ -428,33 +448,17 @@ TEST_CASE("Vertices on sharp edges of a bent bar stay on them while others move"
   CHECK(number == 6 * 9);
 }
 
-namespace {
-
-double distance_to_facets(const Hexahedron_soup_3& mesh, const std::array<double, 3>& p)
-{
-  using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-  const auto point = [](const std::array<double, 3>& q) { return K::Point_3(q[0], q[1], q[2]); };
-  double result = std::numeric_limits<double>::infinity();
-  for(const auto& f : mesh.facets)
-    for(const std::size_t i : { 1, 2 })
-      result = (std::min)(result, std::sqrt(CGAL::squared_distance(point(p),
-        K::Triangle_3(point(mesh.points[f[0]]), point(mesh.points[f[i]]), point(mesh.points[f[i + 1]])))));
-  return result;
-}
-
-} // namespace
-
 TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertices is at")
 {
   const Body egg(8, 0, [](const Vector3d& p) -> Vector3d { return rounded(p).cwiseProduct(Vector3d(1, 1, 3)); });
   const std::array<double, 3> tip = { 0, 0, 12 };
-  REQUIRE(egg.distance_to_boundary(tip) == 0);
+  REQUIRE(distance(tip, egg.boundary_facets()) == 0);
   Sliding_hexahedra sliding(egg, 8 / 3.); // the tip is mapped to the middle of a quadrangle
-  const double before = distance_to_facets(sliding.start, tip);
+  const double before = distance(tip, boundary_facets(sliding.start));
   REQUIRE(before > 1);
   for(int round = 0; round < 5; ++round)
     sliding.hexahedra.improve(3, true, 1);
-  CHECK(distance_to_facets(sliding.hexahedra.mesh(), tip) < 0.95 * before); // for their corners alone they would leave it
+  CHECK(distance(tip, boundary_facets(sliding.hexahedra.mesh())) < 0.95 * before); // for their corners alone they would leave it
 }
 
 TEST_CASE("A better worst hexahedron does not make up for a mean that loses more")
@@ -494,9 +498,10 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     CHECK(after.number_of_inverted_corners <= before.number_of_inverted_corners);
     CHECK(after.minimal_scaled_jacobian >= (std::min)(0.3, before.minimal_scaled_jacobian));
 
+    const std::vector<K::Triangle_3> facets = body.boundary_facets(), quadrangles = boundary_facets(mesh);
     for(const std::array<double, 3>& p : body.soup.points)
-      if(body.distance_to_boundary(p) == 0)
-        CHECK(distance_to_facets(mesh, p) < 0.5); // of the spacing
+      if(distance(p, facets) == 0)
+        CHECK(distance(p, quadrangles) < 0.5); // of the spacing
   }
 }
 
