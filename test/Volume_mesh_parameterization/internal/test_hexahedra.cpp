@@ -288,10 +288,7 @@ TEST_CASE("Cylinders get a layer along their walls alone, which ends on the face
     CHECK(result.number_of_cells == numbers[i]);
     CHECK(result.minimal_scaled_jacobian > 0.5); // a quadrangle alone in a straight corner of a circle makes less than 0.2
     CHECK(smallest_determinant(mesh) > 0);
-    const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
-    for(std::size_t v = 0; v < mesh.points.size(); ++v)
-      if(is_outer[v])
-        CHECK(bodies[i].distance_to_boundary(mesh.points[v]) < 1e-13);
+    check_boundary(mesh, bodies[i]);
   }
 }
 
