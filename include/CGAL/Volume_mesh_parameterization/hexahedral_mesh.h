@@ -68,9 +68,10 @@ become better. The rounds end when one gains less than 0.002 of the mean.
 
 Where normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, of which each has one quadrangle there, in the
-manner of Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing (2019). It ends
-at other convex edges, on the faces behind them: the wall of a cylinder gets a layer, and its ends a ring of quadrangles. If the minimal scaled
-Jacobian is below 0.2 in the end, the same is done with one layer along all of the boundary, or without any if that was it.
+manner of Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing (2019). It
+ends at other convex edges, on the faces behind them: the wall of a cylinder gets a layer, and its ends a ring of
+quadrangles. If the minimal scaled Jacobian is below 0.2 in the end, the same is done with one layer along all of the
+boundary, or without any if that was it.
 
 The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest sum of
 the mean scaled Jacobian and the minimal one, of which no more than 0.3 counts. That all corners are positive is checked with

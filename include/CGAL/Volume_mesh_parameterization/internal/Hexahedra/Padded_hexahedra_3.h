@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,8 @@ inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedron_soup_3& 
 inline std::size_t axis_of_facet(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& facet)
 {
   std::size_t axis = 0;
-  while(!std::all_of(facet.begin(), facet.end(), [&](const std::size_t v) { return points[v][axis] == points[facet[0]][axis]; }))
+  const auto is_in_plane = [&](const std::size_t v) { return points[v][axis] == points[facet[0]][axis]; };
+  while(!std::all_of(facet.begin(), facet.end(), is_in_plane))
     ++axis;
   return axis;
 }
@@ -127,8 +128,8 @@ private:
   bool needs_layer(const Edge_of_domain_3& edge) const
   {
     constexpr double flat = 0.7; // the cosine of the angle between normals
-    return !is_concave(edge)
-      && normal(m_mesh.points, m_mesh.facets[edge.facets[0]]).dot(normal(m_mesh.points, m_mesh.facets[edge.facets[1]])) > flat;
+    const Eigen::Vector3d n = normal(m_mesh.points, m_mesh.facets[edge.facets[0]]);
+    return !is_concave(edge) && n.dot(normal(m_mesh.points, m_mesh.facets[edge.facets[1]])) > flat;
   }
 
   Layer_3 layer_of(const std::size_t set)

@@ -98,7 +98,8 @@ public:
   // Do the normals on both sides of an edge make more than 60 degrees?
   bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const
   {
-    return 4 * m_edge_costs[m_mesh.edge(h)] < (eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h))).norm();
+    const Eigen::Vector3d edge = eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h));
+    return 4 * m_edge_costs[m_mesh.edge(h)] < edge.norm();
   }
 
   // For all other labels of each chart, the cheapest one first.

@@ -207,7 +207,7 @@ private:
 };
 
 // Proposes labels with more and more smoothing, and takes those whose map has the least distortion. Where the boundary
-// is too coarse, faces for which there is no place are given to neighbouring charts, and borders that fold are straightened.
+// is too coarse, faces for which there is no place are given to neighbouring charts, and borders that fold are unfolded.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                              const double spacing, std::vector<Eigen::Vector3d>& images,
                                              const Budget& budget)

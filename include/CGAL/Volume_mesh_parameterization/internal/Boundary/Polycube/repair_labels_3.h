@@ -21,6 +21,7 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
