@@ -656,18 +656,18 @@ TEST_CASE("Hexahedra that cannot be made leave the map, and say why there are no
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh", "report.json"});
   CHECK(folder.text("stderr").find(" There are no hexahedra, because the boundary is missed.") != std::string::npos);
 
-  // a square becomes a dart, whose reflex corner no hexahedron can have
-  const Soup box = cube(3);
-  Soup dart = box;
-  for(Point& p : dart.points)
+  // three quarters of a ring cannot be one hexahedron
+  const Soup box = cube(6);
+  Soup ring = box;
+  for(Point& p : ring.points)
   {
-    const double x = p[0] / 3, y = p[1] / 3;
-    p = {2 + (x > y ? x : 3 * x - 2 * y), 2 + (x > y ? 3 * y - 2 * x : y), p[2]};
+    const double angle = 4.7 * p[2] / 6, radius = 1 + p[0];
+    p = {radius * std::cos(angle), p[1], radius * std::sin(angle)};
   }
-  folder.write("source.mesh", dart);
+  folder.write("source.mesh", ring);
   folder.write("target.mesh", box);
   fs::remove(folder.path("map.mesh"));
-  CHECK(folder.run("source.mesh target.mesh -o map.mesh --report report.json --hexahedra 3 hexahedra.mesh") == 3);
+  CHECK(folder.run("source.mesh target.mesh -o map.mesh --report report.json --hexahedra 6 hexahedra.mesh") == 3);
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh", "report.json"});
   CHECK(folder.text("report.json").find("\"has_valid_map\": true") != std::string::npos);
   CHECK(number(hexahedra_of(folder.text("report.json")), "inverted_corners") > 0);

@@ -19,10 +19,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!

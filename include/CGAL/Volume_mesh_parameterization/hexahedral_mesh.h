@@ -24,11 +24,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/tags.h>
-
-#include <array>
-#include <cstddef>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 

@@ -16,15 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
 
-#include <Eigen/Dense>
 #include <Eigen/Sparse>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -17,13 +17,7 @@
 
 #include <CGAL/boost/graph/iterator.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <cstddef>
 #include <iterator>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

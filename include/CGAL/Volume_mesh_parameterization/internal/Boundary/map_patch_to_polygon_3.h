@@ -23,15 +23,12 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/centroid.h>
 
-#include <Eigen/Dense>
 #include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <unordered_map>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -20,15 +20,11 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <Eigen/Dense>
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <set>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

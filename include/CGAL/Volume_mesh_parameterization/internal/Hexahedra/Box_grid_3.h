@@ -15,16 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // A grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of

@@ -14,15 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

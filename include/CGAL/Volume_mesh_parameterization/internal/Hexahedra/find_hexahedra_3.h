@@ -23,12 +23,6 @@
 #  include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
 #endif
 
-#include <array>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with the layers that it needs or

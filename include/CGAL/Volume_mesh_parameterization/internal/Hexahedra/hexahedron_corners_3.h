@@ -18,12 +18,7 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

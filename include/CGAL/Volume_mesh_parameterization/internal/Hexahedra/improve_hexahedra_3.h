@@ -18,18 +18,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Padded_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Sliding_hexahedra_3.h>
 
-#include <CGAL/tags.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <numeric>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;

@@ -18,16 +18,7 @@
 #include <CGAL/Random.h>
 #include <CGAL/algorithm.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <functional>
-#include <limits>
 #include <queue>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

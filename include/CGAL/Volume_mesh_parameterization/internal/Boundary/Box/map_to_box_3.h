@@ -31,14 +31,8 @@
 #  include <boost/property_map/function_property_map.hpp>
 #endif
 
-#include <Eigen/Core>
-
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -15,16 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Another label for a chart, and by how much the labels of the surface cost more then.

@@ -15,18 +15,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Chart_defects_3.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

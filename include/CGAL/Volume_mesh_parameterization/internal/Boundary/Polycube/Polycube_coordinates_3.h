@@ -19,18 +19,8 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
-#include <CGAL/boost/graph/iterator.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <numeric>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -29,18 +29,10 @@
 #  include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #endif
 
-#include <Eigen/Core>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -14,15 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Normal_labels_3.h>
 
-#include <CGAL/boost/graph/iterator.h>
-
-#include <algorithm>
-#include <cstddef>
 #include <map>
 #include <optional>
-#include <utility>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -14,14 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 
-#include <Eigen/Dense>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -24,12 +24,6 @@
 #  include <CGAL/number_utils.h>
 #endif
 
-#include <Eigen/Core>
-
-#include <cstddef>
-#include <limits>
-#include <vector>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Maps a topological sphere onto the unit sphere. It is a template, of `Numbered_surface_3`, for the sake of those who
