@@ -656,12 +656,12 @@ TEST_CASE("Hexahedra that cannot be made leave the map, and say why there are no
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh", "report.json"});
   CHECK(folder.text("stderr").find(" There are no hexahedra, because the boundary is missed.") != std::string::npos);
 
-  // three quarters of a ring cannot be one hexahedron
+  // nearly a whole ring cannot be one hexahedron
   const Soup box = cube(6);
   Soup ring = box;
   for(Point& p : ring.points)
   {
-    const double angle = 4.7 * p[2] / 6, radius = 1 + p[0];
+    const double angle = 5.8 * p[2] / 6, radius = 1 + p[0];
     p = {radius * std::cos(angle), p[1], radius * std::sin(angle)};
   }
   folder.write("source.mesh", ring);

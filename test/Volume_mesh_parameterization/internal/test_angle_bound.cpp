@@ -29,26 +29,26 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-using Solver = VMP::Conjugate_gradient_solver_traits_3<>;
+using Default_solver = VMP::Conjugate_gradient_solver_traits_3<>;
 using Stretch = VMP::internal::Cell_energy_of<VMP::Stretch_energy_3>;
 using VMP::internal::Numbered_mesh_3;
 using VMP::internal::edge_matrix;
 
 namespace {
 
-struct Map
+struct Bounded_map
 {
   VMP::Parameterization_result result;
   Matrix3Xd positions;
 };
 
 // The map with fixed boundary and, if it is finite, the bound.
-Map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_limits<double>::infinity(),
+Bounded_map parameterize(const Numbered_mesh_3& mesh, const double bound = std::numeric_limits<double>::infinity(),
                  const bool is_least = false)
 {
   const Stretch energy{VMP::Stretch_energy_3()};
-  Solver traits;
-  VMP::internal::Linear_solver_of<Solver> solver(traits);
+  Default_solver traits;
+  VMP::internal::Linear_solver_of<Default_solver> solver(traits);
   VMP::internal::Map_options_3 options;
   options.mode = VMP::Boundary_mode::FIXED;
   options.improve = VMP::internal::improve_map_3;
@@ -101,14 +101,14 @@ Numbered_mesh_3 twisted_cube_with_inner_corners()
 TEST_CASE("A bound below the largest distortion of angles is met, with the boundary unchanged")
 {
   const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
-  const Map free = parameterize(mesh);
+  const Bounded_map free = parameterize(mesh);
   REQUIRE(free.result.status == VMP::OK);
   const double unavoidable = VMP::internal::unavoidable_angle_distortion_3(mesh);
   const double reached = largest_angle_distortion(mesh, free.positions);
   REQUIRE(unavoidable < reached);
 
   const double bound = 0.3 * unavoidable + 0.7 * reached;
-  const Map bounded = parameterize(mesh, bound);
+  const Bounded_map bounded = parameterize(mesh, bound);
   CHECK(bounded.result.status == VMP::OK);
   CHECK(largest_angle_distortion(mesh, bounded.positions) < bound);
   CHECK(largest_angle_distortion(mesh, bounded.positions) > 0.9 * bound); // no stricter than asked for
@@ -124,13 +124,13 @@ TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized
   const double unavoidable = VMP::internal::unavoidable_angle_distortion_3(mesh);
   const double reached = largest_angle_distortion(mesh, parameterize(mesh).positions);
   const double bound = 0.2 * unavoidable + 0.8 * reached;
-  const Map from_outside = parameterize(mesh, bound);
-  const Map stricter = parameterize(mesh, 0.5 * unavoidable + 0.5 * reached);
+  const Bounded_map from_outside = parameterize(mesh, bound);
+  const Bounded_map stricter = parameterize(mesh, 0.5 * unavoidable + 0.5 * reached);
   REQUIRE(stricter.result.status == VMP::OK);
 
   using Energy = VMP::Bounded_angle_energy_3<VMP::Stretch_energy_3>;
-  Solver solver;
-  fixed_boundary::Problem<Energy, Solver> problem(mesh, Energy(bound, VMP::Stretch_energy_3(), 0), solver);
+  Default_solver solver;
+  fixed_boundary::Problem<Energy, Default_solver> problem(mesh, Energy(bound, VMP::Stretch_energy_3(), 0), solver);
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   const VMP::internal::Newton_result_3 below = minimize_energy_3(
     problem.system, problem.energy, stricter.positions, progress, VMP::internal::Negative_curvature(),
@@ -149,7 +149,7 @@ TEST_CASE("The least bound is between one that is missed and the distortion reac
 {
   const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
   const double infinity = std::numeric_limits<double>::infinity();
-  const Map least = parameterize(mesh, infinity, true);
+  const Bounded_map least = parameterize(mesh, infinity, true);
   const double reached = largest_angle_distortion(mesh, least.positions);
   CHECK(least.result.status == VMP::OK);
   CHECK(least.result.number_of_inverted_cells == 0);
@@ -165,7 +165,7 @@ TEST_CASE("The least bound of an affine map is what it is")
 {
   // its only inner vertex may move, but no cell can have less than the facets on the boundary
   const Numbered_mesh_3 mesh = mapped_cube(2, 0, [](const Vector3d& p) { return Vector3d(5 * p[0], p[1], p[2]); });
-  const Map map = parameterize(mesh, std::numeric_limits<double>::infinity(), true);
+  const Bounded_map map = parameterize(mesh, std::numeric_limits<double>::infinity(), true);
   CHECK(map.result.unavoidable_angle_distortion == Approx(5 + 1. / 5));
   CHECK(map.result.missed_angle_distortion <= largest_angle_distortion(mesh, map.positions));
 }
@@ -179,7 +179,7 @@ TEST_CASE("A bound that is met anyway changes nothing")
 TEST_CASE("A bound below what the boundary forces is reported, with a valid map")
 {
   const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();
-  const Map map = parameterize(mesh, 2.5);
+  const Bounded_map map = parameterize(mesh, 2.5);
   CHECK(map.result.status == VMP::ERROR_ANGLE_BOUND_NOT_REACHED);
   CHECK(map.result.has_valid_map);
   CHECK(map.result.message.find("The prescribed vertices alone force") != std::string::npos);
@@ -208,9 +208,9 @@ TEST_CASE("Volume weights minimize the mean over the volume")
     return sum / total;
   };
 
-  const Map uniform = parameterize(mesh);
+  const Bounded_map uniform = parameterize(mesh);
   mesh.has_volume_weights = true;
-  const Map weighted = parameterize(mesh);
+  const Bounded_map weighted = parameterize(mesh);
   REQUIRE(weighted.result.status == VMP::OK);
   CHECK(mean_stretch(weighted.positions) < 0.999 * mean_stretch(uniform.positions));
 }

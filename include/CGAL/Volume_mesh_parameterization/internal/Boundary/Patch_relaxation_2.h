@@ -219,16 +219,31 @@ private:
     const double first = D * inverse - value * slope; // derivatives by D for fixed |J|
     const double second = inverse - 2 * D * inverse * slope + value * (2 * slope * slope - curvature);
 
-    Eigen::Matrix4d H = second * cofactors * cofactors.transpose();
-    H -= 2 * inverse * slope * (j * cofactors.transpose() + cofactors * j.transpose());
-    H.diagonal().array() += 2 * inverse;
-    H(0, 3) += first;
-    H(3, 0) += first;
-    H(1, 2) -= first;
-    H(2, 1) -= first;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(H);
-    H = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(1e-6 * inverse).asDiagonal()
-        * eigen.eigenvectors().transpose();
+    // J is the sum of a similarity p and a reflected one q, its cofactors are p - q: in the basis of p, q and of what is
+    // orthogonal to them in both planes of similarities, all that the Hessian couples is p with q.
+    const Eigen::Vector2d p = (j + cofactors).head<2>() / 2, q = (j - cofactors).head<2>() / 2;
+    const auto unit = [](const Eigen::Vector2d& x) -> Eigen::Vector2d
+    {
+      return x.isZero(0) ? Eigen::Vector2d(Eigen::Vector2d::UnitX()) : x.normalized();
+    };
+    const Eigen::Vector2d a = unit(p), b = unit(q);
+    Eigen::Matrix4d basis;
+    basis <<  a[0],  b[0], -a[1], -b[1],
+              a[1],  b[1],  a[0],  b[0],
+             -a[1],  b[1], -a[0],  b[0],
+              a[0], -b[0], -a[1],  b[1];
+    basis /= std::sqrt(2.);
+    const double pp = 2 * p.squaredNorm(), qq = 2 * q.squaredNorm(), pq = 2 * p.norm() * q.norm(); // of all four numbers
+    Eigen::Matrix2d coupled;
+    coupled << 2 * inverse + first + (second - 4 * inverse * slope) * pp, -second * pq,
+               -second * pq, 2 * inverse - first + (second + 4 * inverse * slope) * qq;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+    eigen.computeDirect(coupled);
+    basis.leftCols<2>() *= eigen.eigenvectors();
+    Eigen::Vector4d eigenvalues;
+    eigenvalues << eigen.eigenvalues(), 2 * inverse + first, 2 * inverse - first;
+    const Eigen::Matrix4d H
+      = basis * eigenvalues.cwiseMax(1e-6 * inverse).asDiagonal() * basis.transpose();
 
     Eigen::Matrix<double, 4, 6> derivative = Eigen::Matrix<double, 4, 6>::Zero(); // of j by the images
     for(int k = 0; k < 2; ++k)

@@ -207,7 +207,10 @@ private:
       const auto& [a, b, c] = vertices[triangle - triangles.cbegin()];
       Eigen::Matrix<double, 3, 2> sides;
       sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
-      const Eigen::Vector2d st = sides.colPivHouseholderQr().solve(q - m_numbered.target.col(a));
+      const Eigen::Matrix2d products = sides.transpose() * sides;
+      if(!(products.determinant() > 0))
+        continue;
+      const Eigen::Vector2d st = products.inverse() * (sides.transpose() * (q - m_numbered.target.col(a)));
       const Eigen::Vector3d way = factor * (p - q) / distance;
       goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
                                     way.dot(q) + factor * (std::min)(distance, most * goals.mean_edge) });

@@ -1,0 +1,88 @@
+// What most programs of this project include and instantiate, for compilers that keep instantiations with precompiled headers.
+#ifndef WHAT_MOST_PROGRAMS_INSTANTIATE_H
+#define WHAT_MOST_PROGRAMS_INSTANTIATE_H
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/IO/INP.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Lp_stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
+#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <vector>
+
+namespace what_most_programs_instantiate
+{
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Remeshing_triangulation = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
+using Implicit_domain = CGAL::Labeled_mesh_domain_3<K>;
+using Polyhedral_domain = CGAL::Polyhedral_mesh_domain_with_features_3<K, CGAL::Surface_mesh<K::Point_3> >;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Remeshing_triangulation>;
+using C3t3_of_function = CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Mesh_triangulation_3<Implicit_domain>::type>;
+using C3t3_of_surface = CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Mesh_triangulation_3<Polyhedral_domain>::type,
+                                                                Polyhedral_domain::Corner_index, Polyhedral_domain::Curve_index>;
+
+template <typename C3t3>
+void map(C3t3 c3t3)
+{
+  std::unordered_map<typename C3t3::Vertex_handle, K::Point_3> uvw;
+  const auto uvw_map = VMP::make_vertex_point_map(uvw);
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map);
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, CGAL::parameters::boundary_map(uvw_map));
+}
+
+inline void map_bodies()
+{
+  C3t3 c3t3;
+  std::vector<C3t3::Vertex_handle> vertices;
+  std::vector<C3t3::Cell_handle> cells;
+  VMP::tetrahedron_soup_to_mesh_complex_3(VMP::Tetrahedron_soup_3(), c3t3, vertices, cells);
+  map(c3t3);
+  map(C3t3_of_function());
+  map(C3t3_of_surface());
+
+  std::vector<std::array<double, 3> > points, images;
+  std::vector<std::array<std::size_t, 4> > indices;
+  CGAL::stretch_minimizing_volume_parameterization(points, indices, points, images);
+}
+} // namespace what_most_programs_instantiate
+
+#endif // WHAT_MOST_PROGRAMS_INSTANTIATE_H
