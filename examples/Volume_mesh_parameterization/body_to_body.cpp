@@ -62,7 +62,7 @@ Eigen::Matrix3d rotation(const std::vector<Point_3>& from, const std::vector<Poi
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for(std::size_t i = 0; i < from.size(); ++i)
     covariance += to_vector(to[i]) * to_vector(from[i]).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
   return svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }

@@ -804,7 +804,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
 TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may be missed, 0 with refinement")
 {
   const Folder folder;
-  const std::size_t length = 24;
+  const std::size_t length = 12;
   const double pi = 3.14159265358979;
   Soup source = fan_in_prism(length);
   for(std::size_t c = 0; c < source.cells.size(); ++c)

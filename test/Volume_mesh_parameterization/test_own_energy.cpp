@@ -107,7 +107,7 @@ Vector3d singular_values(const Complex& complex, const std::array<int, 4>& cell,
   for(int i = 0; i < 3; ++i)
     U.col(i) = image(cell[i + 1]) - image(cell[0]);
   const Matrix3d J = scale * U * VMP::internal::edge_matrix(complex.mesh.source, cell).inverse();
-  return Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+  return Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(J).singularValues();
 }
 
 // The mean over the cells, with both meshes scaled to one volume.

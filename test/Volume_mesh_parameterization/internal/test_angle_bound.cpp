@@ -72,7 +72,7 @@ double mean_energy(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 Vector3d singular_values(const Numbered_mesh_3& mesh, const Matrix3Xd& image, const std::array<int, 4>& cell)
 {
   const Matrix3d J = edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse();
-  return Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+  return Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(J).singularValues();
 }
 
 double largest_angle_distortion(const Numbered_mesh_3& mesh, const Matrix3Xd& image)

@@ -111,7 +111,7 @@ public:
 
   Matrix3d rotation()
   {
-    const Matrix3d Q = Eigen::HouseholderQR<Matrix3d>(matrix()).householderQ();
+    const Matrix3d Q = Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(matrix(), Eigen::ComputeFullU).matrixU();
     return Q * Q.determinant();
   }
 
@@ -356,7 +356,7 @@ TEST_CASE("Signed singular values are those of Eigen up to the sign")
   {
     const Matrix3d J = random.matrix();
     const Vector3d s = VMP::internal::signed_singular_values_3(J);
-    const Vector3d expected = Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+    const Vector3d expected = Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(J).singularValues();
     CHECK((s.cwiseAbs() - expected).norm() <= 1e-14);
     CHECK((s[2] > 0) == (J.determinant() > 0));
   }
@@ -428,7 +428,7 @@ void check_nearest_semidefinite_hessian(const Erased_energy& energy)
       const Matrix_9 H_full = hessian(energy, I, image(J, I), full).bottomRightCorner<9, 9>();
       const Matrix_9 H = hessian(energy, I, image(J, I), positive_semidefinite)
                            .bottomRightCorner<9, 9>();
-      const Eigen::SelfAdjointEigenSolver<Matrix_9> eigen(H_full);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(H_full);
       const Matrix_9 expected = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal()
                               * eigen.eigenvectors().transpose();
       CHECK((H - expected).norm() <= 1e-8 * H_full.norm());
@@ -437,7 +437,7 @@ void check_nearest_semidefinite_hessian(const Erased_energy& energy)
       const Matrix_12 of_cell
         = hessian(energy, source.inverse(), image(J, source), positive_semidefinite);
       CHECK((of_cell - of_cell.transpose()).norm() <= 1e-14 * of_cell.norm());
-      CHECK(Eigen::SelfAdjointEigenSolver<Matrix_12>(of_cell).eigenvalues()[0] >= -1e-12 * of_cell.norm());
+      CHECK(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(of_cell).eigenvalues()[0] >= -1e-12 * of_cell.norm());
     }
 }
 

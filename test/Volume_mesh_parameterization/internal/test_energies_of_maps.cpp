@@ -56,7 +56,7 @@ Map minimize(const Numbered_mesh_3& mesh, const Energy& energy)
     if(*std::min_element(cell.begin(), cell.end()) >= mesh.number_of_free_vertices)
       continue;
     const Matrix3d J = scale * VMP::internal::edge_matrix(u, cell) * VMP::internal::edge_matrix(mesh.source, cell).inverse();
-    const Vector3d s = Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+    const Vector3d s = Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(J).singularValues();
     map.largest_angle_distortion = (std::max)(map.largest_angle_distortion, s[0] / s[2] + s[2] / s[0]);
     map.largest_stretch = (std::max)(map.largest_stretch, s.cwiseInverse().squaredNorm());
     map.smallest_determinant = (std::min)(map.smallest_determinant, J.determinant());

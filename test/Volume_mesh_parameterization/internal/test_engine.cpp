@@ -61,7 +61,7 @@ double psi(const Energy& energy, const Numbered_mesh_3& mesh, const Matrix3Xd& u
 {
   const Matrix3d J = scale * VMP::internal::edge_matrix(u, cell)
                    * VMP::internal::edge_matrix(mesh.source, cell).inverse();
-  Vector3d s = Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+  Vector3d s = Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(J).singularValues();
   s[2] = std::copysign(s[2], J.determinant());
   return energy.value(s);
 }

@@ -74,7 +74,7 @@ double largest_ratio(const Numbered_mesh_3& mesh, const Matrix3Xd& u)
   for(const std::array<int, 4>& cell : mesh.cells)
   {
     const Matrix3d J = jacobian(mesh, u, cell);
-    const Vector3d s = Eigen::JacobiSVD<Matrix3d>(J).singularValues();
+    const Vector3d s = Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(J).singularValues();
     result = (std::max)(result, J.determinant() > 0 ? s[0] / s[2] : std::numeric_limits<double>::infinity());
   }
   return result;
@@ -111,7 +111,7 @@ double squared_distance(const Numbered_mesh_3& mesh, const Matrix3Xd& u, const s
 
 Matrix3d nearest_rotation(const Matrix3d& J)
 {
-  const Eigen::JacobiSVD<Matrix3d> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner> svd(J, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
   return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
