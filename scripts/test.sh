@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build/test_suite"
 jobs=$(nproc)
 
-"$root/scripts/install_dependencies.sh" clang
+"$root/scripts/install_dependencies.sh" clang libclang-rt-dev
 export CXX="${CXX:-clang++}"
 cmake -S "$root" -B "$build" -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
   -DCGAL_Volume_mesh_parameterization_COMPILE_FAST=ON

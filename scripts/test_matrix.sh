@@ -116,7 +116,7 @@ run()
   esac
 }
 
-"$root/scripts/install_dependencies.sh" clang python3-meshio libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
+"$root/scripts/install_dependencies.sh" clang libclang-rt-dev python3-meshio libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
   qemu-user-static g++-mingw-w64-x86-64-posix wine64
 mkdir -p "$folder"
 failures=0
