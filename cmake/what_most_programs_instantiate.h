@@ -41,9 +41,11 @@
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -78,6 +80,13 @@ inline void map_bodies()
   map(c3t3);
   map(C3t3_of_function());
   map(C3t3_of_surface());
+
+  const auto function = [](const K::Point_3&) -> K::FT { return 0; };
+  Implicit_domain::create_implicit_mesh_domain(+function, K::Sphere_3(CGAL::ORIGIN, 1));
+  CGAL::Mesh_criteria_3<C3t3_of_function::Triangulation>(CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 1,
+    CGAL::parameters::facet_distance = 1, CGAL::parameters::cell_radius_edge_ratio = 3, CGAL::parameters::cell_size = 1);
+  CGAL::Surface_mesh<K::Point_3> surface;
+  CGAL::IO::read_polygon_mesh(std::string(), surface);
 
   std::vector<std::array<double, 3> > points, images;
   std::vector<std::array<std::size_t, 4> > indices;

@@ -1,4 +1,5 @@
-// Mesh motion: the mesh of a block follows a hole in it, which turns and shifts, in 40 steps and in one call.
+// Mesh motion: the mesh of a block follows a hole in it, which turns and shifts, in 40 steps, or as many as the argument
+// tells, and in one call.
 #include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -59,14 +60,14 @@ VMP::Parameterization_result move_mesh(const C3t3& c3t3, const double time, cons
     c3t3, position_map, np.initial_map(VMP::make_vertex_point_map(initial)));
 }
 
-int main()
+int main(int argc, char* argv[])
 {
+  const int n = (argc > 1) ? (std::max)(std::atoi(argv[1]), 1) : 40;
   Surface_mesh surface;
   add_box(1, 1, 1, surface);
   add_box(0.5, 0.15, 0.15, surface); // the hole
   const C3t3 c3t3 = mesh_mechanical_part(surface, 0.1);
 
-  constexpr int n = 40;
   std::vector<double> ratios;
   Point_map position, before;
   for(int i = 1; i <= n; ++i)
