@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -15,10 +14,13 @@
 template <typename T = double>
 std::vector<T> array_of(const std::string& file, const std::string& name, const std::string& type = "Float64")
 {
-  std::smatch match;
-  REQUIRE(std::regex_search(file, match, std::regex("type=\"" + type + "\" Name=\"" + name
-    + "\"( NumberOfComponents=\"3\")? format=\"appended\" offset=\"([0-9]+)\"")));
-  const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(match[2]);
+  const std::string declaration = "type=\"" + type + "\" Name=\"" + name + "\"", appended = " format=\"appended\" offset=\"";
+  const std::size_t place = file.find(declaration);
+  REQUIRE(place != std::string::npos);
+  const std::size_t offset = file.find(appended, place);
+  const std::string between = file.substr(place + declaration.size(), offset - place - declaration.size());
+  REQUIRE((between.empty() || between == " NumberOfComponents=\"3\""));
+  const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(file.substr(offset + appended.size()));
   std::uint64_t number_of_bytes = 0;
   REQUIRE(begin + sizeof(number_of_bytes) <= file.size());
   std::memcpy(&number_of_bytes, file.data() + begin, sizeof(number_of_bytes));
