@@ -46,8 +46,8 @@ template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Par
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 namespace CGAL::Volume_mesh_parameterization::internal {
-template Error_code map_to_sphere_3(const Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
-                                    const Budget& budget);
+template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Landmarks_3& landmarks,
+                                    std::vector<Eigen::Vector3d>& images, const Budget& budget);
 }
 ]] @ONLY)
   add_library(${PROJECT_NAME}_engine STATIC

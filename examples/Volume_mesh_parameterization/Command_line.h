@@ -14,7 +14,7 @@
 
 struct Options
 {
-  std::string source, target, domain, output, refined_source, report, energy, solver, boundary;
+  std::string source, target, domain, landmarks, output, refined_source, report, energy, solver, boundary;
   std::vector<std::string> hexahedra;
   int number_of_threads, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
@@ -74,6 +74,9 @@ inline boost::program_options::options_description describe(Options& options)
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
      "in place of TARGET: ball, the unit ball; cube, the unit cube; box=X,Y,Z, a box with sides of these lengths; "
      "polycube, one that is close to the source; most meshes need --refine for that")
+    ("landmarks", po::value(&options.landmarks)->value_name("FILE"),
+     "lines as of TARGET for some vertices, where --to is to bring them: a ball is turned such that they are close, a box has "
+     "eight of them as corners, each in the octant of its line")
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
      "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
      "auto: fixed, and soft if that finds no map")
@@ -141,7 +144,7 @@ inline bool parse(int argc, char* argv[], Options& options)
               << ")\n";
     return false;
   }
-  for(std::string* name : { &options.source, &options.target })
+  for(std::string* name : { &options.source, &options.target, &options.landmarks })
     if(*name == "-")
       *name = "/dev/stdin";
   if(!options.hexahedra.empty() && options.hexahedra.back() == "-")

@@ -60,6 +60,7 @@ inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Pa
 inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
+                      .add("landmarks", options.landmarks)
                       .add("boundary", options.boundary).add("refine", options.do_refine)
                       .add("slide", options.do_slide).add("energy", options.energy)
                       .add("volume_weights", options.use_volume_weights)

@@ -2,12 +2,13 @@
 #include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
-#include <Eigen/Dense>
-
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 using Vertex_handle = C3t3::Vertex_handle;
@@ -25,18 +27,33 @@ using Points = std::vector<std::array<double, 3> >;
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
+Vertex_handle nearest_boundary_vertex(const C3t3& c3t3, const Point_3& p)
+{
+  const auto vertices = VMP::boundary_vertices(c3t3);
+  return *std::min_element(vertices.begin(), vertices.end(), [&](const Vertex_handle v, const Vertex_handle w)
+  { return CGAL::has_smaller_distance_to_point(p, v->point().point(), w->point().point()); });
+}
+
 // A body with its map to the ball.
 struct Body
 {
   VMP::Tetrahedron_soup_3 mesh;
   Points in_ball; // the images of the vertices
 
-  explicit Body(const std::string& filename)
+  // The ball is turned such that the vertices nearest to the landmarks come close to these points.
+  Body(const std::string& filename, const std::vector<Point_3>& landmarks, const std::vector<Point_3>& points)
   {
     C3t3 c3t3 = mesh_elephant(CGAL::data_file_path(filename));
-    std::unordered_map<Vertex_handle, Point_3> uvw;
-    const VMP::Parameterization_result result
-      = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw));
+    std::vector<std::pair<Vertex_handle, Point_3> > landmark_vertices;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      landmark_vertices.emplace_back(nearest_boundary_vertex(c3t3, landmarks[i]), points[i]);
+    std::unordered_map<Vertex_handle, Point_3> target, uvw;
+    const auto target_map = VMP::make_vertex_point_map(target);
+    const VMP::Error_code status = VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, landmark_vertices, target_map);
+    if(status != VMP::OK)
+      throw std::runtime_error(VMP::get_error_message(status));
+    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+      c3t3, VMP::make_vertex_point_map(uvw), CGAL::parameters::boundary_map(target_map).do_refine(true));
     std::cout << filename << ": " << result.number_of_cells << " cells. " << result.message << std::endl;
     if(!result.has_valid_map || result.boundary_residual > 0)
       throw std::runtime_error("The body has no map to the ball.");
@@ -49,23 +66,6 @@ struct Body
 
   VMP::Volume_map_3 map() const { return VMP::Volume_map_3(mesh.points, mesh.cells, in_ball); }
 };
-
-Eigen::Vector3d to_vector(const Point_3& p)
-{
-  return Eigen::Vector3d(p.x(), p.y(), p.z());
-}
-
-// The rotation of the ball that takes some of its points as close as possible to others, in the sense of least squares
-// (Kabsch 1976).
-Eigen::Matrix3d rotation(const std::vector<Point_3>& from, const std::vector<Point_3>& to)
-{
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for(std::size_t i = 0; i < from.size(); ++i)
-    covariance += to_vector(to[i]) * to_vector(from[i]).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  return svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-}
 
 // Writes the mesh with the points from which it has its texture, and with the field in hundredths, as references of the
 // cells.
@@ -88,27 +88,21 @@ bool write(VMP::Tetrahedron_soup_3 mesh, const Points& texture, const std::vecto
 int main()
 try
 {
-  const Body elephant("meshes/elephant.off"), bull("meshes/bull.off");
-  const VMP::Volume_map_3 elephant_to_ball = elephant.map(), bull_to_ball = bull.map();
-
   // Nose, front feet and hind feet, the left ones first, need not be exactly on the surfaces.
   const std::vector<Point_3> of_elephant = { {0.18, 0.5, 0.09}, {0.35, -0.3, -0.28}, {0.1, -0.48, -0.03},
                                              {-0.36, -0.42, -0.21}, {-0.15, -0.5, -0.04} };
   const std::vector<Point_3> of_bull = { {-0.4, 0.05, 0.35}, {-0.46, -0.32, -0.09}, {-0.31, -0.28, -0.39},
                                          {0.38, -0.31, 0.13}, {0.25, -0.27, -0.24} };
-  std::vector<Point_3> from, to;
-  for(std::size_t i = 0; i < of_bull.size(); ++i)
-  {
-    from.push_back(bull_to_ball.nearest_image(of_bull[i])->point);
-    to.push_back(elephant_to_ball.nearest_image(of_elephant[i])->point);
-  }
-  const Eigen::Matrix3d R = rotation(from, to);
-  for(std::size_t i = 0; i < from.size(); ++i)
-  {
-    const Eigen::Vector3d before = to_vector(from[i]), after = R * before, there = to_vector(to[i]);
-    std::cout << "landmark " << i << ": distance in the ball " << (before - there).norm() << ", after the rotation "
-              << (after - there).norm() << std::endl;
-  }
+  const Body elephant("meshes/elephant.off", of_elephant, {});
+  const VMP::Volume_map_3 elephant_to_ball = elephant.map();
+  std::vector<Point_3> in_ball;
+  for(const Point_3& p : of_elephant)
+    in_ball.push_back(elephant_to_ball.nearest_image(p)->point);
+  const Body bull("meshes/bull.off", of_bull, in_ball);
+  const VMP::Volume_map_3 bull_to_ball = bull.map();
+  for(std::size_t i = 0; i < in_ball.size(); ++i)
+    std::cout << "landmark " << i << ": distance in the ball "
+              << std::sqrt(CGAL::squared_distance(bull_to_ball.nearest_image(of_bull[i])->point, in_ball[i])) << std::endl;
 
   // The field: the distance from the tip of the trunk.
   std::vector<double> field, carried_field;
@@ -117,9 +111,8 @@ try
 
   // Each vertex of the bull takes it from where it comes to be in the elephant.
   Points carried;
-  for(const std::array<double, 3>& in_ball : bull.in_ball)
+  for(const std::array<double, 3>& q : bull.in_ball)
   {
-    const Eigen::Vector3d q = R * Eigen::Vector3d(in_ball[0], in_ball[1], in_ball[2]);
     const auto place = *elephant_to_ball.nearest_preimage(Point_3(q[0], q[1], q[2]));
     double value = 0;
     for(std::size_t i = 0; i < 4; ++i)

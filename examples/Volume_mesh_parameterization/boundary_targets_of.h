@@ -13,11 +13,15 @@
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 // The boundary has no map onto the domain.
@@ -30,15 +34,54 @@ struct Boundary_error : std::runtime_error
   CGAL::Volume_mesh_parameterization::Error_code status;
 };
 
+// Landmarks are vertices with the place where each should be. If there are none, a domain finds its way without.
+using Landmarks = std::vector<std::pair<std::size_t, std::array<double, 3> > >;
 using Boundary_parameterizer = std::function<CGAL::Volume_mesh_parameterization::Error_code(
-  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3&, Points&, Progress_line&)>;
+  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3&, const Landmarks&, Points&, Progress_line&)>;
 
-template <typename Parameterizer>
-Boundary_parameterizer boundary_parameterizer(const Parameterizer& parameterizer)
+inline Boundary_parameterizer ball_parameterizer()
 {
-  return [parameterizer](const auto& mesh, Points& targets, Progress_line& progress)
+  return [](const auto& mesh, const Landmarks& landmarks, Points& targets, Progress_line& progress)
   {
-    return parameterizer.parameterize(mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress)));
+    return CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3().parameterize(
+      mesh.points, mesh.cells, landmarks, targets, CGAL::parameters::visitor(std::ref(progress)));
+  };
+}
+
+// The vertices for the corners of a box, each in the octant of the corner.
+inline std::array<std::size_t, 8> corners_of_box(const Landmarks& landmarks)
+{
+  std::array<std::size_t, 8> corners = {};
+  std::set<int> octants;
+  for(const auto& [v, p] : landmarks)
+  {
+    const int octant = (p[0] > 0) + 2 * (p[1] > 0) + 4 * (p[2] > 0);
+    octants.insert(octant);
+    corners[octant] = v;
+  }
+  if(landmarks.size() != 8 || octants.size() != 8)
+    throw std::runtime_error("the landmarks of a box are eight vertices, one in each octant, for its corners");
+  return corners;
+}
+
+inline Boundary_parameterizer box_parameterizer(const CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3& box)
+{
+  return [box](const auto& mesh, const Landmarks& landmarks, Points& targets, Progress_line& progress)
+  {
+    const auto np = CGAL::parameters::visitor(std::ref(progress));
+    return landmarks.empty() ? box.parameterize(mesh.points, mesh.cells, targets, np)
+                             : box.parameterize(mesh.points, mesh.cells, corners_of_box(landmarks), targets, np);
+  };
+}
+
+inline Boundary_parameterizer polycube_parameterizer(const double spacing)
+{
+  return [spacing](const auto& mesh, const Landmarks& landmarks, Points& targets, Progress_line& progress)
+  {
+    if(!landmarks.empty())
+      throw std::runtime_error("a polycube has no landmarks");
+    return CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3(spacing).parameterize(
+      mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress)));
   };
 }
 
@@ -51,7 +94,7 @@ inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
   if(!(is >> x >> comma[0] >> y >> comma[1] >> z) || is >> rest || comma[0] != ',' || comma[1] != ','
      || !(std::fmin(x, std::fmin(y, z)) > 0) || std::isinf(x * y * z))
     throw std::runtime_error("'box=" + lengths + "' does not tell three positive lengths, as box=1,2,0.5 does");
-  return boundary_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
+  return box_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
 }
 
 // The spacing is that of hexahedra; 0 if none are made.
@@ -62,10 +105,10 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
   if(name.compare(0, box.size(), box) == 0)
     return box_parameterizer(name.substr(box.size()));
   return find_name<Boundary_parameterizer>("domain", name, {
-    {"ball", boundary_parameterizer(VMP::Ball_boundary_parameterizer_3())},
-    {"cube", boundary_parameterizer(VMP::Cube_boundary_parameterizer_3())},
+    {"ball", ball_parameterizer()},
+    {"cube", box_parameterizer(VMP::Cube_boundary_parameterizer_3())},
     {"box=X,Y,Z", nullptr},
-    {"polycube", boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))}});
+    {"polycube", polycube_parameterizer(spacing)}});
 }
 
 // Of each point of the file; not numbers where there is none.
@@ -91,12 +134,27 @@ inline void name_missing_target(const std::string& filename,
                              + " (counted from 0) is on the boundary of the source, but has no target");
 }
 
-inline Points targets_on_domain(const std::string& domain, const double spacing,
+// None if the name of the file is empty.
+inline Landmarks landmarks_of_file(const std::string& filename,
+                                   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+                                   Progress_line& progress)
+{
+  Landmarks landmarks;
+  if(filename.empty())
+    return landmarks;
+  const Points points = targets_of_file(filename, mesh, progress);
+  for(std::size_t v = 0; v < points.size(); ++v)
+    if(!std::isnan(points[v][0]))
+      landmarks.emplace_back(v, points[v]);
+  return landmarks;
+}
+
+inline Points targets_on_domain(const std::string& domain, const double spacing, const Landmarks& landmarks,
                                 const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Points targets;
-  const VMP::Error_code status = named_boundary_parameterizer(domain, spacing)(mesh, targets, progress);
+  const VMP::Error_code status = named_boundary_parameterizer(domain, spacing)(mesh, landmarks, targets, progress);
   if(status == VMP::OK)
     return targets;
   if(status == VMP::ERROR_INTERRUPTED)

@@ -49,11 +49,13 @@ inline void check_files(const Options& options)
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu; "
                              "other formats can be made of both: meshio convert map.vtu map.OTHER");
 
-  if(options.source == options.target && Output_file::is_stream(options.source))
-    throw std::runtime_error(options.source + ": this has two roles, it can be read only once");
+  for(const std::string& other : { options.target, options.landmarks })
+    if(options.source == other && Output_file::is_stream(other))
+      throw std::runtime_error(other + ": this has two roles, it can be read only once");
   std::vector<fs::path> others = {Output_file::path(options.source)};
-  if(!options.target.empty())
-    others.push_back(Output_file::path(options.target));
+  for(const std::string& other : { options.target, options.landmarks })
+    if(!other.empty())
+      others.push_back(Output_file::path(other));
   for(const std::string& name : outputs(options))
   {
     if(name.empty())
@@ -73,6 +75,8 @@ inline void check(const Options& options)
   named_boundary_mode(options.boundary);
   if(!options.domain.empty())
     named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
+  if(!options.landmarks.empty() && options.domain.empty())
+    throw std::runtime_error("landmarks are for a domain that --to names");
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.energy_tolerance >= 0))

@@ -123,9 +123,10 @@ Outcome run(const Options& options, Progress_line& progress)
   VMP::Tetrahedron_soup_3& mesh = source.soup;
   const bool has_file = !options.target.empty();
   progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
+  const Landmarks landmarks = landmarks_of_file(options.landmarks, mesh, progress);
   const Points targets = has_file ? targets_of_file(options.target, mesh, progress)
     : naming(options.source, [&]
-      { return targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), mesh, progress); });
+      { return targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), landmarks, mesh, progress); });
 
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;

@@ -168,6 +168,18 @@ TEST_CASE("Corners, labels and surfaces are given by arrays, too")
     CHECK(cube.parameterize(body.soup.points, body.cells, corners, targets) == VMP::ERROR_INVALID_CORNERS);
     CHECK(has_same_bits(targets, before));
   }
+  SECTION("the landmarks of a ball")
+  {
+    const auto v = std::find(body.soup.points.begin(), body.soup.points.end(), std::array<double, 3>{ 2, 1, 1 })
+                   - body.soup.points.begin();
+    const VMP::Ball_boundary_parameterizer_3 ball;
+    const std::vector<std::pair<Vertex_handle, Point_3> > of_complex
+      = { { body.complex.vertices[v], Point_3(0, 0, 1) } };
+    const std::vector<std::pair<std::size_t, std::array<double, 3> > > of_arrays = { { v, { 0, 0, 1 } } };
+    const VMP::Error_code status = ball.parameterize(body.complex.c3t3, of_complex, body.complex.boundary_map());
+    REQUIRE(ball.parameterize(body.soup.points, body.cells, of_arrays, targets) == VMP::OK);
+    CHECK(body.has_same_targets(status, targets));
+  }
   SECTION("the labels of a polycube")
   {
     std::vector<std::array<int, 4> > labels(body.cells.size());

@@ -228,6 +228,56 @@ TEST_CASE("only vertices of the boundary get an image")
   }
 }
 
+TEST_CASE("a ball is turned to its landmarks")
+{
+  Complex complex(bricks(3, 2, 4, stay));
+  REQUIRE(complex.parameterize(Ball()) == VMP::OK);
+  const Point_map free = complex.image;
+  std::vector<std::pair<Vertex_handle, Point_3> > landmarks;
+  const auto parameterize = [&]
+  { return Ball().parameterize(complex.c3t3, landmarks, VMP::make_vertex_point_map(complex.image)); };
+  const auto sum_of_squares = [&](const auto& image)
+  {
+    double sum = 0;
+    for(const auto& [v, p] : landmarks)
+      sum += CGAL::squared_distance(image(v), p);
+    return sum;
+  };
+  const auto image = [&](const Vertex_handle v) { return complex.image.at(v); };
+
+  // by 1 radian about the y-axis
+  const CGAL::Aff_transformation_3<K> turn(std::cos(1), 0, std::sin(1), 0, 1, 0, -std::sin(1), 0, std::cos(1));
+  for(const auto& [v, p] : free)
+    if(landmarks.size() < 3)
+      landmarks.emplace_back(v, turn(p));
+  REQUIRE(parameterize() == VMP::OK);
+  check_ball(complex);
+  for(const auto& [v, p] : free)
+    CHECK(CGAL::squared_distance(image(v), turn(p)) < 1e-24);
+
+  // elsewhere, no further turn brings them closer
+  landmarks[0].second = Point_3(1, 0, 0);
+  landmarks[1].second = Point_3(0, 1, 0);
+  landmarks[2].second = Point_3(0, 0.6, -0.8);
+  REQUIRE(parameterize() == VMP::OK);
+  check_ball(complex);
+  const double least = sum_of_squares(image), c = std::cos(0.01), s = std::sin(0.01);
+  for(const double sine : {s, -s})
+    for(const auto& further : { CGAL::Aff_transformation_3<K>(1, 0, 0, 0, c, sine, 0, -sine, c),
+                                CGAL::Aff_transformation_3<K>(c, 0, sine, 0, 1, 0, -sine, 0, c),
+                                CGAL::Aff_transformation_3<K>(c, sine, 0, -sine, c, 0, 0, 0, 1) })
+      CHECK(sum_of_squares([&](const Vertex_handle v) { return further(image(v)); }) > least);
+
+  complex.image.clear();
+  const Vertex_handle inside = *std::find_if(complex.vertices.begin(), complex.vertices.end(), [](const Vertex_handle v)
+  { return v->point() == Point_3(1, 1, 1); });
+  landmarks.emplace_back(inside, Point_3(1, 0, 0));
+  CHECK(parameterize() == VMP::ERROR_INVALID_LANDMARK);
+  landmarks.back() = { landmarks.front().first, Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0) };
+  CHECK(parameterize() == VMP::ERROR_INVALID_LANDMARK);
+  CHECK(complex.image.empty());
+}
+
 TEST_CASE("a cube is mapped to the ball with moderate distortion")
 {
   Complex complex(bricks(6, 6, 6, stay));

@@ -254,7 +254,7 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "boundary", "refine", "slide", "energy", "volume_weights",
+  "options", "source", "target", "to", "landmarks", "boundary", "refine", "slide", "energy", "volume_weights",
   "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
@@ -443,6 +443,38 @@ TEST_CASE("The boundary goes to a domain that has a name")
   CHECK(folder.run("source.mesh --to ball --report report.json") == 2);
   CHECK(folder.text("stderr").find("among them vertex 7 (counted from 0)") != std::string::npos);
   CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_NON_MANIFOLD_BOUNDARY\"") != std::string::npos);
+}
+
+TEST_CASE("A ball is turned to landmarks, and a box has eight of them as corners")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  folder.write("source.mesh", source);
+  const auto vertex = [&](const Point& p)
+  { return std::find(source.points.begin(), source.points.end(), p) - source.points.begin(); };
+  const std::string command = "source.mesh --refine -o map.mesh --landmarks landmarks.txt --report report.json --to ";
+
+  const std::string one = std::to_string(vertex({2, 1, 1})) + " 0 0 1\n";
+  folder.write("landmarks.txt", one);
+  REQUIRE(folder.run(command + "ball") == 0);
+  const Point there = folder.soup("map.mesh").points[vertex({2, 1, 1})];
+  CHECK(std::hypot(there[0], there[1], there[2] - 1) < 1e-15);
+  CHECK(folder.text("report.json").find("\"landmarks\": \"landmarks.txt\"") != std::string::npos);
+  CHECK(folder.run(command + "cube") == 2);
+  CHECK(folder.text("stderr").find("eight vertices, one in each octant") != std::string::npos);
+  CHECK(folder.run(command + "polycube") == 2);
+  folder.write("landmarks.txt", std::to_string(vertex({1, 1, 1})) + " 0 0 1\n"); // inside
+  CHECK(folder.run(command + "ball") == 2);
+  CHECK(folder.text("report.json").find("ERROR_INVALID_LANDMARK") != std::string::npos);
+
+  std::ostringstream corners; // the axes are exchanged in turn
+  for(const double x : {0, 2})
+    for(const double y : {0, 2})
+      for(const double z : {0, 2})
+        corners << vertex({x, y, z}) << " " << y - 1 << " " << z - 1 << " " << x - 1 << "\n";
+  folder.write("landmarks.txt", corners.str());
+  REQUIRE(folder.run(command + "box=1,2,3") == 0);
+  CHECK(folder.soup("map.mesh").points[vertex({0, 2, 0})] == Point{0.5, -1, -1.5});
 }
 
 TEST_CASE("At the time limit, or interrupted, the valid map reached so far is written")

@@ -30,6 +30,8 @@ With the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03} the surface is coar
 collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
 energy, which compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
 
+Unless landmarks are given, how the sphere is turned is arbitrary.
+
 `parameterize()` writes points of the unit sphere, up to rounding, and returns `OK`; or, with nothing written,
 `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
 `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_INTERRUPTED`.
@@ -43,10 +45,57 @@ class Ball_boundary_parameterizer_3 : public internal::Boundary_parameterizer_ba
 {
   friend internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>;
 
-  // a template, like what it calls
+public:
+  using internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>::parameterize;
+
+  /// writes the image of each vertex of the boundary of the complex, turned about the origin such that the landmarks are
+  /// as close to given points as a map of this distortion allows, in the sense of least squares.
+  ///
+  /// \param c3t3 the complex
+  /// \param landmarks vertices of the boundary, each with the point of the unit sphere where it should be
+  /// \param target receives the images
+  /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
+  ///        `BoundaryParameterizer_3`
+  ///
+  /// \return the same as without landmarks, or `ERROR_INVALID_LANDMARK` if one is not a vertex of the boundary, or the
+  ///         coordinates of its point are not finite
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3,
+                          const std::vector<std::pair<typename C3t3::Vertex_handle,
+                                                      typename C3t3::Triangulation::Geom_traits::Point_3> >& landmarks,
+                          VertexPointMap target, const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    const internal::Body_of_complex_3<C3t3> body(c3t3);
+    internal::Landmarks_3 of_body;
+    for(const auto& [v, point] : landmarks)
+      of_body.emplace_back(std::find(body.vertices.begin(), body.vertices.end(), v) - body.vertices.begin(),
+                           internal::to_vector(point));
+    return this->parameterize_complex(body, target, np, of_body);
+  }
+
+  /// writes the image of each point on the boundary of a mesh that is given by arrays, turned to landmarks as for a complex.
+  template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+            typename = internal::Iterator_of<PointRange> >
+  Error_code parameterize(const PointRange& points, const CellRange& cells,
+                          const std::vector<std::pair<std::size_t, std::array<double, 3> > >& landmarks,
+                          TargetRange& targets, const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    internal::Landmarks_3 of_body;
+    for(const auto& [v, point] : landmarks)
+      of_body.emplace_back(v, Eigen::Vector3d(point[0], point[1], point[2]));
+    return this->parameterize_arrays(internal::body_of(points, cells), targets, np, of_body);
+  }
+
+private:
+  // templates, like what they call
   template <typename Surface>
   Error_code map(const Surface& surface, std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
-  { return internal::map_to_sphere_3(surface, images, budget); }
+  { return map(surface, internal::Landmarks_3(), images, budget); }
+
+  template <typename Surface>
+  Error_code map(const Surface& surface, const internal::Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
+                 const internal::Budget& budget) const
+  { return internal::map_to_sphere_3(surface, landmarks, images, budget); }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -52,6 +52,7 @@ enum Error_code
   ERROR_NO_POLYCUBE,                 ///< no polycube was found whose faces have the directions of the labels
   ERROR_INVALID_CORNERS,             ///< the corners of a cube are not eight different vertices of the boundary
   ERROR_MIRRORED_CORNERS,            ///< the corners of a cube fit its mirror image
+  ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or where it should be is no point
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
   ERROR_INVERTED_HEXAHEDRON          ///< a hexahedron has a corner that is flat or inverted
@@ -102,6 +103,8 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_MIRRORED_CORNERS:
       return "The corners are those of a mirrored cube; exchange opposite faces along one axis, for instance corners "
              "0 and 1, 2 and 3, 4 and 5, 6 and 7.";
+    case ERROR_INVALID_LANDMARK:
+      return "Each landmark must be a vertex of the boundary of the complex, with finite coordinates of where it should be.";
     case ERROR_SPACING_TOO_COARSE:
       return "The faces of the polycube cannot be put to multiples of the spacing without merging; make it smaller.";
     case ERROR_DOMAIN_NOT_AXIS_PARALLEL:

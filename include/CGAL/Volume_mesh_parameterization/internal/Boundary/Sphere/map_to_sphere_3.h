@@ -22,14 +22,19 @@
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #  include <CGAL/number_utils.h>
+#  include <Eigen/SVD>
 #endif
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a topological sphere onto the unit sphere. It is a template, of `Numbered_surface_3`, for the sake of those who
-// include the default boundary but call another one.
+// Vertices of a surface, by their numbers in the body, and where they should be.
+using Landmarks_3 = std::vector<std::pair<std::size_t, Eigen::Vector3d> >;
+
+// Maps a topological sphere onto the unit sphere, turned to the landmarks. It is a template, of `Numbered_surface_3`, for the
+// sake of those who include the default boundary but call another one.
 template <typename Surface>
-Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget);
+Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
+                           const Budget& budget);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
@@ -138,8 +143,25 @@ private:
   Radial_map_3<Domain> m_map;
 };
 
+// Turns the sphere such that some of its points come as close as possible to others, in the sense of least squares:
+// Kabsch, A solution for the best rotation to relate two sets of vectors (1976).
+template <typename Points>
+void turn_to_landmarks_3(const Points& landmarks, std::vector<Eigen::Vector3d>& images)
+{
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for(const auto& [v, point] : landmarks)
+    covariance += point * images[v].transpose();
+  const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(covariance,
+                                                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
+  const Eigen::Matrix3d rotation = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  for(Eigen::Vector3d& image : images)
+    image = (rotation * image).normalized();
+}
+
 template <typename Mesh>
-Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+Error_code map_mesh_to_sphere_3(const Mesh& mesh, const std::vector<std::pair<int, Eigen::Vector3d> >& landmarks,
+                                std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   const Error_code status = check_sphere(mesh);
   if(status != OK)
@@ -150,15 +172,26 @@ Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& 
   if(!map.run())
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
   images = map.images();
+  if(!landmarks.empty())
+    turn_to_landmarks_3(landmarks, images);
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 
 template <typename Surface>
-Error_code map_to_sphere_3(const Surface& surface, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
+                           const Budget& budget)
 {
+  std::vector<std::pair<int, Eigen::Vector3d> > on_surface;
+  for(const auto& [v, point] : landmarks)
+  {
+    const auto found = std::find(surface.vertices.begin(), surface.vertices.end(), v);
+    if(found == surface.vertices.end() || !point.allFinite())
+      return ERROR_INVALID_LANDMARK;
+    on_surface.emplace_back(static_cast<int>(found - surface.vertices.begin()), point);
+  }
   Boundary_mesh_3 mesh;
   const Error_code status = build_boundary_mesh_3(surface, mesh);
-  return status == OK ? map_mesh_to_sphere_3(mesh, images, budget) : status;
+  return status == OK ? map_mesh_to_sphere_3(mesh, on_surface, images, budget) : status;
 }
 #endif
 
