@@ -16,6 +16,7 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
@@ -29,7 +30,8 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 Vertex_handle nearest_boundary_vertex(const C3t3& c3t3, const Point_3& p)
 {
-  const auto vertices = VMP::boundary_vertices(c3t3);
+  std::vector<Vertex_handle> vertices;
+  VMP::boundary_vertices(c3t3, std::back_inserter(vertices));
   return *std::min_element(vertices.begin(), vertices.end(), [&](const Vertex_handle v, const Vertex_handle w)
   { return CGAL::has_smaller_distance_to_point(p, v->point().point(), w->point().point()); });
 }

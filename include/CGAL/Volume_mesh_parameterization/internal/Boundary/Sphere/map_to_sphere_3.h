@@ -143,6 +143,21 @@ private:
   Radial_map_3<Domain> m_map;
 };
 
+template <typename Mesh>
+Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  const Error_code status = check_sphere(mesh);
+  if(status != OK)
+    return status;
+
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  Spherical_map_3<> map(points, Vertex_rings_3(mesh), budget);
+  if(!map.run())
+    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+  images = map.images();
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+}
+
 // Turns the sphere such that some of its points come as close as possible to others, in the sense of least squares:
 // Kabsch, A solution for the best rotation to relate two sets of vectors (1976).
 template <typename Points>
@@ -159,24 +174,6 @@ void turn_to_landmarks_3(const Points& landmarks, std::vector<Eigen::Vector3d>& 
     image = (rotation * image).normalized();
 }
 
-template <typename Mesh>
-Error_code map_mesh_to_sphere_3(const Mesh& mesh, const std::vector<std::pair<int, Eigen::Vector3d> >& landmarks,
-                                std::vector<Eigen::Vector3d>& images, const Budget& budget)
-{
-  const Error_code status = check_sphere(mesh);
-  if(status != OK)
-    return status;
-
-  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
-  Spherical_map_3<> map(points, Vertex_rings_3(mesh), budget);
-  if(!map.run())
-    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-  images = map.images();
-  if(!landmarks.empty())
-    turn_to_landmarks_3(landmarks, images);
-  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-}
-
 template <typename Surface>
 Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
                            const Budget& budget)
@@ -190,8 +187,13 @@ Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks,
     on_surface.emplace_back(static_cast<int>(found - surface.vertices.begin()), point);
   }
   Boundary_mesh_3 mesh;
-  const Error_code status = build_boundary_mesh_3(surface, mesh);
-  return status == OK ? map_mesh_to_sphere_3(mesh, on_surface, images, budget) : status;
+  Error_code status = build_boundary_mesh_3(surface, mesh);
+  if(status == OK)
+    status = map_mesh_to_sphere_3(mesh, images, budget);
+  if(status != OK || landmarks.empty())
+    return status;
+  turn_to_landmarks_3(on_surface, images);
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 #endif
 
