@@ -170,7 +170,7 @@ TEST_CASE("Corners, labels and surfaces are given by arrays, too")
   }
   SECTION("the landmarks of a ball")
   {
-    const auto v = std::find(body.soup.points.begin(), body.soup.points.end(), std::array<double, 3>{ 2, 1, 1 })
+    const std::size_t v = std::find(body.soup.points.begin(), body.soup.points.end(), std::array<double, 3>{ 2, 1, 1 })
                    - body.soup.points.begin();
     const VMP::Ball_boundary_parameterizer_3 ball;
     const std::vector<std::pair<Vertex_handle, Point_3> > of_complex
