@@ -3,6 +3,8 @@
 #include "array_of_vtu_file.h"
 #include "cube_complex.h"
 
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/INP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
@@ -443,6 +445,32 @@ TEST_CASE("Vertices on sharp edges of a bent bar stay on them while others move"
         ++number;
       }
   CHECK(number == 6 * 9);
+}
+
+TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them")
+{
+  const VMP::internal::Numbered_mesh_3 block = cube_mesh(12);
+  Points points, targets, images;
+  for(int v = 0; v < block.number_of_vertices(); ++v)
+    points.push_back({ block.source(0, v), block.source(1, v), block.source(2, v) });
+  std::vector<std::array<int, 4> > cross; // three bars
+  for(const std::array<int, 4>& cell : block.cells)
+  {
+    const Vector3d sum = block.source.col(cell[0]) + block.source.col(cell[1]) + block.source.col(cell[2])
+                         + block.source.col(cell[3]);
+    if((((sum / 4).array() - 6).abs() < 2).count() >= 2)
+      cross.push_back(cell);
+  }
+  REQUIRE(VMP::Cube_boundary_parameterizer_3().parameterize(points, cross, targets) == VMP::OK);
+  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(points, cross, targets, images,
+                                                           CGAL::parameters::do_refine(true)).status == VMP::OK);
+  Hexahedron_soup_3 mesh;
+  REQUIRE(VMP::hexahedral_mesh(points, cross, images, 0.125, mesh).status == VMP::OK);
+  CHECK(smallest_determinant(mesh) > 0);
+  for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
+    for(const std::size_t v : quadrangle)
+      CHECK(std::any_of(mesh.points[v].begin(), mesh.points[v].end(), [](const double x)
+      { return std::abs(x - 4 * std::round(x / 4)) < 1e-9; }));
 }
 
 TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertices is at")

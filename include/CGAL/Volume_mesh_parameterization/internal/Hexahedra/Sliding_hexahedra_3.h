@@ -140,6 +140,22 @@ public:
     write_points();
   }
 
+  // Lets vertices of inverted corners leave the lines, from which perhaps no way leads to positive corners, if any of them is
+  // on one.
+  bool leave_lines()
+  {
+    bool is_on_line = false;
+    for(const std::array<int, 4>& corner : m_numbered.cells)
+      if(!is_positive(m_numbered.target, corner))
+        for(const int v : corner)
+          if(m_freedom[v] == Freedom_3::LINE || m_freedom[v] == Freedom_3::NONE)
+          {
+            m_freedom[v] = Freedom_3::SURFACE;
+            is_on_line = true;
+          }
+    return is_on_line;
+  }
+
 private:
   // Hexahedra keep the mean lengths of their edges along each axis, if these are not too short.
   void set_edges(Corner_goals_3& goals) const

@@ -172,12 +172,12 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 
 // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the
 // mean gains little. Where corners are inverted or almost flat in between, or poor in the end, vertices around them move one
-// after the other.
+// after the other; if that is in vain, those on lines may leave them.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget,
                                 Best_hexahedra_3& best)
 {
   constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3;
-  constexpr std::size_t first_steps = 10, steps = 3;
+  constexpr std::size_t first_steps = 10, steps = 3, few = 100; // times as few as all corners
   constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
   constexpr double least_gain = 0.002; // of the mean, in a round
   const auto judge = [&]
@@ -195,6 +195,9 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_p
   std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
   for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
   {
+    const bool are_few = result.number_of_inverted_corners * few <= 8 * result.number_of_cells; // if not, it is the map
+    if(in_vain == patience - 1 && are_few && hexahedra.leave_lines())
+      in_vain = 0;
     if(round > 0 && result.minimal_scaled_jacobian < flat_scaled_jacobian)
       result = smooth(result);
     const double mean = result.mean_scaled_jacobian;
