@@ -140,8 +140,8 @@ public:
     write_points();
   }
 
-  // Lets vertices of inverted corners leave the lines, from which perhaps no way leads to positive corners, if any of them is
-  // on one.
+  // Lets vertices of inverted corners leave the lines, from which perhaps no way leads to positive corners, if any of them
+  // is on one.
   bool leave_lines()
   {
     bool is_on_line = false;
