@@ -154,9 +154,9 @@ void evaluate(benchmark::State& state, Grid_problem& p, const Energy& energy)
 {
   const double operations = count_cells(p, [&](const Counted_matrix& J, const Counted_matrix&, int)
   {
-    const Vector_of_energy s = to_energy(decomposed(J).s);
+    const Counted_vector norms = norms_3(J);
     Counting_number sum = 0;
-    sum += Counting_number(1) * energy.value(s) + s[0] * s[1] * s[2];
+    sum += Counting_number(1) * energy.value_of_norms(norms[0], norms[1], norms[2]);
   });
   const double bytes = bytes_of_packs(p, geometry_bytes + sizeof(Cell_pack_3::weight)) + bytes_of_positions(p);
   const Cell_energy_of<Energy> cell_energy(energy);

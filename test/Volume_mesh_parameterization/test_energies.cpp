@@ -314,6 +314,19 @@ TEST_CASE("MIPS bounds the ratio of singular values from both sides, sharply", "
   }
 }
 
+TEMPLATE_TEST_CASE("Norms of a matrix and of its inverse give what singular values give", "[energies]",
+                   Stretch, Dirichlet, MIPS, Symmetric_Dirichlet)
+{
+  for(const Vector3d& s : samples)
+  {
+    const Matrix3d J = matrix(s);
+    CHECK(TestType().value_of_norms(s.squaredNorm(), s.cwiseInverse().squaredNorm(), s.prod()) == Approx(value(TestType(), s)));
+    if(s[0] < 100 * s[2])
+      CHECK(TestType().value_of_norms(J.squaredNorm(), J.inverse().squaredNorm(), J.determinant())
+            == Approx(value(TestType(), s)));
+  }
+}
+
 // Any_energy_3 evaluates several cells at a time, with vector instructions.
 TEMPLATE_LIST_TEST_CASE("Packs of cells give what single cells give", "[energies]", Energies)
 {

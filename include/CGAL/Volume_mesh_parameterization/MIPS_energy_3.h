@@ -44,6 +44,10 @@ struct MIPS_energy_3
   T value(const Eigen::Matrix<T, 3, 1>& s) const
   { return T(0.125) * (s.squaredNorm() * s.cwiseInverse().squaredNorm() - T(1)); }
 
+  /// returns \f$\psi\f$ by \f$|J|^2\f$, \f$|J^{-1}|^2\f$ and \f$\det J\f$, without singular values.
+  template <typename T>
+  T value_of_norms(const T& squared, const T& inverse, const T&) const { return T(0.125) * (squared * inverse - T(1)); }
+
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const

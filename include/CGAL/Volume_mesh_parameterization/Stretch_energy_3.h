@@ -35,6 +35,10 @@ struct Stretch_energy_3
   template <typename T>
   T value(const Eigen::Matrix<T, 3, 1>& s) const { return s.cwiseInverse().squaredNorm(); }
 
+  /// returns \f$\psi\f$ by \f$|J|^2\f$, \f$|J^{-1}|^2\f$ and \f$\det J\f$, without singular values.
+  template <typename T>
+  T value_of_norms(const T&, const T& inverse, const T&) const { return inverse; }
+
   /// returns the derivatives \f$\partial\psi/\partial\sigma_i\f$.
   template <typename T>
   Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const

@@ -377,6 +377,32 @@ TEST_CASE("Tiny singular values have a small relative error")
   }
 }
 
+TEST_CASE("Norms and determinant have the relative error of the smallest singular value")
+{
+  Random random;
+  for(const Vector3d& s : { Vector3d(1, 1, 1), Vector3d(2, 1, -0.1), Vector3d(1, 1, 1e-6), Vector3d(1, 1e-6, 1e-6) })
+    for(int i = 0; i < 20; ++i)
+    {
+      INFO(s.transpose());
+      const Matrix3d J = random.rotation() * s.asDiagonal() * random.rotation().transpose();
+      arithmetic::Matrix_3<double> matrix;
+      std::copy_n(J.data(), 9, &matrix(0, 0));
+      const arithmetic::Vector_3<double> norms = norms_3(matrix);
+      CHECK(norms[0] == Approx(s.squaredNorm()).epsilon(1e-14));
+      CHECK(norms[1] == Approx(s.cwiseInverse().squaredNorm()).epsilon(1e-8));
+      CHECK(norms[2] == Approx(s.prod()).epsilon(1e-8));
+    }
+  const Vector3d vector = random.rotation().col(0); // a cell without an edge is flat, not less
+  for(int k = 0; k < 3; ++k)
+  {
+    arithmetic::Matrix_3<double> matrix = arithmetic::Matrix_3<double>::identity();
+    matrix.column(k) = { 0., 0., 0. };
+    matrix.column((k + 1) % 3) = { vector[0], vector[1], vector[2] };
+    CHECK(norms_3(matrix)[2] == 0);
+    CHECK(std::isinf(norms_3(matrix)[1]));
+  }
+}
+
 void check_differences(const Erased_energy& energy)
 {
   Random random;

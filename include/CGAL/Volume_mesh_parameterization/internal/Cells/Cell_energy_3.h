@@ -69,7 +69,20 @@ public:
   virtual void value(const Packed_vector_3& s, Packed_number& psi) const = 0;
   virtual void gradient(const Packed_vector_3& s, Packed_vector_3& g) const = 0;
   virtual void derivatives(const Packed_vector_3& s, Packed_vector_3& g, Packed_matrix_3& H) const = 0;
+
+  // Does psi follow from |J|^2, |J^{-1}|^2 and det J, which cost far less than the singular values?
+  virtual bool is_of_norms() const = 0;
+  virtual void value_of_norms(const Packed_vector_3& norms, Packed_number& psi) const = 0;
 };
+
+template <typename Energy, typename T, typename = void>
+struct Is_of_norms : std::false_type {};
+
+template <typename Energy, typename T>
+struct Is_of_norms<Energy, T, std::void_t<decltype(
+  std::declval<const Energy&>().value_of_norms(std::declval<T>(), std::declval<T>(), std::declval<T>()))> >
+  : std::true_type
+{};
 
 // A model of `DistortionEnergy_3`, as such an energy. It is evaluated with the instructions for which the unit that
 // names the energy is compiled, those of its `Pack`.
@@ -105,6 +118,16 @@ public:
       for(int i = 0; i < 9; ++i)
         hessian(i).store(H[i] + first);
     }
+  }
+
+  bool is_of_norms() const override { return Is_of_norms<Energy, Pack>::value; }
+
+  void value_of_norms(const Packed_vector_3& norms, Packed_number& psi) const override
+  {
+    if constexpr(Is_of_norms<Energy, Pack>::value)
+      for(int first = 0; first < cells_per_pack; first += Pack::size)
+        m_energy.value_of_norms(Pack::load(norms[0] + first), Pack::load(norms[1] + first), Pack::load(norms[2] + first))
+          .store(psi + first);
   }
 
 private:

@@ -53,13 +53,15 @@ public:
   Untangling_energy_3(const double epsilon, const double theta) : m_epsilon(epsilon), m_theta(theta) {}
 
   template <typename T>
-  T value(const Eigen::Matrix<T, 3, 1>& s) const
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return value_of_norms(s.squaredNorm(), T(0), s[0] * s[1] * s[2]); }
+
+  template <typename T>
+  T value_of_norms(const T& squared, const T&, const T& D) const
   {
     using std::exp;
     using std::log;
-    const T D = s[0] * s[1] * s[2];
     const T c = regularized_determinant(D, m_epsilon);
-    return s.squaredNorm() * exp(T(-2. / 3.) * log(c)) + T(m_theta) * (D * D + T(1)) / c;
+    return squared * exp(T(-2. / 3.) * log(c)) + T(m_theta) * (D * D + T(1)) / c;
   }
 
   template <typename T>
