@@ -25,6 +25,6 @@ if [ "$(id -u)" -ne 0 ]; then
   as_root=(sudo)
 fi
 # Slim systems leave out documentation, hence the models; reinstalling with this option brings them.
-"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get update -q -o Acquire::Languages=none
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends --reinstall \
   -o Dpkg::Options::=--path-include="$models" "${missing[@]}"

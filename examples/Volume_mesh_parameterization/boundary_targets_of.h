@@ -76,10 +76,8 @@ inline Boundary_parameterizer box_parameterizer(const CGAL::Volume_mesh_paramete
 
 inline Boundary_parameterizer polycube_parameterizer(const double spacing)
 {
-  return [spacing](const auto& mesh, const Landmarks& landmarks, Points& targets, Progress_line& progress)
+  return [spacing](const auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
   {
-    if(!landmarks.empty())
-      throw std::runtime_error("a polycube has no landmarks");
     return CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3(spacing).parameterize(
       mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress)));
   };

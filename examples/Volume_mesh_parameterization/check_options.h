@@ -75,8 +75,8 @@ inline void check(const Options& options)
   named_boundary_mode(options.boundary);
   if(!options.domain.empty())
     named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
-  if(!options.landmarks.empty() && options.domain.empty())
-    throw std::runtime_error("landmarks are for a domain that --to names");
+  if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
+    throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.energy_tolerance >= 0))
