@@ -92,7 +92,7 @@ void enclose(Mesh& m, const int v, const double z)
 // The proofs found without any knowledge of good positions, all of them checked.
 std::vector<Proof> prove(const Mesh& m)
 {
-  const std::vector<Proof> proofs = internal::prove_infeasibility_3(m, internal::indices_of_inverted_cells(m, m.target));
+  const std::vector<Proof> proofs = internal::prove_infeasibility_3(m, internal::inverted_cells(m, m.target).cells);
   for(const Proof& proof : proofs)
     REQUIRE(internal::is_valid(proof, m));
   return proofs;
@@ -236,13 +236,13 @@ TEST_CASE("a random cloud of cells at an edge has no map, and the proof is small
 TEST_CASE("only sets with a cell that is not positive are examined")
 {
   const Mesh m = edge_ring(bow_tie);
-  CHECK(internal::prove_infeasibility_3(m, internal::indices_of_inverted_cells(m, m.target)).size() == 1);
+  CHECK(internal::prove_infeasibility_3(m, internal::inverted_cells(m, m.target).cells).size() == 1);
 
   const Mesh good = edge_ring(square);
   Eigen::Matrix3Xd positions = good.target;
   positions(2, 1) = 1;
   REQUIRE(is_positive_everywhere(good, positions));
-  CHECK(internal::prove_infeasibility_3(good, internal::indices_of_inverted_cells(good, positions)).empty());
+  CHECK(internal::prove_infeasibility_3(good, internal::inverted_cells(good, positions).cells).empty());
 }
 
 TEST_CASE("a search that is ended returns the proofs found by then")
@@ -260,7 +260,7 @@ TEST_CASE("a search that is ended returns the proofs found by then")
     REQUIRE(last_question < 100);
     int number_of_questions = 0;
     const internal::Budget budget(1e9, [&] { return ++number_of_questions < last_question; });
-    const std::vector<Proof> proofs = internal::prove_infeasibility_3(m, internal::indices_of_inverted_cells(m, m.target), budget);
+    const std::vector<Proof> proofs = internal::prove_infeasibility_3(m, internal::inverted_cells(m, m.target).cells, budget);
     CHECK(number_of_questions <= (std::max)(1, last_question));
     CHECK((proofs.size() == number_of_proofs || proofs.size() == number_of_proofs + 1));
     for(const Proof& proof : proofs)
@@ -271,8 +271,10 @@ TEST_CASE("a search that is ended returns the proofs found by then")
 
   internal::Budget exhausted;
   exhausted.exhaust();
-  CHECK(internal::diagnose_3(m, m.target, exhausted).number_of_proofs == 0);
-  CHECK(internal::diagnose_3(m, m.target, exhausted).inverted_cells.size() == 8);
+  const std::vector<std::size_t> inverted = internal::inverted_cells(m, m.target).cells;
+  CHECK(inverted.size() == 8);
+  CHECK(internal::diagnose_3(m, inverted, exhausted).number_of_proofs == 0);
+  CHECK(internal::diagnose_3(m, inverted, exhausted).inverted_cells == inverted);
 }
 
 TEST_CASE("a proof that was tampered with is refused")

@@ -58,11 +58,8 @@ using Mutable_parameter = std::conditional_t<
   std::remove_const_t<std::remove_reference_t<Reference> >,
   Reference>;
 
-template <typename Visitor, typename = void>
-struct Has_goes_on : std::false_type {};
-
 template <typename Visitor>
-struct Has_goes_on<Visitor, std::void_t<decltype(std::declval<Visitor&>().goes_on())> > : std::true_type {};
+using Goes_on = decltype(std::declval<Visitor&>().goes_on());
 
 // The named parameters `visitor` and `maximum_running_time`, which end a computation early.
 template <typename NamedParameters>
@@ -83,7 +80,7 @@ public:
   // Begins now. A visitor need not have the function `goes_on()`.
   Budget budget()
   {
-    if constexpr(Has_goes_on<std::remove_reference_t<Visitor> >::value)
+    if constexpr(boost::is_detected<Goes_on, Visitor>::value)
       return Budget(m_seconds, [this] { return m_visitor.goes_on(); });
     else
       return Budget(m_seconds);

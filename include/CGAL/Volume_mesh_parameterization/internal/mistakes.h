@@ -18,6 +18,8 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/detected.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <type_traits>
 
@@ -41,22 +43,17 @@ struct Is_map_of<Map, Key, std::void_t<typename boost::property_traits<Map>::key
                      std::is_void<typename boost::property_traits<Map>::key_type> >
 {};
 
-template <typename Map, typename Value, typename = void>
-struct Can_hold : std::false_type {};
+template <typename Map>
+using Value_of = typename boost::property_traits<Map>::value_type;
 
 template <typename Map, typename Value>
-struct Can_hold<Map, Value, std::void_t<typename boost::property_traits<Map>::value_type> >
-  : std::is_convertible<Value, typename boost::property_traits<Map>::value_type>
-{};
-
-template <typename Visitor, typename = void>
-struct Is_visitor : std::false_type {};
+using Can_hold = std::is_convertible<Value, boost::detected_t<Value_of, Map> >;
 
 template <typename Visitor>
-struct Is_visitor<Visitor, std::void_t<decltype(
-  std::declval<Visitor&>().after_step(std::declval<const Parameterization_step&>()))> >
-  : std::is_convertible<decltype(std::declval<Visitor&>().after_step(std::declval<const Parameterization_step&>())), bool>
-{};
+using Answer_of_visitor = decltype(std::declval<Visitor&>().after_step(std::declval<const Parameterization_step&>()));
+
+template <typename Visitor>
+using Is_visitor = std::is_convertible<boost::detected_t<Answer_of_visitor, Visitor>, bool>;
 
 template <typename Energy, typename T, typename = void>
 struct Is_energy : std::false_type {};

@@ -12,7 +12,16 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+// With the macro CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, the functions of the engine are compiled once, by the
+// target CGAL::Volume_mesh_parameterization_engine that defines it; otherwise they are inline.
+// CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE tells whether a unit has their definitions, which that of the library
+// says by itself.
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+#else
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE inline
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#endif
 
 #if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE) && defined(CGAL_LINKED_WITH_TBB)
 #  include <tbb/parallel_for.h>
@@ -22,6 +31,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -37,15 +48,26 @@ public:
   virtual ~Communicator_3() = default;
   virtual bool is_alone() const { return true; }
   virtual int rank() const { return 0; }
-  virtual double sum(const double x) const { return x; }
-  virtual double minimum(const double x) const { return x; }
-  double maximum(const double x) const { return -minimum(-x); }
+  virtual std::vector<double> gathered(const double x) const { return { x }; } // in the order of the ranks
   virtual std::vector<double> concatenated(const std::vector<double>& numbers) const { return numbers; }
-  bool all(const bool condition) const { return minimum(condition ? 1 : 0) == 1; }
-
   // The code and the sentence of the first process whose code is not 0.
   virtual std::pair<int, std::string> first_failure(const int code, const std::string& sentence) const
   { return { code, sentence }; }
+
+  double sum(const double x) const
+  {
+    const std::vector<double> all = gathered(x);
+    return std::accumulate(all.begin(), all.end(), 0.);
+  }
+
+  double minimum(const double x) const
+  {
+    const std::vector<double> all = gathered(x);
+    return *std::min_element(all.begin(), all.end());
+  }
+
+  double maximum(const double x) const { return -minimum(-x); }
+  bool all(const bool condition) const { return minimum(condition ? 1 : 0) == 1; }
 };
 
 inline const Communicator_3& single_process()
@@ -65,31 +87,15 @@ constexpr bool is_parallel()
   return result;
 }
 
-// A function of an index, by reference.
-class Index_function
-{
-public:
-  template <typename Function>
-  explicit Index_function(const Function& f)
-    : m_function(&f), m_call([](const void* function, const std::size_t i) { (*static_cast<const Function*>(function))(i); })
-  {}
-
-  void operator()(const std::size_t i) const { m_call(m_function, i); }
-
-private:
-  const void* m_function;
-  void (*m_call)(const void*, std::size_t);
-};
-
 // Defined with the engine, so that only that needs TBB's headers.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, Index_function f);
+void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, const std::function<void(std::size_t)>& f);
 
 // Calls f(first), ..., f(last - 1), in parallel if asked for. The calls must be independent; callers
 // that sum keep one partial sum an index and add them in order, so results do not depend on threads.
 template <typename Function>
 void for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Function& f)
-{ call_for_each_index(is_parallel, first, last, Index_function(f)); }
+{ call_for_each_index(is_parallel, first, last, std::cref(f)); }
 
 // Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in the
 // same way.
@@ -121,7 +127,8 @@ auto values_of_indices(const bool is_parallel, const std::size_t n, const Functi
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Index_function f)
+void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last,
+                         const std::function<void(std::size_t)>& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(is_parallel)

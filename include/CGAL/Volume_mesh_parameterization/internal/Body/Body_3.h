@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE

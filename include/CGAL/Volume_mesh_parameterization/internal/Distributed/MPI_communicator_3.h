@@ -18,7 +18,6 @@
 
 #include <cstdint>
 #include <new>
-#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -47,17 +46,7 @@ public:
   // Also with one process, so that the same is computed with any number of them.
   bool is_alone() const override { return false; }
 
-  double sum(const double x) const override
-  {
-    const std::vector<double> all = gathered(x);
-    return std::accumulate(all.begin(), all.end(), 0.);
-  }
-
-  double minimum(const double x) const override
-  {
-    const std::vector<double> all = gathered(x);
-    return *std::min_element(all.begin(), all.end());
-  }
+  std::vector<double> gathered(const double x) const override { return gathered(x, Failure()); }
 
   std::vector<double> concatenated(const std::vector<double>& numbers) const override
   { return exchanged(std::vector<std::vector<double> >(m_size, numbers)); }
@@ -70,9 +59,6 @@ public:
       return { 0, "" };
     return { static_cast<int>(*first), text_of(static_cast<int>(first - codes.begin()), sentence) };
   }
-
-  // The number of each process, in the order of the ranks.
-  std::vector<double> gathered(const double x) const { return gathered(x, Failure()); }
 
   // Where the slices of all processes begin if they are put one behind the other, and where the last one ends.
   std::vector<std::size_t> begins(const std::size_t size_of_slice) const

@@ -17,7 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>

@@ -154,16 +154,13 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const
          + "; few such boundaries have a map without inverted cells, and none that is one to one.";
 }
 
-// Looks at the best images that were found, in which some cells are not positive.
-inline Diagnosis_3 diagnose_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image, const Budget& budget)
+// Looks at the cells that are not positive in the best images that were found.
+inline Diagnosis_3 diagnose_3(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& inverted_cells,
+                              const Budget& budget)
 {
-  Diagnosis_3 result;
-  result.inverted_cells = indices_of_inverted_cells(mesh, image);
-  const std::vector<Infeasibility_proof_3> proofs = prove_infeasibility_3(mesh, result.inverted_cells, budget);
-  result.number_of_proofs = proofs.size();
-  result.message = proofs.empty() ? describe_inverted_cells(result.inverted_cells, mesh)
-                                  : describe_infeasibility(proofs, mesh);
-  return result;
+  const std::vector<Infeasibility_proof_3> proofs = prove_infeasibility_3(mesh, inverted_cells, budget);
+  return { inverted_cells, proofs.size(), proofs.empty() ? describe_inverted_cells(inverted_cells, mesh)
+                                                         : describe_infeasibility(proofs, mesh) };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

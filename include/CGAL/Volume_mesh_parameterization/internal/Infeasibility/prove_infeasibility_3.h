@@ -99,22 +99,6 @@ inline bool is_valid(const Infeasibility_proof_3& proof, const Numbered_mesh_3& 
   return sum[0] <= 0 && std::all_of(sum.begin() + 1, sum.end(), [](const Exact_rational& x) { return x == 0; });
 }
 
-// Is there a place for the free vertices of this cell that makes it positive?
-inline bool can_be_positive(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
-{
-  std::vector<Exact_point_3> p;
-  for(const int v : cell)
-    if(!mesh.is_free(v))
-      p.push_back(exact_point(mesh.target.col(v)));
-  switch(p.size())
-  {
-    case 4: return is_positive(mesh.target, cell);
-    case 3: return !CGAL::collinear(p[0], p[1], p[2]);
-    case 2: return p[0] != p[1];
-    default: return true;
-  }
-}
-
 // Linear equations A x = b with b >= 0, a row [A | b] each, times the last pivot: so all numbers are minors of the first
 // ones, and short (Edmonds 1967).
 struct Linear_equations
@@ -179,7 +163,8 @@ inline std::optional<std::vector<Exact_integer> > nonnegative_solution(Linear_eq
 inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbered_mesh_3& mesh,
                                                                      const std::vector<std::size_t>& cells)
 {
-  const int u = *free_vertices_of(mesh, cells).begin();
+  const std::set<int> free = free_vertices_of(mesh, cells);
+  const int u = free.empty() ? -1 : *free.begin();
   using Rational = Rational_traits<Exact_rational>;
   std::vector<Exact_integer> units(cells.size(), 1); // the denominators are powers of two
   Linear_equations equations;
@@ -237,9 +222,11 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
   for(std::size_t c = 0; c < mesh.cells.size() && !budget.is_exhausted(); ++c)
   {
     const std::set<int> free = free_vertices_of(mesh, { c });
-    if(is_suspect[c] && !can_be_positive(mesh, mesh.cells[c]))
-      proofs.push_back({{c}, {Exact_rational(1)}});
-    else if(free.size() == 1 || free.size() == 2)
+    if(free.size() > 2)
+      continue;
+    if(const auto proof = is_suspect[c] ? prove_cells_infeasible_3(mesh, { c }) : std::nullopt)
+      proofs.push_back(*proof);
+    else if(!free.empty())
       cells_of[{ *free.begin(), *free.rbegin() }].push_back(c);
   }
   std::set<int> unplaceable; // free vertices with a proof of their own

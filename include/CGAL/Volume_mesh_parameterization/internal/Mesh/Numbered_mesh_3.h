@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -57,20 +58,6 @@ inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd po
   const int n = mesh.number_of_prescribed_vertices();
   positions.rightCols(n) = mesh.target.rightCols(n);
   return positions;
-}
-
-// How far the prescribed vertices are from their targets at most.
-inline double largest_distance_to_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
-{
-  const int n = mesh.number_of_prescribed_vertices();
-  return mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
-}
-
-// Are the prescribed vertices exactly on their targets?
-inline bool is_on_target(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
-{
-  const int n = mesh.number_of_prescribed_vertices();
-  return mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
 }
 
 // The bounding box of points of all processes.
@@ -190,12 +177,13 @@ inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const 
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
-// How many cells there are with some property, and the first of them in the order of the user.
+// How many cells there are with some property, which of them this process owns, and the first of all in the order of the
+// user, if that is one of these.
 struct Found_cells
 {
   std::size_t number = 0;
-  std::size_t first = 0;
-  bool has_first = false; // does this process own it?
+  std::vector<std::size_t> cells;
+  std::optional<std::size_t> first;
 };
 
 template <typename Condition>
@@ -204,23 +192,20 @@ Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
   const std::vector<char> is_found = values_of_cells(mesh, mesh.number_of_own_cells(),
     [&](const std::array<int, 4>& cell) { return static_cast<char>(condition(cell)); });
   Found_cells result;
+  double first = std::numeric_limits<double>::infinity();
   for(std::size_t c = 0; c < is_found.size(); ++c)
-    if(is_found[c] && (result.number++ == 0 || mesh.user_number(c) < mesh.user_number(result.first)))
-      result.first = c;
-  const double first = result.number > 0 ? static_cast<double>(mesh.user_number(result.first))
-                                         : std::numeric_limits<double>::infinity();
-  result.has_first = mesh.communicator->minimum(first) == first && result.number > 0;
-  result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.number)));
-  return result;
-}
-
-// Those of this process.
-inline std::vector<std::size_t> indices_of_inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
-{
-  std::vector<std::size_t> result;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    if(!is_positive(positions, mesh.cells[c]))
-      result.push_back(c);
+    if(is_found[c])
+    {
+      result.cells.push_back(c);
+      if(const double number = static_cast<double>(mesh.user_number(c)); number < first)
+      {
+        first = number;
+        result.first = c;
+      }
+    }
+  if(mesh.communicator->minimum(first) != first)
+    result.first.reset();
+  result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.cells.size())));
   return result;
 }
 
@@ -229,21 +214,12 @@ inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matr
   return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
 }
 
-// Those of the cells with four prescribed vertices whose targets give them no positive volume.
-inline Found_cells inverted_prescribed_cells(const Numbered_mesh_3& mesh)
-{
-  return find_cells(mesh, [&](const std::array<int, 4>& cell)
-  {
-    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
-           && !is_positive(mesh.target, cell);
-  });
-}
-
 // The images of all vertices, with the verdict of exact predicates on them.
 struct Map_3
 {
   Eigen::Matrix3Xd positions;
   std::size_t number_of_inverted_cells = (std::numeric_limits<std::size_t>::max)(); // or flat ones
+  std::vector<std::size_t> inverted_cells; // those of this process
   bool meets_boundary = false;
   double distance_to_boundary = 0; // the largest one of a prescribed vertex; may be zero by underflow
 
@@ -254,10 +230,14 @@ struct Map_3
 // With the prescribed vertices to be on their targets.
 inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
 {
+  const int n = mesh.number_of_prescribed_vertices();
+  Found_cells inverted = inverted_cells(mesh, positions);
   Map_3 map;
-  map.number_of_inverted_cells = inverted_cells(mesh, positions).number;
-  map.meets_boundary = is_on_target(mesh, positions);
-  map.distance_to_boundary = largest_distance_to_target(mesh, positions);
+  map.number_of_inverted_cells = inverted.number;
+  map.inverted_cells = std::move(inverted.cells);
+  map.meets_boundary = mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
+  map.distance_to_boundary
+    = mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
   map.positions = std::move(positions);
   return map;
 }

@@ -237,11 +237,9 @@ private:
 // With prescribed vertices that may slide.
 inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Eigen::Matrix3Xd positions)
 {
-  Map_3 map;
-  map.number_of_inverted_cells = inverted_cells(mesh, positions).number;
-  map.distance_to_boundary = boundary.residual(positions);
-  map.meets_boundary = map.distance_to_boundary == 0 && boundary.has_same_orientations(positions);
-  map.positions = std::move(positions);
+  Map_3 map = judged(mesh, std::move(positions));
+  map.distance_to_boundary = boundary.residual(map.positions);
+  map.meets_boundary = map.distance_to_boundary == 0 && boundary.has_same_orientations(map.positions);
   return map;
 }
 

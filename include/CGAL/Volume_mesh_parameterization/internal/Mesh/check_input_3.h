@@ -84,11 +84,11 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 {
   const Found_cells inverted = inverted_cells(mesh, mesh.source);
   const double number_of_cells = mesh.global_number_of_cells();
-  if(!inverted.has_first)
+  if(!inverted.first)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
-                      " cells of the source have no positive volume; the first one is cell ", mesh.user_number(inverted.first),
-                      " with volume ", edge_matrix(mesh.source, mesh.cells[inverted.first]).determinant() / 6,
+                      " cells of the source have no positive volume; the first one is cell ", mesh.user_number(*inverted.first),
+                      " with volume ", edge_matrix(mesh.source, mesh.cells[*inverted.first]).determinant() / 6,
                       static_cast<double>(inverted.number) == number_of_cells ? "; exchange two vertices of each cell." : ".");
 }
 
@@ -103,8 +103,8 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 {
   const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
   { return !has_positive_inverse(edge_matrix(mesh.source, cell)); });
-  return !flat.has_first ? Input_check_3()
-    : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(flat.first),
+  return !flat.first ? Input_check_3()
+    : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(*flat.first),
                    " of the source is so flat that its volume is positive in exact arithmetic only.");
 }
 
@@ -150,11 +150,11 @@ inline bool has_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 4>
 inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
 {
   const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
-  if(!flat.has_first)
+  if(!flat.first)
     return {};
   Input_check_3 result
     = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat.number, " cells have a facet whose three vertices are prescribed"
-                   " on a line; the first one is cell ", mesh.user_number(flat.first), ".");
+                   " on a line; the first one is cell ", mesh.user_number(*flat.first), ".");
   if(!mesh.is_whole())
     return result; // which facets are on the boundary is known to all processes together only
   for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
@@ -171,12 +171,16 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
 
 inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 {
-  const Found_cells inverted = inverted_prescribed_cells(mesh);
-  if(!inverted.has_first)
+  const Found_cells inverted = find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
+           && !is_positive(mesh.target, cell);
+  });
+  if(!inverted.first)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
                       " cells have four prescribed vertices and no positive volume in the target; the first one is cell ",
-                      mesh.user_number(inverted.first), ".");
+                      mesh.user_number(*inverted.first), ".");
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh)

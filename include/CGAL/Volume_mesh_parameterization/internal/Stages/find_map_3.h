@@ -86,8 +86,6 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
     untangled = untangle_from_3(system, solver, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_split,
                                 progress, found);
-  if(untangled.status == OK && progress.number_of_steps() > 0)
-    untangled.positions = relaxed_flat_cells_3(mesh, solver, untangled.positions, progress.budget());
   found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));
   found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
   if(found.status == OK && !options.do_slide)
@@ -146,7 +144,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
       found.splits = find_splits_3(mesh, solver, found.map, progress);
     }
     else if(found.status == ERROR_NOT_FLIP_FREE && mesh.is_whole())
-      found.diagnosis = diagnose_3(mesh, found.map.positions, progress.budget());
+      found.diagnosis = diagnose_3(mesh, found.map.inverted_cells, progress.budget());
     if(found.status == ERROR_NOT_FLIP_FREE && progress.is_interrupted())
     {
       found.status = ERROR_INTERRUPTED;

@@ -18,7 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Corner_goals_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <Eigen/Dense>
 

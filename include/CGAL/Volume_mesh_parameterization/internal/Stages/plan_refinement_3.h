@@ -82,7 +82,7 @@ inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_
                                        const Stuck_untangling_3& before)
 {
   constexpr std::size_t patience = 2;
-  std::vector<std::size_t> cells = indices_of_inverted_cells(mesh, found.map.positions);
+  std::vector<std::size_t> cells = found.map.inverted_cells;
   sort_by_user_number(mesh, cells);
 
   Refinement_plan_3 plan;
@@ -110,7 +110,7 @@ inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, co
     return result;
   };
 
-  std::vector<std::size_t> result = indices_of_inverted_cells(mesh, at_targets);
+  std::vector<std::size_t> result = inverted_cells(mesh, at_targets).cells;
   double farthest = 0;
   for(const std::size_t c : result)
     farthest = (std::max)(farthest, distance(c));

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/inline.h>
+#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>

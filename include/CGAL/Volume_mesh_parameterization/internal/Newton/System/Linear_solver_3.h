@@ -59,20 +59,12 @@ public:
   virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
 };
 
-template <typename Solver, typename = void>
-struct Asks_to_go_on : std::false_type {};
+template <typename Solver>
+using Solution_that_asks = decltype(std::declval<Solver&>().solve(
+  std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>(), 0., std::declval<std::function<bool()> >()));
 
 template <typename Solver>
-struct Asks_to_go_on<Solver, std::void_t<decltype(std::declval<Solver&>().solve(
-  std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>(), 0., std::declval<std::function<bool()> >()))> >
-  : std::true_type {};
-
-template <typename Solver, typename = void>
-struct Counts_iterations : std::false_type {};
-
-template <typename Solver>
-struct Counts_iterations<Solver, std::void_t<decltype(std::declval<const Solver&>().number_of_iterations())> >
-  : std::true_type {};
+using Number_of_iterations = decltype(std::declval<const Solver&>().number_of_iterations());
 
 // A model of `NewtonSolverTraits_3`, as such a solver. It knows one pattern at a time: a system analyzes its own when
 // another one has been at work in between.
@@ -115,26 +107,23 @@ private:
 
     Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
                                const Budget& budget) override
-    { return m_owner.solve(b, x, tolerance, budget); }
+    {
+      Linear_solver_status status;
+      if constexpr(boost::is_detected<Solution_that_asks, Solver>::value)
+        status = m_owner.m_solver.solve(b, x, tolerance, [&] { return !budget.is_exhausted(); });
+      else
+        status = m_owner.m_solver.solve(b, x, tolerance);
+      if constexpr(boost::is_detected<Number_of_iterations, Solver>::value)
+        m_owner.m_number_of_iterations += m_owner.m_solver.number_of_iterations();
+      m_owner.m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT && !budget.is_exhausted();
+      return status;
+    }
 
   private:
     Linear_solver_of& m_owner;
     std::size_t m_number;
     Newton_matrix_3 m_matrix;
   };
-
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance, const Budget& budget)
-  {
-    Linear_solver_status status;
-    if constexpr(Asks_to_go_on<Solver>::value)
-      status = m_solver.solve(b, x, tolerance, [&] { return !budget.is_exhausted(); });
-    else
-      status = m_solver.solve(b, x, tolerance);
-    if constexpr(Counts_iterations<Solver>::value)
-      m_number_of_iterations += m_solver.number_of_iterations();
-    m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT && !budget.is_exhausted();
-    return status;
-  }
 
   Solver& m_solver;
   std::size_t m_number_of_iterations = 0, m_number_of_cut_solutions = 0;

@@ -31,14 +31,14 @@ void for_each_prescribed_edge(const Numbered_mesh_3& mesh, const std::array<int,
 // The patch with all cells around edges that join two prescribed vertices: those in the patch, and those at the vertices of
 // its inverted cells. Such edges have prescribed directions, which can be what keeps cells between them from being positive;
 // and an edge can be split only with all cells around it.
-inline Patch_3 with_cells_around_prescribed_edges(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image, Patch_3 patch)
+inline Patch_3 with_cells_around_prescribed_edges(const Numbered_mesh_3& mesh, const Map_3& map, Patch_3 patch)
 {
   std::set<std::array<int, 2> > edges;
   std::set<int> centers;
   for(const std::size_t c : patch.cells)
   {
     for_each_prescribed_edge(mesh, mesh.cells[c], [&](const std::array<int, 2>& edge) { edges.insert(edge); });
-    if(!is_positive(image, mesh.cells[c]))
+    if(std::binary_search(map.inverted_cells.begin(), map.inverted_cells.end(), c))
       centers.insert(mesh.cells[c].begin(), mesh.cells[c].end());
   }
   std::set<std::size_t> cells(patch.cells.begin(), patch.cells.end());
@@ -69,7 +69,7 @@ inline bool is_inside(const Numbered_mesh_3& mesh, const std::array<int, 2>& edg
 inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const Eigen::Matrix3Xd& image)
 {
   std::set<int> centers;
-  for(const std::size_t c : indices_of_inverted_cells(patch, image))
+  for(const std::size_t c : inverted_cells(patch, image).cells)
     centers.insert(patch.cells[c].begin(), patch.cells[c].end());
   std::map<std::array<int, 2>, bool> is_of_inverted_cell;
   for(const std::array<int, 4>& cell : patch.cells)
@@ -222,7 +222,7 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
     for(; !patches.empty() && progress.goes_on(); patches.pop_back())
     {
       const Patch_mesh_3 patch(mesh, map.positions,
-                               with_cells_around_prescribed_edges(mesh, map.positions, std::move(patches.back())));
+                               with_cells_around_prescribed_edges(mesh, map, std::move(patches.back())));
       const auto splits = splits_of_patch_3(patch, solver, level.must_untangle, progress.budget(), after_attempt);
       if(!splits)
         continue;

@@ -42,65 +42,62 @@ public:
   bool is_in_vain(const Untangling_attempt_3& attempt) const
   {
     return goes_on() && m_best.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
-        && !prove_infeasibility_3(m_mesh, indices_of_inverted_cells(m_mesh, m_best.positions), m_progress.budget()).empty();
+        && !prove_infeasibility_3(m_mesh, inverted_cells(m_mesh, m_best.positions).cells, m_progress.budget()).empty();
   }
 
   bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
-  // The best images, with the cells of the source again.
+  // The best images, with the cells of the source again. Cells that have just become positive are flat, and are relaxed.
   Untangled_3 finish()
   {
     if(goes_on() && m_best.number_of_inverted_cells == 0)
       m_best.status = OK;
     m_system.set_references(cells_scaled_to_target(m_mesh));
+    if(m_best.status == OK && m_progress.number_of_steps() > 0)
+      m_best.positions = relaxed_flat_cells_3(m_mesh, m_solver, m_best.positions, m_progress.budget());
     return std::move(m_best);
   }
 
   // The whole mesh, and then patches of it.
   void untangle(const Untangling_attempt_3& attempt, const Eigen::Matrix3Xd& start)
   {
-    m_progress.begin_attempt(attempt.name);
-    const std::size_t steps_before = m_progress.number_of_steps();
-    const Newton_result_3 result = untangle_by_3(attempt, m_system, start, m_progress);
-    keep(result, m_progress.number_of_steps() > steps_before, attempt.name);
+    const Eigen::Matrix3Xd positions
+      = keep_better(attempt.name, [&] { return untangle_by_3(attempt, m_system, start, m_progress); });
     if(goes_on())
-      untangle_patches(result.positions, std::string(attempt.name) + ", patches");
+      untangle_patches(positions, std::string(attempt.name) + ", patches");
   }
 
   // Unless so many cells are inverted that they are no exceptions.
   void untangle_patches(const Eigen::Matrix3Xd& start, const std::string& method)
   {
-    if(inverted_cells(m_mesh, start).number > most_exceptions(m_mesh.global_number_of_cells()))
-      return;
-    m_progress.begin_attempt(method);
-    const std::size_t steps_before = m_progress.number_of_steps();
-    const Newton_result_3 result = untangle_patches_3(m_mesh, m_solver, start, m_progress);
-    keep(result, m_progress.number_of_steps() > steps_before, method);
+    if(inverted_cells(m_mesh, start).number <= most_exceptions(m_mesh.global_number_of_cells()))
+      keep_better(method, [&] { return untangle_patches_3(m_mesh, m_solver, start, m_progress); });
   }
 
-  // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from.
+  // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from. If cells are so
+  // flat that a minimization would hardly take a step, the search goes on, too: in thin parts, the harmonic map shrinks
+  // cells exponentially, and only the search over the whole mesh spreads them.
   void begin_with_patches(const Eigen::Matrix3Xd& map)
   {
+    constexpr double flat = 1e-12;
     const Untangled_3 start = m_best;
     untangle_patches(map, "patches");
     if(goes_on())
       m_best = start;
-    go_on_if_flat();
-  }
-
-private:
-  // Goes on if cells are so flat that a minimization would hardly take a step: in thin parts, the harmonic map shrinks
-  // cells exponentially, and only the search over the whole mesh spreads them.
-  void go_on_if_flat()
-  {
-    constexpr double flat = 1e-12;
-    if(m_best.status == OK && m_system.smallest_relative_volume(m_best.positions) < flat)
+    else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.positions) < flat)
       m_best.status = ERROR_NOT_FLIP_FREE;
   }
 
-  // Images without inverted cells replace others of that kind if there were steps, as those were flat.
-  void keep(const Newton_result_3& result, const bool has_moved, const std::string& method)
+private:
+  // Returns the images that `find()` does, and keeps them if they are the best. Images without inverted cells replace others
+  // of that kind if there were steps, as those were flat.
+  template <typename Find>
+  Eigen::Matrix3Xd keep_better(const std::string& method, const Find& find)
   {
+    m_progress.begin_attempt(method);
+    const std::size_t steps_before = m_progress.number_of_steps();
+    const Newton_result_3 result = find();
+    const bool has_moved = m_progress.number_of_steps() > steps_before;
     const std::size_t number = inverted_cells(m_mesh, result.positions).number;
     m_best.status = result.status == OK && number > 0 ? ERROR_NOT_FLIP_FREE : result.status;
     m_best.reason = result.reason;
@@ -111,6 +108,7 @@ private:
       m_best.method = has_moved ? method : "";
     }
     m_progress.end_check();
+    return result.positions;
   }
 
   const Numbered_mesh_3& m_mesh;
