@@ -257,14 +257,14 @@ TEST_CASE("A step is not doubled where a cell is turned over on the way")
 
   const auto length_after = [&](const Vector3d& c, const Vector3d& d)
   {
-    VMP::internal::Newton_direction_3 direction;
-    direction.vectors = Matrix3Xd::Zero(3, 4);
-    direction.vectors.leftCols(2) << c, d;
-    const Matrix3Xd u = mesh.source + 0.4 * direction.vectors, doubled = mesh.source + 0.8 * direction.vectors;
+    VMP::internal::Newton_iterate_3 iterate{ mesh.source, {} };
+    iterate.direction.vectors = Matrix3Xd::Zero(3, 4);
+    iterate.direction.vectors.leftCols(2) << c, d;
+    const Matrix3Xd step = 0.4 * iterate.direction.vectors, u = mesh.source + step, doubled = u + step;
     REQUIRE(system.evaluate(energy, u).is_flip_free());
     REQUIRE(system.evaluate(energy, doubled).is_flip_free());
     REQUIRE(system.evaluate(energy, doubled).energy < system.evaluate(energy, u).energy);
-    return extrapolated(system, energy, mesh.source, direction, {0.4, u, system.evaluate(energy, u)}).length;
+    return extrapolated(system, energy, iterate, {0.4, u, system.evaluate(energy, u)}).length;
   };
   CHECK(length_after(Vector3d(-2, 0.1, 0), Vector3d(0.1, -2, 0)) == 0.4);  // the determinant is negative halfway
   CHECK(length_after(Vector3d(-2, 0.1, 0), Vector3d(-0.1, -2, 0)) > 0.4);  // and here it is not
@@ -435,9 +435,8 @@ TEST_CASE("A map with inverted cells is untangled")
     const VMP::internal::Newton_result_3 result
       = untangle_cells_3(problem.system, start, fixed_boundary::theta, progress);
     CHECK(has_target_boundary(mesh, result.positions));
-    CHECK(number_of_inverted_cells(mesh, result.positions) == result.number_of_inverted_cells);
     CHECK(result.status == (limit == 1000 ? VMP::OK : VMP::ERROR_NOT_FLIP_FREE));
-    CHECK((result.number_of_inverted_cells == 0) == (limit == 1000));
+    CHECK((number_of_inverted_cells(mesh, result.positions) == 0) == (limit == 1000));
     CHECK((number_of_steps == limit) == (limit < 1000));
   }
 }
@@ -597,15 +596,16 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   Linear_solver_of<Solver<> > linear_solver(solver);
   Progress_3 progress = patient_progress();
   Untangling_attempt_3 attempt = untangling_attempts[0];
+  Found_map_3 found;
   Numbered_mesh_3 mesh = prism_to_U();
   Matrix3Xd start = mesh.target;
   start.col(0) = Vector3d(1.5, 0.5, 0.5);
   {
     Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-    Untangling_search_3 search(system, linear_solver, start, progress);
+    Untangling_search_3 search(system, linear_solver, start, progress, found);
     search.untangle(attempt, start);
     REQUIRE(search.goes_on());
-    attempt.few_cells = search.best().number_of_inverted_cells;
+    attempt.few_cells = found.map.number_of_inverted_cells;
     CHECK(search.is_in_vain(attempt));
     --attempt.few_cells;
     CHECK(!search.is_in_vain(attempt));
@@ -616,7 +616,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   REQUIRE(number_of_inverted_cells(mesh, start) > 0);
   Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   attempt.few_cells = mesh.cells.size();
-  CHECK(!Untangling_search_3(system, linear_solver, start, progress).is_in_vain(attempt));
+  CHECK(!Untangling_search_3(system, linear_solver, start, progress, found).is_in_vain(attempt));
 }
 
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")

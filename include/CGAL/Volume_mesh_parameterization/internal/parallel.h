@@ -109,6 +109,17 @@ void for_each_range(const bool is_parallel, const Index n, const int size, const
   });
 }
 
+// Calls f(0), ..., f(n - 1), which are short, in such ranges.
+template <typename Index, typename Function>
+void for_each_in_ranges(const bool is_parallel, const Index n, const int size, const Function& f)
+{
+  for_each_range(is_parallel, n, size, [&](std::size_t, const Index first, const Index last)
+  {
+    for(Index i = first; i < last; ++i)
+      f(i);
+  });
+}
+
 // f(0), ..., f(n - 1), found in the same way.
 template <typename Function>
 auto values_of_indices(const bool is_parallel, const std::size_t n, const Function& f)
@@ -117,11 +128,7 @@ auto values_of_indices(const bool is_parallel, const std::size_t n, const Functi
   using Value = std::invoke_result_t<Function, std::size_t>;
   static_assert(!std::is_same<Value, bool>::value, "Bits of one word are not independent.");
   std::vector<Value> result(n);
-  for_each_range(is_parallel, n, indices_per_range, [&](std::size_t, const std::size_t first, const std::size_t last)
-  {
-    for(std::size_t i = first; i < last; ++i)
-      result[i] = f(i);
-  });
+  for_each_in_ranges(is_parallel, n, indices_per_range, [&](const std::size_t i) { result[i] = f(i); });
   return result;
 }
 

@@ -67,12 +67,8 @@ void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& 
     const Pair pair = pair_of(i);
     pairs[row_begin[row_of(pair) + 1]++] = pair;
   }
-  for_each_range(is_parallel, row_begin.size() - 2, rows_per_range,
-                 [&](std::size_t, const std::size_t first, const std::size_t last)
-  {
-    for(std::size_t row = first; row < last; ++row)
-      std::sort(pairs.begin() + row_begin[row], pairs.begin() + row_begin[row + 1]);
-  });
+  for_each_in_ranges(is_parallel, row_begin.size() - 2, rows_per_range, [&](const std::size_t row)
+  { std::sort(pairs.begin() + row_begin[row], pairs.begin() + row_begin[row + 1]); });
   for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
   {
     end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });

@@ -72,15 +72,11 @@ private:
   // One Newton step. Returns whether there was an acceptable one.
   bool move(const double negative_curvature, const bool must_decrease_gradient)
   {
-    auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
-    length = 0;
-    direction = m_system.direction(m_energy, u, negative_curvature, solver_tolerance());
-    if(!direction.is_usable())
-      return false;
-    m_iterate.take(safe_line_search_3(
-      m_system, m_energy, u, evaluation.energy, direction,
-      must_decrease_gradient ? direction.gradient_norm : std::numeric_limits<double>::infinity()));
-    return length > 0;
+    return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance()), [&]
+    {
+      return safe_line_search_3(m_system, m_energy, m_iterate, must_decrease_gradient
+                                ? m_iterate.direction.gradient_norm : std::numeric_limits<double>::infinity());
+    });
   }
 
   void begin_relaxation()

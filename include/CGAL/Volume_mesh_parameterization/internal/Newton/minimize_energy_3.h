@@ -70,21 +70,16 @@ public:
 private:
   bool move(const double negative_curvature, const Budget& budget)
   {
-    m_iterate.step_length = 0;
-    m_iterate.direction = m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget);
-    if(!m_iterate.direction.is_usable())
-      return false;
-    m_iterate.take(search());
-    return m_iterate.step_length > 0;
+    return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget),
+                          [this] { return search(); });
   }
 
   Line_search_step_3 search() const
   {
-    const auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
-    Line_search_step_3 step = safe_line_search_3(m_system, m_energy, u, evaluation.energy, direction);
+    Line_search_step_3 step = safe_line_search_3(m_system, m_energy, m_iterate);
     // A gain above half of the slope shows less curvature than the Hessian had.
-    if(step.length == 1 && step.evaluation.energy < evaluation.energy + 0.6 * direction.slope)
-      return extrapolated(m_system, m_energy, u, direction, std::move(step));
+    if(step.length == 1 && step.evaluation.energy < m_iterate.evaluation.energy + 0.6 * m_iterate.direction.slope)
+      return extrapolated(m_system, m_energy, m_iterate, std::move(step));
     return step;
   }
 
@@ -180,7 +175,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
   const auto current_positions = [&]() -> Eigen::Matrix3Xd { return iterate.u / system.unit(); };
   const auto result = [&](const Error_code status, const char* const reason = "")
   {
-    return Newton_result_3{ current_positions(), iterate.evaluation.number_of_inverted_cells, iterate.energy(), status, reason };
+    return Newton_result_3{ current_positions(), iterate.energy(), status, reason };
   };
   progress.end_start();
   while(progress.goes_on())

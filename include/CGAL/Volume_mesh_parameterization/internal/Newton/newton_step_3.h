@@ -25,11 +25,39 @@ struct Line_search_step_3
   Energy_evaluation evaluation;
 };
 
-// Backtracking from a first length, until the energy has fallen enough (Armijo's condition) and, if asked for, no cell is
-// inverted and the norm of the gradient is below a bound.
+// Where Newton's method stands, and the step that has led there.
+struct Newton_iterate_3
+{
+  Eigen::Matrix3Xd u;
+  Energy_evaluation evaluation;  // of the energy that is minimized
+  double energy_of_other_cells = 0; // that no unknown vertex belongs to
+  Newton_direction_3 direction = {};
+  double step_length = 0;
+
+  double energy() const { return evaluation.energy + energy_of_other_cells; }
+
+  // Moves along a direction, if it is usable, as far as `search()` finds. Returns whether there was an acceptable step.
+  template <typename Search>
+  bool move(Newton_direction_3 newton_direction, const Search& search)
+  {
+    direction = std::move(newton_direction);
+    step_length = 0;
+    if(!direction.is_usable())
+      return false;
+    Line_search_step_3 step = search();
+    step_length = step.length;
+    if(step.length == 0)
+      return false;
+    u = std::move(step.positions);
+    evaluation = step.evaluation;
+    return true;
+  }
+};
+
+// Backtracking along the direction from a first length, until the energy has fallen enough (Armijo's condition) and, if asked
+// for, no cell is inverted and the norm of the gradient is below a bound.
 inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
-                                        const Eigen::Matrix3Xd& u, const double current_energy,
-                                        const Newton_direction_3& direction, const double first_length,
+                                        const Newton_iterate_3& iterate, const double first_length,
                                         const bool must_be_flip_free,
                                         const double gradient_bound = std::numeric_limits<double>::infinity())
 {
@@ -38,10 +66,10 @@ inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cel
   const double smallest_length = std::isinf(gradient_bound) ? 1e-12 : 1e-3 * first_length;
   for(double length = first_length; length > smallest_length; length /= 2)
   {
-    Eigen::Matrix3Xd trial = u + length * direction.vectors;
+    Eigen::Matrix3Xd trial = iterate.u + length * iterate.direction.vectors;
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if((!must_be_flip_free || evaluation.is_flip_free())
-       && evaluation.energy <= current_energy + sufficient_decrease * length * direction.slope
+       && evaluation.energy <= iterate.evaluation.energy + sufficient_decrease * length * iterate.direction.slope
        && (std::isinf(gradient_bound) || system.gradient(energy, trial).norm() < gradient_bound))
       return { length, std::move(trial), evaluation };
   }
@@ -50,28 +78,26 @@ inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cel
 
 // Backtracking that never inverts a cell: from a full step, or from near the longest one that inverts none.
 inline Line_search_step_3 safe_line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
-                                             const Eigen::Matrix3Xd& u, const double current_energy,
-                                             const Newton_direction_3& direction,
+                                             const Newton_iterate_3& iterate,
                                              const double gradient_bound = std::numeric_limits<double>::infinity())
 {
   constexpr double safety = 0.9; // stays away from flat cells
-  const double largest = system.largest_step(u, direction.vectors);
-  return line_search_3(system, energy, u, current_energy, direction, largest < 1 ? safety * largest : 1., true,
-                       gradient_bound);
+  const double largest = system.largest_step(iterate.u, iterate.direction.vectors);
+  return line_search_3(system, energy, iterate, largest < 1 ? safety * largest : 1., true, gradient_bound);
 }
 
-// Doubles a step from u as long as the energy falls and no cell is inverted, not even on the way: a cell that is turned
-// twice is positive again, but facets that slide in the boundary may have been turned over with it.
+// Doubles a step as long as the energy falls and no cell is inverted, not even on the way: a cell that is turned twice is
+// positive again, but facets that slide in the boundary may have been turned over with it.
 inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell_energy_3& energy,
-                                       const Eigen::Matrix3Xd& u, const Newton_direction_3& direction,
-                                       Line_search_step_3 step)
+                                       const Newton_iterate_3& iterate, Line_search_step_3 step)
 {
   while(true)
   {
-    const Eigen::Matrix3Xd doubled = 2 * step.length * direction.vectors;
-    Eigen::Matrix3Xd trial = u + doubled;
+    const Eigen::Matrix3Xd doubled = 2 * step.length * iterate.direction.vectors;
+    Eigen::Matrix3Xd trial = iterate.u + doubled;
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
-    if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy) || system.largest_step(u, doubled) < 1)
+    if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy)
+       || system.largest_step(iterate.u, doubled) < 1)
       return step;
     step = { 2 * step.length, std::move(trial), evaluation };
   }
@@ -105,32 +131,10 @@ private:
   double m_growth = 4;
 };
 
-// Where Newton's method stands, and the step that has led there.
-struct Newton_iterate_3
-{
-  Eigen::Matrix3Xd u;
-  Energy_evaluation evaluation;  // of the energy that is minimized
-  double energy_of_other_cells = 0; // that no unknown vertex belongs to
-  Newton_direction_3 direction = {};
-  double step_length = 0;
-
-  double energy() const { return evaluation.energy + energy_of_other_cells; }
-
-  void take(Line_search_step_3 step)
-  {
-    step_length = step.length;
-    if(step.length == 0)
-      return;
-    u = std::move(step.positions);
-    evaluation = step.evaluation;
-  }
-};
-
 // Where a Newton iteration has ended, and why.
 struct Newton_result_3
 {
   Eigen::Matrix3Xd positions;     // the images of all vertices, in the units of the user
-  std::size_t number_of_inverted_cells = 0; // by floating-point determinants
   double energy = 0;              // of all cells
   Error_code status = ERROR_NOT_CONVERGED;
   std::string reason = {};        // for the status; empty if there is nothing to add
@@ -157,7 +161,7 @@ inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phas
   step.energy = iterate.energy();
   step.number_of_inverted_cells = iterate.evaluation.number_of_inverted_cells;
   step.gradient_norm = iterate.direction.gradient_norm;
-  step.decrement = std::sqrt((std::max)(0., -iterate.direction.slope));
+  step.decrement = iterate.direction.decrement();
   step.step_length = iterate.step_length;
   return step;
 }

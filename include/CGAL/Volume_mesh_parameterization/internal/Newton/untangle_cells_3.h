@@ -33,21 +33,16 @@ public:
 
   const Newton_iterate_3& iterate() const { return m_iterate; }
   const Eigen::Matrix3Xd& best() const { return m_best; } // with the fewest inverted cells so far
-  std::size_t fewest_inverted_cells() const { return m_fewest_inverted_cells; }
 
   void step(const Budget& budget)
   {
     const Cell_energy_of<Untangling_energy_3> energy{Untangling_energy_3(m_epsilon, m_theta)};
-    auto& [u, evaluation, energy_of_other_cells, direction, length] = m_iterate;
-    length = 0;
-    direction = m_system.direction(energy, u, 0., m_solver_tolerance, budget);
-    if(!direction.is_usable())
-      return;
-    const Energy_evaluation before = evaluation;
-    m_iterate.take(line_search_3(m_system, energy, u, before.energy, direction, 1., false));
-    if(length == 0)
+    const Energy_evaluation before = m_iterate.evaluation;
+    if(!m_iterate.move(m_system.direction(energy, m_iterate.u, 0., m_solver_tolerance, budget), [&]
+       { return line_search_3(m_system, energy, m_iterate, 1., false); }))
       return;
     keep_best();
+    Energy_evaluation& evaluation = m_iterate.evaluation;
     if(evaluation.is_flip_free())
       return;
     m_epsilon = next_epsilon(m_epsilon, 1 - evaluation.energy / before.energy, before.smallest_determinant,
@@ -103,8 +98,7 @@ inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Ma
   const Newton_iterate_3& iterate = untangler.iterate();
   const auto result = [&](const Error_code status, const char* const reason = "")
   {
-    return Newton_result_3{ untangler.best() / system.unit(), untangler.fewest_inverted_cells(), iterate.evaluation.energy,
-                            status, reason };
+    return Newton_result_3{ untangler.best() / system.unit(), iterate.evaluation.energy, status, reason };
   };
   progress.end_start();
   while(!iterate.evaluation.is_flip_free())

@@ -45,7 +45,7 @@ public:
 
   Linear_solver_status factorize(const Matrix& A)
   {
-    for_each_row([&](const int row)
+    for_each_in_ranges(m_is_parallel, A.size(), rows_per_range, [&](const int row)
     {
       const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
       Eigen::Matrix<NT, 3, 3> inverse = D.inverse().template cast<NT>();
@@ -114,17 +114,6 @@ private:
     for(const double s : m_partial_sums)
       sum += s;
     return sum;
-  }
-
-  template <typename Function>
-  void for_each_row(const Function& f)
-  {
-    sum_over_row_ranges([&](const int first, const int last)
-    {
-      for(int row = first; row < last; ++row)
-        f(row);
-      return 0.;
-    });
   }
 
   // Sylvester's criterion.

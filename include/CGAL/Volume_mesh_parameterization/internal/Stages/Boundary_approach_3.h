@@ -94,8 +94,8 @@ public:
     }
   }
 
-  bool is_running() const { return m_is_running; }
-  Error_code status() const { return m_status; }
+  bool is_running() const { return !m_status; }
+  std::optional<Error_code> status() const { return m_status; } // once it has ended
   const std::string& reason() const { return m_reason; } // for the status; empty if there is nothing to add
   const Parameterization_step& last_step() const { return m_last_step; }
 
@@ -125,7 +125,6 @@ private:
   {
     m_status = status;
     m_reason = reason;
-    m_is_running = false;
   }
 
   // The constraints, with three more for each prescribed vertex, for the scaled positions.
@@ -193,9 +192,8 @@ private:
   std::vector<double> m_distances;                      // the largest one, for each weight
   std::vector<std::size_t> m_numbers_of_blocking_cells; // for each weight
   Parameterization_step m_last_step;
-  Error_code m_status = ERROR_NOT_CONVERGED;
+  std::optional<Error_code> m_status;
   std::string m_reason;
-  bool m_is_running = true;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -42,8 +42,8 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
 // Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
 // displacements, and untangles. One point for all becomes the harmonic map, which recovers affine maps. If it inverts
 // cells, so may that with respect to regular cells, but mostly fewer, so that patches suffice.
-inline Untangled_3 untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& initial,
-                                   const bool may_split, Progress_3& progress, Found_map_3& found)
+inline void untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& initial,
+                            const bool may_split, Progress_3& progress, Found_map_3& found)
 {
   const Numbered_mesh_3& mesh = system.mesh();
   constexpr double energy_tolerance = 1e-6; // of what is a start only
@@ -59,9 +59,10 @@ inline Untangled_3 untangle_from_3(Newton_system_3& system, Linear_solver_3& sol
     direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   }
   progress.reach_flip_free();
-  if(!direction.is_usable())
-    return { start, found.number_of_inverted_cells_at_start, ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction) };
-  return untangle_3(system, solver, start, image(), may_split, progress);
+  if(direction.is_usable())
+    untangle_3(system, solver, start, image(), may_split, progress, found);
+  else
+    found.take(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction), judged(mesh, start));
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
@@ -72,22 +73,21 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
                                            const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
   progress.begin_stage();
-  const bool goes_on = start.cols() > 0;
+  const bool goes_on = start.cols() > 0, may_split = options.untangling.most_inverted_cells_to_split > 0;
   const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, progress);
+  const Eigen::Matrix3Xd one_point = mesh.base_point.replicate(1, mesh.number_of_vertices());
+  const bool has_initial = !goes_on && initial.cols() > 0;
   Newton_system_3 system(mesh, free_vertices(mesh), solver);
-  const bool may_split = options.untangling.most_inverted_cells_to_split > 0;
-  Untangled_3 untangled;
   if(goes_on)
-    untangled = untangle_on_3(system, solver, start, progress);
-  else if(initial.cols() > 0)
-    untangled = untangle_from_3(system, solver, initial, may_split, progress, found);
+    untangle_on_3(system, solver, start, progress, found);
+  else
+    untangle_from_3(system, solver, has_initial ? initial : one_point, may_split, progress, found);
   // then the full Hessian is tried first
-  const bool may_be_near_minimum = !goes_on && untangled.status == OK && progress.number_of_steps() == 0;
-  if(!goes_on && untangled.status == ERROR_NOT_FLIP_FREE)
-    untangled = untangle_from_3(system, solver, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_split,
-                                progress, found);
-  found.take(untangled.status, untangled.reason, judged(mesh, untangled.positions));
-  found.untangling_method = untangled.method.empty() ? goes_on ? "soft boundary" : "harmonic extension" : untangled.method;
+  const bool may_be_near_minimum = has_initial && found.status == OK && progress.number_of_steps() == 0;
+  if(has_initial && found.status == ERROR_NOT_FLIP_FREE)
+    untangle_from_3(system, solver, one_point, may_split, progress, found);
+  if(found.untangling_method.empty())
+    found.untangling_method = goes_on ? "soft boundary" : "harmonic extension";
   if(found.status == OK && !options.do_slide)
     minimize_map_3(system, energy, solver, options, progress, found, Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
@@ -110,8 +110,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
       approach.step();
       progress.after_step(approach.last_step());
     }
-    const Error_code status = approach.is_running() ? progress.status_of_end(true) : approach.status();
-    found.take(status, approach.reason(), approach.map());
+    found.take(approach.status().value_or(progress.status_of_end(true)), approach.reason(), approach.map());
     found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();
     if(approach.can_snap() && progress.is_interrupted())

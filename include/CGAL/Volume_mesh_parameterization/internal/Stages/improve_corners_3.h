@@ -13,19 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Corner_goals_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
-
-#include <Eigen/Dense>
-
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

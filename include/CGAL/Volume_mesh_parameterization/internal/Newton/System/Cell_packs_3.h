@@ -54,7 +54,7 @@ public:
     append(others, m_other_cells);
     m_packs = packed(m_cells, mesh, unknowns, pattern);
     m_others = packed(m_other_cells, mesh, unknowns, pattern);
-    set_references(mesh, scaled, unknowns);
+    set_references(mesh, scaled);
     distribute_to_rounds(unknowns.size());
   }
 
@@ -88,10 +88,10 @@ public:
   }
 
   // Takes these reference cells and weights from now on.
-  void set_references(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns)
+  void set_references(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled)
   {
-    set_references(m_cells, mesh, scaled, unknowns, m_packs);
-    set_references(m_other_cells, mesh, scaled, unknowns, m_others);
+    set_references(m_cells, mesh, scaled, m_packs);
+    set_references(m_other_cells, mesh, scaled, m_others);
   }
 
   std::size_t number_of_packs() const { return m_packs.size(); }
@@ -111,24 +111,12 @@ public:
   std::size_t chunk_of_round(const std::size_t i) const { return m_chunks[i]; }
 
 private:
-  static constexpr std::size_t packs_per_chunk = 512 / cells_per_pack;
+  static constexpr int places_per_range = 512; // of packs
+  static constexpr std::size_t packs_per_chunk = places_per_range / cells_per_pack;
 
   // The unknown vertices in the order of their rows, and the others behind them.
   static int order(const Unknowns_3& unknowns, const int v)
   { return unknowns.contains(v) ? unknowns.row(v) : unknowns.size() + v; }
-
-  // Calls f(i) for each place of the packs of these cells.
-  template <typename Function>
-  static void for_each_place(const Numbered_mesh_3& mesh, const std::vector<int>& cells, const Function& f)
-  {
-    constexpr int places_per_range = packs_per_chunk * cells_per_pack;
-    for_each_range(mesh.is_parallel, static_cast<int>(cells.size()), places_per_range,
-                   [&](std::size_t, const int first, const int last)
-    {
-      for(int i = first; i < last; ++i)
-        f(static_cast<std::size_t>(i));
-    });
-  }
 
   // Packs are filled up with the last cell, as what `padding()` tells.
   static int padding(const int c) { return -1 - c; }
@@ -153,7 +141,7 @@ private:
                                          const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
   {
     std::vector<Cell_pack_3> packs(cells.size() / cells_per_pack);
-    for_each_place(mesh, cells, [&](const std::size_t i)
+    for_each_in_ranges(mesh.is_parallel, cells.size(), places_per_range, [&](const std::size_t i)
     {
       std::array<int, 4> cell = mesh.cells[cell_of(cells[i])];
       std::sort(cell.begin(), cell.end(), [&](const int v, const int w) { return order(unknowns, v) < order(unknowns, w); });
@@ -178,15 +166,15 @@ private:
   }
 
   static void set_references(const std::vector<int>& cells, const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled,
-                             const Unknowns_3& unknowns, std::vector<Cell_pack_3>& packs)
+                             std::vector<Cell_pack_3>& packs)
   {
-    for_each_place(mesh, cells, [&](const std::size_t i)
+    for_each_in_ranges(mesh.is_parallel, cells.size(), places_per_range, [&](const std::size_t i)
     {
       Cell_pack_3& pack = packs[i / cells_per_pack];
       const int lane = static_cast<int>(i % cells_per_pack);
       const int c = cell_of(cells[i]);
       pack.weight[lane] = is_padding(cells[i]) ? 0 : scaled.weights[c];
-      const Eigen::Matrix3d inverse_source = for_sorted_vertices(unknowns, mesh.cells[c], scaled.inverse_sources[c]);
+      const Eigen::Matrix3d inverse_source = for_sorted_vertices(pack.cell(lane), mesh.cells[c], scaled.inverse_sources[c]);
       for(int k = 0; k < 9; ++k)
         pack.inverse_source[k][lane] = inverse_source(k);
     });
@@ -194,17 +182,15 @@ private:
 
   // X^{-1} of a cell whose vertices are sorted: its rows belong to the last three vertices, and that of the first one is
   // minus their sum.
-  static Eigen::Matrix3d for_sorted_vertices(const Unknowns_3& unknowns, const std::array<int, 4>& cell,
+  static Eigen::Matrix3d for_sorted_vertices(const std::array<int, 4>& sorted, const std::array<int, 4>& cell,
                                              const Eigen::Matrix3d& inverse_source)
   {
-    std::array<int, 4> sorted = { 0, 1, 2, 3 };
-    std::sort(sorted.begin(), sorted.end(),
-              [&](const int i, const int j) { return order(unknowns, cell[i]) < order(unknowns, cell[j]); });
     Eigen::Matrix3d result;
     for(int i = 1; i < 4; ++i)
-      for(int k = 0; k < 3; ++k)
-        result(i - 1, k) = sorted[i] > 0 ? inverse_source(sorted[i] - 1, k)
-                                         : -(inverse_source(0, k) + (inverse_source(1, k) + inverse_source(2, k)));
+      if(const auto row = std::find(cell.begin(), cell.end(), sorted[i]) - cell.begin() - 1; row >= 0)
+        result.row(i - 1) = inverse_source.row(row);
+      else
+        result.row(i - 1) = -(inverse_source.row(0) + (inverse_source.row(1) + inverse_source.row(2)));
     return result;
   }
 

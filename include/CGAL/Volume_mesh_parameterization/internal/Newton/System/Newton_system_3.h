@@ -28,6 +28,8 @@ struct Newton_direction_3
   double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
   Eigen::VectorXd slopes;    // what each row has of it, of this process
 
+  double decrement() const { return std::sqrt((std::max)(0., -slope)); }
+
   // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
   bool is_usable() const
   {
@@ -75,8 +77,8 @@ public:
     : m_mesh(mesh), m_communicator(*mesh.communicator),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
       m_penalty(penalty), m_unit(scaled.unit),
-      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Incidences_of_rows_3::Groups()
-                                                                        : penalty->groups(), mesh.is_parallel)),
+      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups(),
+                                   mesh.is_parallel)),
       m_packs(mesh, scaled, m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator)),
       m_is_parallel(mesh.is_parallel)
   {}
@@ -95,7 +97,7 @@ public:
   double unit() const { return m_unit; } // by which positions are multiplied
 
   // Takes these reference cells, with the same unit, from now on.
-  void set_references(const Scaled_cells_3& scaled) { m_packs.set_references(m_mesh, scaled, m_unknowns); }
+  void set_references(const Scaled_cells_3& scaled) { m_packs.set_references(m_mesh, scaled); }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {

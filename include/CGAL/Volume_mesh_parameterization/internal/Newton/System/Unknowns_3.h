@@ -113,83 +113,58 @@ inline Unknowns_3 all_vertices(const Numbered_mesh_3& mesh)
   return Unknowns_3(mesh.number_of_vertices(), [](int) { return true; });
 }
 
-// Which cells and groups are at each unknown vertex, in compressed rows; groups are numbered behind the cells.
-class Incidences_of_rows_3
+// Which items are at each row, in compressed rows; `for_each_row_of(item, f)` calls f for the rows of an item.
+struct Items_of_rows
 {
-public:
-  using Groups = std::vector<std::vector<int> >; // of vertices
+  std::vector<std::size_t> begin; // of each row; while items are filled in, one place further
+  std::vector<int> items;
 
-  Incidences_of_rows_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns, const Groups& groups)
-    : m_mesh(mesh), m_unknowns(unknowns), m_groups(groups), m_begin(unknowns.size() + 1, 0)
+  template <typename For_each_row_of>
+  Items_of_rows(const int number_of_rows, const int number_of_items, const For_each_row_of& for_each_row_of)
+    : begin(number_of_rows + 2, 0)
   {
-    for_each_incidence([&](const int row, int) { ++m_begin[row + 1]; });
-    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    m_items.resize(m_begin.back());
-    std::vector<std::size_t> next(m_begin.begin(), m_begin.end() - 1);
-    for_each_incidence([&](const int row, const int item) { m_items[next[row]++] = item; });
-  }
-
-  // Appends the rows that share a cell or a group with this one, itself included, in ascending order.
-  void append_neighbors(const int row, std::vector<int>& columns) const
-  {
-    const std::size_t first = columns.size();
-    for(std::size_t i = m_begin[row]; i < m_begin[row + 1]; ++i)
-      for_each_row_of(m_items[i], [&](const int neighbor) { columns.push_back(neighbor); });
-    std::sort(columns.begin() + first, columns.end());
-    columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
-  }
-
-private:
-  template <typename Function>
-  void for_each_row_of(const int item, const Function& f) const
-  {
-    const int number_of_cells = static_cast<int>(m_mesh.cells.size());
-    const auto for_each = [&](const auto& vertices)
-    {
-      for(const int v : vertices)
-        if(m_unknowns.contains(v))
-          f(m_unknowns.row(v));
-    };
-    if(item < number_of_cells)
-      for_each(m_mesh.cells[item]);
-    else
-      for_each(m_groups[item - number_of_cells]);
-  }
-
-  template <typename Function>
-  void for_each_incidence(const Function& f) const
-  {
-    const int number_of_items = static_cast<int>(m_mesh.cells.size() + m_groups.size());
     for(int item = 0; item < number_of_items; ++item)
-      for_each_row_of(item, [&](const int row) { f(row, item); });
+      for_each_row_of(item, [&](const int row) { ++begin[row + 2]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    items.resize(begin.back());
+    for(int item = 0; item < number_of_items; ++item)
+      for_each_row_of(item, [&](const int row) { items[begin[row + 1]++] = item; });
   }
-
-  const Numbered_mesh_3& m_mesh;
-  const Unknowns_3& m_unknowns;
-  const Groups& m_groups;
-  std::vector<std::size_t> m_begin;
-  std::vector<int> m_items;
 };
+
+using Groups_of_vertices = std::vector<std::vector<int> >;
 
 // The pattern of the Hessian: the pairs of unknown vertices that share a cell, or one of the groups.
 inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
-                                             const Incidences_of_rows_3::Groups& groups = {},
-                                             const bool is_parallel = false)
+                                             const Groups_of_vertices& groups = {}, const bool is_parallel = false)
 {
   constexpr int rows_per_part = 4096;
-  const int n = unknowns.size();
-  const Incidences_of_rows_3 incidences(mesh, unknowns, groups);
+  const int n = unknowns.size(), number_of_cells = static_cast<int>(mesh.cells.size());
+  const auto for_each_row_of = [&](const int item, const auto& f) // groups come after the cells
+  {
+    const auto for_each = [&](const auto& vertices)
+    {
+      for(const int v : vertices)
+        if(unknowns.contains(v))
+          f(unknowns.row(v));
+    };
+    item < number_of_cells ? for_each(mesh.cells[item]) : for_each(groups[item - number_of_cells]);
+  };
+  const Items_of_rows at(n, number_of_cells + static_cast<int>(groups.size()), for_each_row_of);
   Sparsity_pattern_3 result;
   result.row_begin.assign(n + 1, 0);
   std::vector<std::vector<int> > parts((n + rows_per_part - 1) / rows_per_part);
-  for_each_index(is_parallel, 0, parts.size(), [&](const std::size_t part)
+  for_each_range(is_parallel, n, rows_per_part, [&](const std::size_t i, const int first, const int last)
   {
-    const int first = static_cast<int>(part) * rows_per_part;
-    for(int row = first; row < (std::min)(n, first + rows_per_part); ++row)
+    std::vector<int>& columns = parts[i];
+    for(int row = first; row < last; ++row)
     {
-      const std::size_t size = parts[part].size();
-      incidences.append_neighbors(row, parts[part]);
-      result.row_begin[row + 1] = static_cast<int>(parts[part].size() - size);
+      const std::size_t size = columns.size();
+      for(std::size_t k = at.begin[row]; k < at.begin[row + 1]; ++k)
+        for_each_row_of(at.items[k], [&](const int column) { columns.push_back(column); });
+      std::sort(columns.begin() + size, columns.end());
+      columns.erase(std::unique(columns.begin() + size, columns.end()), columns.end());
+      result.row_begin[row + 1] = static_cast<int>(columns.size() - size);
     }
   });
   std::partial_sum(result.row_begin.begin(), result.row_begin.end(), result.row_begin.begin());

@@ -73,11 +73,7 @@ void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, con
                     gradient.data(), hessian.values(0));
   });
   constexpr int rows_per_range = 1024;
-  for_each_range(is_parallel, hessian.size(), rows_per_range, [&](std::size_t, const int first, const int last)
-  {
-    for(int row = first; row < last; ++row)
-      hessian.complete_row(row);
-  });
+  for_each_in_ranges(is_parallel, hessian.size(), rows_per_range, [&](const int row) { hessian.complete_row(row); });
 }
 
 // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.

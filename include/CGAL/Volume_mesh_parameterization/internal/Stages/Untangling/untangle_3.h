@@ -13,49 +13,40 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Images of all vertices, with the prescribed ones on their targets, and how the search for them ended.
-struct Untangled_3
-{
-  Eigen::Matrix3Xd positions = {};
-  std::size_t number_of_inverted_cells = 0;
-  Error_code status = ERROR_NOT_FLIP_FREE;
-  std::string reason = {};
-  std::string method = {}; // that has found the images; empty if they are those of the start
-};
-
-// Makes one attempt after the other, and keeps the best images of all.
+// Makes one attempt after the other, and keeps the best images of all, with the prescribed vertices on their targets.
 class Untangling_search_3
 {
 public:
-  Untangling_search_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start, Progress_3& progress)
-    : m_mesh(system.mesh()), m_system(system), m_solver(solver), m_progress(progress),
-      m_best{ start, inverted_cells(m_mesh, start).number }
-  {}
-
-  const Untangled_3& best() const { return m_best; }
+  Untangling_search_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
+                      Progress_3& progress, Found_map_3& best)
+    : m_mesh(system.mesh()), m_system(system), m_solver(solver), m_progress(progress), m_best(best)
+  {
+    m_best.take(ERROR_NOT_FLIP_FREE, "", judged(m_mesh, start));
+    m_best.untangling_method = "";
+  }
 
   // Are so few cells left inverted that they are what no map can mend, as a proof tells?
   bool is_in_vain(const Untangling_attempt_3& attempt) const
   {
-    return goes_on() && m_best.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
-        && !prove_infeasibility_3(m_mesh, inverted_cells(m_mesh, m_best.positions).cells, m_progress.budget()).empty();
+    return goes_on() && m_best.map.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
+        && !prove_infeasibility_3(m_mesh, m_best.map.inverted_cells, m_progress.budget()).empty();
   }
 
   bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
-  // The best images, with the cells of the source again. Cells that have just become positive are flat, and are relaxed.
-  Untangled_3 finish()
+  // Takes the cells of the source again. Cells that have just become positive are flat, and are relaxed.
+  void finish()
   {
-    if(goes_on() && m_best.number_of_inverted_cells == 0)
+    if(goes_on() && m_best.map.is_valid())
       m_best.status = OK;
     m_system.set_references(cells_scaled_to_target(m_mesh));
     if(m_best.status == OK && m_progress.number_of_steps() > 0)
-      m_best.positions = relaxed_flat_cells_3(m_mesh, m_solver, m_best.positions, m_progress.budget());
-    return std::move(m_best);
+      m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_solver, m_best.map.positions, m_progress.budget()));
   }
 
   // The whole mesh, and then patches of it.
@@ -80,11 +71,11 @@ public:
   void begin_with_patches(const Eigen::Matrix3Xd& map)
   {
     constexpr double flat = 1e-12;
-    const Untangled_3 start = m_best;
+    const Found_map_3 start = m_best;
     untangle_patches(map, "patches");
     if(goes_on())
       m_best = start;
-    else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.positions) < flat)
+    else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.map.positions) < flat)
       m_best.status = ERROR_NOT_FLIP_FREE;
   }
 
@@ -98,14 +89,13 @@ private:
     const std::size_t steps_before = m_progress.number_of_steps();
     const Newton_result_3 result = find();
     const bool has_moved = m_progress.number_of_steps() > steps_before;
-    const std::size_t number = inverted_cells(m_mesh, result.positions).number;
-    m_best.status = result.status == OK && number > 0 ? ERROR_NOT_FLIP_FREE : result.status;
+    Map_3 map = judged(m_mesh, result.positions);
+    m_best.status = result.status == OK && !map.is_valid() ? ERROR_NOT_FLIP_FREE : result.status;
     m_best.reason = result.reason;
-    if(number < m_best.number_of_inverted_cells || (number == 0 && has_moved))
+    if(map.number_of_inverted_cells < m_best.map.number_of_inverted_cells || (map.is_valid() && has_moved))
     {
-      m_best.number_of_inverted_cells = number;
-      m_best.positions = result.positions;
-      m_best.method = has_moved ? method : "";
+      m_best.map = std::move(map);
+      m_best.untangling_method = has_moved ? method : "";
     }
     m_progress.end_check();
     return result.positions;
@@ -115,39 +105,40 @@ private:
   Newton_system_3& m_system;
   Linear_solver_3& m_solver;
   Progress_3& m_progress;
-  Untangled_3 m_best;
+  Found_map_3& m_best;
 };
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
 // from the same start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are
 // left, so edges at these are rather split, if they may be.
-inline Untangled_3 untangle_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
-                              const Eigen::Matrix3Xd& regular_start, const bool may_split, Progress_3& progress)
+inline void untangle_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
+                       const Eigen::Matrix3Xd& regular_start, const bool may_split, Progress_3& progress,
+                       Found_map_3& found)
 {
   constexpr std::size_t few_to_split = 10;
-  Untangling_search_3 search(system, solver, start, progress);
+  Untangling_search_3 search(system, solver, start, progress, found);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
-    if(may_split && !attempt.has_regular_cells && search.best().number_of_inverted_cells <= few_to_split)
+    if(may_split && !attempt.has_regular_cells && found.map.number_of_inverted_cells <= few_to_split)
       break;
     if(search.goes_on())
       search.untangle(attempt, start);
     if(search.is_in_vain(attempt))
       break;
   }
-  return search.finish();
+  search.finish();
 }
 
 // Goes on from images that an earlier search has left with few inverted cells, or none.
-inline Untangled_3 untangle_on_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
-                                 Progress_3& progress)
+inline void untangle_on_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
+                          Progress_3& progress, Found_map_3& found)
 {
-  Untangling_search_3 search(system, solver, start, progress);
+  Untangling_search_3 search(system, solver, start, progress, found);
   search.untangle_patches(start, "patches");
   if(search.goes_on())
-    search.untangle(untangling_attempts[0], search.best().positions);
-  return search.finish();
+    search.untangle(untangling_attempts[0], found.map.positions);
+  search.finish();
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -154,7 +154,6 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
   }
   Newton_result_3 result;
   result.positions = neighborhood.in_whole(positions);
-  result.number_of_inverted_cells = number;
   result.status = number == 0 ? OK : progress.status_of_end(false);
   return result;
 }
