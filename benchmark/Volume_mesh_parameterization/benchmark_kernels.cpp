@@ -8,7 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 
 #include <Eigen/Core>
 
@@ -30,8 +30,6 @@ using Counted_matrix = arithmetic_of_unit::Matrix_3<Counting_number>;
 using Counted_decomposition = arithmetic_of_unit::Signed_singular_values_3<Counting_number>;
 using Vector_of_energy = Eigen::Matrix<Counting_number, 3, 1>; // energies have vectors of Eigen
 using Matrix_of_energy = Eigen::Matrix<Counting_number, 3, 3>;
-
-constexpr bool in_parallel = false;
 
 Grid_problem& problem(const std::size_t n)
 {
@@ -162,7 +160,7 @@ void evaluate(benchmark::State& state, Grid_problem& p, const Energy& energy)
   const Cell_energy_of<Energy> cell_energy(energy);
   measure(state, p, {operations, bytes}, [&]
   {
-    benchmark::DoNotOptimize(evaluate_energy(p.packs, cell_energy, p.u, in_parallel));
+    benchmark::DoNotOptimize(evaluate_energy(p.packs, cell_energy, p.u));
   });
 }
 
@@ -188,7 +186,7 @@ void assemble(benchmark::State& state, Grid_problem& p, const Energy& energy, co
   const Cell_energy_of<Energy> cell_energy(energy);
   measure(state, p, {operations, bytes}, [&]
   {
-    assemble_energy(p.packs, cell_energy, p.u, negative_curvature, in_parallel, p.gradient, p.hessian);
+    assemble_energy(p.packs, cell_energy, p.u, negative_curvature, p.gradient, p.hessian);
     benchmark::ClobberMemory();
   });
 }
@@ -202,7 +200,7 @@ void largest_step(benchmark::State& state, Grid_problem& p)
   const Eigen::Matrix3Xd direction = 0.1 * p.u;
   measure(state, p, {operations, bytes_of_packs(p, geometry_bytes) + 2 * bytes_of_positions(p)}, [&]
   {
-    benchmark::DoNotOptimize(largest_step_3(p.packs, p.u, direction, in_parallel));
+    benchmark::DoNotOptimize(largest_step_3(p.packs, p.u, direction));
   });
 }
 
@@ -210,7 +208,7 @@ void matrix_product(benchmark::State& state, Grid_problem& p)
 {
   using NT = Grid_problem::Matrix::NT;
   const Cell_energy_of<Stretch_energy_3> energy{Stretch_energy_3()};
-  assemble_energy(p.packs, energy, p.u, 0., in_parallel, p.gradient, p.hessian);
+  assemble_energy(p.packs, energy, p.u, 0., p.gradient, p.hessian);
   const std::size_t n = 3 * static_cast<std::size_t>(p.hessian.size());
   std::vector<NT> x(n + 1, NT(1)), y(n);
   const double bytes = number_of_blocks(p) * (9. * sizeof(NT) + sizeof(int)) + 2. * sizeof(NT) * static_cast<double>(n);

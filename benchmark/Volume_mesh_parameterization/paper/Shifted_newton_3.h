@@ -7,7 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 
 #include <Eigen/Dense>
 
@@ -51,7 +51,7 @@ public:
   void step(const double weight, const TargetOfStep& target_of_step)
   {
     Positions gradient;
-    assemble_energy(m_packs, m_energy, m_u, 1., is_parallel, gradient, m_hessian);
+    assemble_energy(m_packs, m_energy, m_u, 1., gradient, m_hessian);
     for(int v = m_first_prescribed; v < m_hessian.size(); ++v)
       m_hessian.block(m_hessian.position(v, v)).diagonal().array() += 2 * weight;
     m_is_running = factorize();
@@ -69,8 +69,6 @@ private:
   using Matrix = CGAL::Volume_mesh_parameterization::Block_sparse_matrix_3<double>;
   using Packs = CGAL::Volume_mesh_parameterization::internal::Cell_packs_3;
 
-  static constexpr bool is_parallel = false;
-
   // The prescribed vertices move as well; all cells count alike.
   static Packs make_packs(const Mesh& mesh, Matrix& hessian)
   {
@@ -81,7 +79,7 @@ private:
     return Packs(mesh, { 1, scaled_inverse_sources(mesh, 1), weights }, unknowns, pattern);
   }
 
-  auto evaluate(const Positions& u) const { return evaluate_energy(m_packs, m_energy, u, is_parallel); }
+  auto evaluate(const Positions& u) const { return evaluate_energy(m_packs, m_energy, u); }
 
   Positions constrained(const Positions& u) const { return u.rightCols(u.cols() - m_first_prescribed); }
 

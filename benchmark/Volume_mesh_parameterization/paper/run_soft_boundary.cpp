@@ -12,7 +12,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
 
 #include <CGAL/Real_timer.h>
@@ -42,8 +42,6 @@ struct Options
   VMP::Soft_boundary_parameters parameters;
 };
 
-constexpr bool is_parallel = false;
-
 // The mean of an energy over the cells, and its gradient by all vertices.
 class Mean_energy
 {
@@ -55,13 +53,13 @@ public:
               sparsity_pattern_3(mesh, all_vertices(mesh)))
   {}
 
-  double value(const Eigen::Matrix3Xd& u) const { return evaluate_energy(m_packs, m_energy, u, is_parallel).energy; }
+  double value(const Eigen::Matrix3Xd& u) const { return evaluate_energy(m_packs, m_energy, u).energy; }
 
   // In lengths for which the mesh has volume 1; in those of u, its cells have.
   double squared_gradient_norm(const Eigen::Matrix3Xd& u) const
   {
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, u.cols());
-    add_energy_gradient(m_packs, m_energy, u, is_parallel, gradient);
+    add_energy_gradient(m_packs, m_energy, u, gradient);
     return std::pow(m_number_of_cells, 2. / 3) * gradient.squaredNorm();
   }
 

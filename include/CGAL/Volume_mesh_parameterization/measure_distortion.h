@@ -18,6 +18,7 @@
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_body_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #endif
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -35,7 +36,7 @@ Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vec
   check_simplices(soup);
   require(images.size() == soup.points.size(), "There are as many images as points.");
   const Numbered_mesh_3 mesh = Numbered_body_3(soup, std::vector<bool>(soup.points.size(), true), images).mesh;
-  return measure_distortion_3(mesh, mesh.target);
+  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, mesh.target));
 }
 
 #endif

@@ -11,7 +11,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
@@ -145,7 +145,7 @@ struct Parts
   template <typename Energy>
   VMP::internal::Energy_evaluation evaluate(const Energy& energy, const Matrix3Xd& u) const
   {
-    return evaluate_energy(packs, VMP::internal::Cell_energy_of<Energy>(energy), u, false);
+    return evaluate_energy(packs, VMP::internal::Cell_energy_of<Energy>(energy), u);
   }
 };
 
@@ -170,13 +170,13 @@ TEST_CASE("The sum over the cells has the value and the derivatives it should")
   const auto assembled_gradient = [&](const Matrix3Xd& v)
   {
     Matrix3Xd gradient;
-    assemble_energy(parts.packs, cell_energy, v, 1., false, gradient, parts.hessian);
+    assemble_energy(parts.packs, cell_energy, v, 1., gradient, parts.hessian);
     return gradient;
   };
   const double h = 1e-5;
   const Matrix3Xd gradient = assembled_gradient(u);
   Matrix3Xd gradient_alone = Matrix3Xd::Zero(3, mesh.number_of_free_vertices);
-  add_energy_gradient(parts.packs, cell_energy, u, false, gradient_alone);
+  add_energy_gradient(parts.packs, cell_energy, u, gradient_alone);
   CHECK((gradient_alone - gradient).norm() <= 1e-12 * gradient.norm());
   const VMP::Block_sparse_matrix_3<double> hessian = parts.hessian;
   for(int i = 0; i < 3 * mesh.number_of_free_vertices; ++i)
@@ -230,7 +230,7 @@ TEST_CASE("The largest step is the first root of a determinant")
             root = double(i) / samples;
       }
 
-      const double step = VMP::internal::largest_step_3(parts.packs, mesh.source, d, false);
+      const double step = VMP::internal::largest_step_3(parts.packs, mesh.source, d);
       INFO("amplitude " << amplitude << ", first root about " << root);
       CHECK(step <= root);
       CHECK(step >= root - 1. / 1024 - 1. / samples);

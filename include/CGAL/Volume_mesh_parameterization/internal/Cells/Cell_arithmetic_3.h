@@ -89,13 +89,7 @@ template <>
 struct NumTraits<CGAL::Volume_mesh_parameterization::internal::Pack>
   : GenericNumTraits<CGAL::Volume_mesh_parameterization::internal::Pack>
 {
-  using Pack = CGAL::Volume_mesh_parameterization::internal::Pack;
-  using Real = Pack;
-  using NonInteger = Pack;
-  using Nested = Pack;
-  using Literal = Pack;
-
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
+  enum { IsSigned = 1, RequireInitialization = 0 };
 };
 
 } // namespace Eigen

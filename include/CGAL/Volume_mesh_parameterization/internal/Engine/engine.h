@@ -19,7 +19,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Stages/find_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Stages/improve_corners_3.h>
@@ -55,10 +54,6 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress);
 
-// The distortions of a map.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image);
-
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
@@ -76,10 +71,6 @@ std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> 
     mesh.source.col(i) = points.col(order[i]);
   return order;
 }
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
-{ return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)); }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 #endif

@@ -14,6 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 
+#include <optional>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy plus the penalty of the constraints, for one weight, by Newton steps that never invert a cell. Ends
@@ -25,8 +27,6 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Penalty_minimizer_3
 {
 public:
-  enum class Status { CONTINUES, CONVERGED, STUCK, SOLVER_FAILED };
-
   // `diameter` is the unit of the tolerances for energy and step.
   Penalty_minimizer_3(Newton_system_3& system, Quadratic_penalty_3& penalty, const Cell_energy_3& energy,
                       const Eigen::Matrix3Xd& u, const Soft_boundary_parameters& parameters, const double diameter)
@@ -38,7 +38,8 @@ public:
   const Newton_iterate_3& iterate() const { return m_iterate; }
   bool is_relaxing() const { return m_relaxations_left > 0; } // then the evaluation is for the temporary target
 
-  Status step()
+  // The status with which to end, if it is time.
+  std::optional<Error_code> step()
   {
     if(is_relaxing())
       return relax();
@@ -87,7 +88,7 @@ private:
     m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
   }
 
-  Status relax()
+  std::optional<Error_code> relax()
   {
     --m_relaxations_left;
     if(!move(0, false))
@@ -97,18 +98,18 @@ private:
       m_penalty.release();
       m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
     }
-    return m_iterate.direction.has_solver_failed() ? Status::SOLVER_FAILED : Status::CONTINUES;
+    return m_iterate.direction.has_solver_failed() ? std::optional(ERROR_LINEAR_SOLVER_FAILED) : std::nullopt;
   }
 
-  Status conclude(const bool has_moved)
+  std::optional<Error_code> conclude(const bool has_moved)
   {
     if(m_iterate.direction.has_solver_failed())
-      return Status::SOLVER_FAILED;
+      return ERROR_LINEAR_SOLVER_FAILED;
     if(m_iterate.step_length >= 1)
       m_negative_curvature.raise();
     if(!has_moved)
-      return is_gradient_small() ? Status::CONVERGED : Status::STUCK;
-    return is_converged() ? Status::CONVERGED : Status::CONTINUES;
+      return is_gradient_small() ? OK : ERROR_NOT_CONVERGED;
+    return is_converged() ? std::optional(OK) : std::nullopt;
   }
 
   // the energy without the penalty

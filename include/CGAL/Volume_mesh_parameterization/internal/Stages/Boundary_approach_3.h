@@ -74,19 +74,18 @@ public:
   // To be called while it is running.
   void step()
   {
-    using Status = Penalty_minimizer_3::Status;
-    const Status status = m_minimizer->step();
+    const std::optional<Error_code> status = m_minimizer->step();
     const std::size_t number_of_steps = m_last_step.iteration + 1;
     m_last_step = step_of(m_minimizer->iterate(), Phase::MINIMIZATION);
     m_last_step.iteration = number_of_steps;
-    if(status == Status::SOLVER_FAILED)
-      end(ERROR_LINEAR_SOLVER_FAILED, describe_failure(m_minimizer->iterate().direction));
+    if(status == ERROR_LINEAR_SOLVER_FAILED)
+      end(*status, describe_failure(m_minimizer->iterate().direction));
     else if(can_snap())
       end(OK);
-    else if(status != Status::CONTINUES)
+    else if(status)
     {
       if(residual() <= m_parameters.residual_tolerance)
-        end(status == Status::CONVERGED ? OK : ERROR_NOT_CONVERGED);
+        end(*status);
       else if(is_blocked() || m_number_of_raises >= m_parameters.maximal_number_of_raises)
         end(ERROR_BOUNDARY_NOT_REACHED);
       else

@@ -27,14 +27,13 @@ public:
   // The cells with the lowest rows come first; those without an unknown vertex are apart.
   Cell_packs_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns,
                const Sparsity_pattern_3& pattern)
+    : m_is_parallel(mesh.is_parallel)
   {
     std::vector<std::pair<int, int> > cells, copies, others; // with their lowest row
     const std::vector<int> lowest_rows = values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell)
     {
-      int lowest = order(unknowns, cell[0]);
-      for(const int v : cell)
-        lowest = (std::min)(lowest, order(unknowns, v));
-      return lowest;
+      const auto& [u, v, w, x] = cell;
+      return (std::min)({ order(unknowns, u), order(unknowns, v), order(unknowns, w), order(unknowns, x) });
     });
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     {
@@ -58,8 +57,9 @@ public:
     distribute_to_rounds(unknowns.size());
   }
 
-  // Those of the cells of others that an unknown vertex belongs to, with their reference cells and weights.
+  // Those of the cells of others that an unknown vertex belongs to, with their reference cells and weights; they are few.
   Cell_packs_3(const Cell_packs_3& whole, const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
+    : m_is_parallel(false)
   {
     std::vector<std::size_t> places; // in the whole
     for(std::size_t i = 0; i < whole.m_cells.size(); ++i)
@@ -94,6 +94,7 @@ public:
     set_references(m_other_cells, mesh, scaled, m_others);
   }
 
+  bool is_parallel() const { return m_is_parallel; } // may threads share the work on them?
   std::size_t number_of_packs() const { return m_packs.size(); }
 
   std::size_t number_of_chunks() const { return (m_packs.size() + packs_per_chunk - 1) / packs_per_chunk; }
@@ -232,6 +233,7 @@ private:
     return true;
   }
 
+  bool m_is_parallel;
   std::vector<Cell_pack_3> m_packs, m_others;
   std::vector<int> m_cells, m_other_cells; // in the order of the packs, with the padding
   std::size_t m_number_of_own_packs;

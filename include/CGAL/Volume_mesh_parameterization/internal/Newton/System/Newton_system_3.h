@@ -13,50 +13,70 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Quadratic_penalty_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/sum_over_cells_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The solution of a Newton system, and what it is good for.
-struct Newton_direction_3
+// The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
+// the cells: those that this process owns.
+inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u)
 {
-  Linear_solver_status status = Linear_solver_status::FAILED;
-  bool is_of_semidefinite_matrix = false;
-  Eigen::Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
-  double gradient_norm = 0;
-  double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
-  Eigen::VectorXd slopes;    // what each row has of it, of this process
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  std::vector<Energy_evaluation> parts(packs.number_of_own_chunks());
+  for_each_index(packs.is_parallel(), 0, parts.size(), [&](const std::size_t chunk)
+  { kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]); });
+  Energy_evaluation result;
+  for(const Energy_evaluation& part : parts)
+    result.add(part);
+  return result;
+}
 
-  double decrement() const { return std::sqrt((std::max)(0., -slope)); }
-
-  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
-  bool is_usable() const
-  {
-    return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::ITERATION_LIMIT
-        || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
-  }
-
-  // Only then the slope tells what is left to gain.
-  bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
-
-  // Has the solver failed for another reason than an indefinite matrix?
-  bool has_solver_failed() const
-  { return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED; }
-};
-
-// A sentence for the user about a direction that ended a computation.
-inline const char* describe_failure(const Newton_direction_3& direction)
+// Calls f for each chunk of packs, such that its calls may add to the rows of the chunk.
+template <typename Function>
+void for_each_chunk_in_rounds(const Cell_packs_3& packs, const Function& f)
 {
-  switch(direction.status)
+  for(std::size_t round = 0; round < packs.number_of_rounds(); ++round)
+    for_each_index(packs.is_parallel(), packs.round_begin(round), packs.round_begin(round + 1),
+                   [&](const std::size_t i) { f(packs.chunk_of_round(i)); });
+}
+
+// Adds the gradient by the unknown vertices, one column a row.
+inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
+                                Eigen::Matrix3Xd& gradient)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
+  { kernels.add_gradient(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, gradient.data()); });
+}
+
+// The gradient and the Hessian, of which the part `negative_curvature` of negative eigenvalues in each cell is kept.
+template <typename NT>
+void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
+                     const double negative_curvature, Eigen::Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
+{
+  const auto add_derivatives = std::get<Cell_kernels_3::Add_derivatives<NT> >(cell_kernels_3().add_derivatives);
+  gradient.setZero(3, hessian.size());
+  hessian.set_zero();
+  for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
   {
-    case Linear_solver_status::OUT_OF_MEMORY:
-      return "There is not enough memory for the factorization; Conjugate_gradient_solver_traits_3 needs far less.";
-    case Linear_solver_status::NOT_POSITIVE_DEFINITE:
-      return "The matrix is not positive definite, although it should be up to rounding: cells are too flat for the "
-             "precision of the solver.";
-    default: return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
-  }
+    add_derivatives(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
+                    gradient.data(), hessian.values(0));
+  });
+  constexpr int rows_per_range = 1024;
+  for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range,
+                     [&](const int row) { hessian.complete_row(row); });
+}
+
+// The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
+inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& d)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  std::vector<double> parts(packs.number_of_own_chunks(), 1.);
+  for_each_index(packs.is_parallel(), 0, parts.size(), [&](const std::size_t chunk)
+  { parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data()); });
+  return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
 }
 
 // An energy of the cells, plus perhaps a penalty, as a function of the unknown vertices: its value and gradient, and the
@@ -77,10 +97,8 @@ public:
     : m_mesh(mesh), m_communicator(*mesh.communicator),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
       m_penalty(penalty), m_unit(scaled.unit),
-      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups(),
-                                   mesh.is_parallel)),
-      m_packs(mesh, scaled, m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator)),
-      m_is_parallel(mesh.is_parallel)
+      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups())),
+      m_packs(mesh, scaled, m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
 
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
@@ -88,7 +106,7 @@ public:
     : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_number_of_own_rows(some.size()),
       m_unknowns(std::move(some)), m_penalty(nullptr), m_unit(whole.m_unit),
       m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)), m_packs(whole.m_packs, m_unknowns, m_pattern),
-      m_system(solver.make_system(std::move(m_pattern), m_communicator)), m_is_parallel(false)
+      m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
 
   const Numbered_mesh_3& mesh() const { return m_mesh; }
@@ -101,10 +119,10 @@ public:
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
-    Energy_evaluation evaluation = sum(m_communicator, evaluate_energy(m_packs, energy, u, m_is_parallel));
-    if(m_penalty != nullptr)
-      evaluation.energy += m_penalty->value(u);
-    return evaluation;
+    const Energy_evaluation part = evaluate_energy(m_packs, energy, u);
+    const double number = m_communicator.sum(static_cast<double>(part.number_of_inverted_cells));
+    const double sum = m_communicator.sum(part.energy) + (m_penalty == nullptr ? 0 : m_penalty->value(u));
+    return { sum, m_communicator.minimum(part.smallest_determinant), static_cast<std::size_t>(number) };
   }
 
   // The smallest volume of a cell, with inverted ones below 0, relative to the mean one; of positions in the user's units.
@@ -126,7 +144,7 @@ public:
   Positions gradient(const Cell_energy_3& energy, const Positions& u) const
   {
     Positions result = Positions::Zero(3, m_unknowns.size());
-    add_energy_gradient(m_packs, energy, u, m_is_parallel, result);
+    add_energy_gradient(m_packs, energy, u, result);
     if(m_penalty != nullptr)
       m_penalty->add_gradient(u, result);
     m_unknowns.project(result);
@@ -166,14 +184,14 @@ public:
 
   // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
   double largest_step(const Positions& u, const Positions& d) const
-  { return m_communicator.minimum(largest_step_3(m_packs, u, d, m_is_parallel)); }
+  { return m_communicator.minimum(largest_step_3(m_packs, u, d)); }
 
 private:
   template <typename NT>
   void assemble(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                 Positions& gradient, Block_sparse_matrix_3<NT>& hessian) const
   {
-    assemble_energy(m_packs, energy, u, negative_curvature, m_is_parallel, gradient, hessian);
+    assemble_energy(m_packs, energy, u, negative_curvature, gradient, hessian);
     if(m_penalty != nullptr)
     {
       m_penalty->add_gradient(u, gradient);
@@ -224,7 +242,6 @@ private:
   Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;
   std::unique_ptr<Linear_system_3> m_system;
-  bool m_is_parallel;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -32,7 +32,6 @@ public:
     : m_constraints(std::move(constraints)), m_weight(weight)
   { release(); }
 
-  double weight() const { return m_weight; }
   void set_weight(const double weight) { m_weight = weight; }
 
   // Takes the current positions as target.

@@ -136,7 +136,7 @@ using Groups_of_vertices = std::vector<std::vector<int> >;
 
 // The pattern of the Hessian: the pairs of unknown vertices that share a cell, or one of the groups.
 inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
-                                             const Groups_of_vertices& groups = {}, const bool is_parallel = false)
+                                             const Groups_of_vertices& groups = {})
 {
   constexpr int rows_per_part = 4096;
   const int n = unknowns.size(), number_of_cells = static_cast<int>(mesh.cells.size());
@@ -154,7 +154,7 @@ inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const 
   Sparsity_pattern_3 result;
   result.row_begin.assign(n + 1, 0);
   std::vector<std::vector<int> > parts((n + rows_per_part - 1) / rows_per_part);
-  for_each_range(is_parallel, n, rows_per_part, [&](const std::size_t i, const int first, const int last)
+  for_each_range(mesh.is_parallel, n, rows_per_part, [&](const std::size_t i, const int first, const int last)
   {
     std::vector<int>& columns = parts[i];
     for(int row = first; row < last; ++row)
