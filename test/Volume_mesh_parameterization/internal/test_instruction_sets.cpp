@@ -42,11 +42,9 @@ struct Named_kernels
 std::vector<Named_kernels> longer_instructions()
 {
   std::vector<Named_kernels> result;
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX2
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_INSTRUCTIONS
   if(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
     result.push_back({ "avx2", internal::avx2::cell_kernels });
-#endif
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX512
   if(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
     result.push_back({ "avx512", internal::avx512::cell_kernels });
 #endif

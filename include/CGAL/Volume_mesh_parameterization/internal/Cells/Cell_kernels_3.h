@@ -51,19 +51,12 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-// The kernels are compiled for the instructions of this unit, and for longer ones that the processor may have.
+// The kernels are compiled for the instructions of this unit, and, if it is one for any processor, for longer ones that the
+// processor may have.
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Kernels/Cell_kernels_3.inc>
 
-#if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS) && defined(__x86_64__)
-#  if !(defined(__AVX512F__) && defined(__AVX512DQ__))
-#    define CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX512
-#    if !(defined(__AVX2__) && defined(__FMA__))
-#      define CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX2
-#    endif
-#  endif
-#endif
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX2
+#if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS) && defined(__x86_64__) && !(defined(__AVX2__) && defined(__FMA__))
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_INSTRUCTIONS
 #  if defined(__clang__)
 #    pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #  else
@@ -82,9 +75,7 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
 #  else
 #    pragma GCC pop_options
 #  endif
-#endif
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX512
 #  if defined(__clang__)
 #    pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx2,fma"))), apply_to = function)
 #  else
@@ -107,14 +98,12 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The kernels with the longest instructions of this processor.
+// The kernels for this processor.
 inline const Cell_kernels_3& cell_kernels_3()
 {
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX512
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_INSTRUCTIONS
   if(__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
     return avx512::cell_kernels;
-#endif
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_AVX2
   if(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
     return avx2::cell_kernels;
 #endif
