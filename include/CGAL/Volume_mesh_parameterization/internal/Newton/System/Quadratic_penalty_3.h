@@ -30,7 +30,11 @@ public:
 
   explicit Quadratic_penalty_3(std::vector<Linear_constraint_3<int> > constraints, const double weight)
     : m_constraints(std::move(constraints)), m_weight(weight)
-  { release(); }
+  {
+    for(const Linear_constraint_3<int>& constraint : m_constraints)
+      m_values.push_back(constraint.value);
+    release();
+  }
 
   void set_weight(const double weight) { m_weight = weight; }
 
@@ -42,29 +46,12 @@ public:
   }
 
   // Takes the constraints as target again.
-  void release()
-  {
-    m_targets.clear();
-    for(const Linear_constraint_3<int>& constraint : m_constraints)
-      m_targets.push_back(constraint.value);
-  }
+  void release() { m_targets = m_values; }
 
   // |C u - p| for the constraints themselves
-  double residual(const Positions& u) const
-  {
-    double sum = 0;
-    for(const Linear_constraint_3<int>& constraint : m_constraints)
-      sum += square(left_side(constraint, u) - constraint.value);
-    return std::sqrt(sum);
-  }
+  double residual(const Positions& u) const { return std::sqrt(squared_distance(u, m_values)); }
 
-  double value(const Positions& u) const
-  {
-    double sum = 0;
-    for(std::size_t i = 0; i < m_constraints.size(); ++i)
-      sum += square(left_side(m_constraints[i], u) - m_targets[i]);
-    return m_weight * sum;
-  }
+  double value(const Positions& u) const { return m_weight * squared_distance(u, m_targets); }
 
   void add_gradient(const Positions& u, Positions& gradient) const
   {
@@ -100,6 +87,14 @@ public:
   }
 
 private:
+  double squared_distance(const Positions& u, const std::vector<double>& right_side) const
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i < m_constraints.size(); ++i)
+      sum += square(left_side(m_constraints[i], u) - right_side[i]);
+    return sum;
+  }
+
   static double square(const double x) { return x * x; }
 
   static double left_side(const Linear_constraint_3<int>& constraint, const Positions& u)
@@ -111,7 +106,7 @@ private:
   }
 
   std::vector<Linear_constraint_3<int> > m_constraints;
-  std::vector<double> m_targets;
+  std::vector<double> m_values, m_targets; // the right sides of the constraints, and those that count now
   double m_weight;
 };
 
