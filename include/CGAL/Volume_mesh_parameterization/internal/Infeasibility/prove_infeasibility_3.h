@@ -21,7 +21,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <map>
-#include <optional>
 #include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -18,7 +18,6 @@
 
 #include <array>
 #include <limits>
-#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -41,6 +40,27 @@ public:
 private:
   Union_find<std::size_t> m_sets;
   std::vector<Union_find<std::size_t>::handle> m_handles;
+};
+
+// Which items are in each row, in ascending order; `for_each_row_of(item, f)` calls f for the rows of an item.
+template <typename Item>
+struct Compressed_rows
+{
+  std::vector<std::size_t> begin; // of each row; while items are filled in, one place further
+  std::vector<Item> items;
+
+  template <typename For_each_row_of>
+  Compressed_rows(const std::size_t number_of_rows, const std::size_t number_of_items,
+                  const For_each_row_of& for_each_row_of)
+    : begin(number_of_rows + 2, 0)
+  {
+    for(std::size_t i = 0; i < number_of_items; ++i)
+      for_each_row_of(static_cast<Item>(i), [&](const int row) { ++begin[row + 2]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    items.resize(begin.back());
+    for(std::size_t i = 0; i < number_of_items; ++i)
+      for_each_row_of(static_cast<Item>(i), [&](const int row) { items[begin[row + 1]++] = static_cast<Item>(i); });
+  }
 };
 
 // Sorts the n pairs `pair_of(i)`, and calls `f(begin, end)` for all that have the same first element, an array of vertices.

@@ -12,14 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/property_map.h>
-
-#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -48,18 +46,6 @@ inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, 
   return order;
 }
 
-// The indices of keys from 0 to n - 1 in ascending order of these, and where they are equal, of their own (counting sort).
-inline std::vector<std::size_t> sorted_indices(const std::vector<int>& keys, const std::size_t n)
-{
-  std::vector<std::size_t> places(n + 1, 0), result(keys.size());
-  for(const int key : keys)
-    ++places[key + 1];
-  std::partial_sum(places.begin(), places.end(), places.begin());
-  for(std::size_t i = 0; i < keys.size(); ++i)
-    result[places[keys[i]]++] = i;
-  return result;
-}
-
 // The place of each vertex in an order.
 inline std::vector<int> places_in(const std::vector<std::size_t>& order)
 {
@@ -79,7 +65,8 @@ inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::
     const auto& [i, j, k, l] = cells[c];
     return (std::min)({ places[i], places[j], places[k], places[l] });
   });
-  user_numbers = sorted_indices(first_vertices, places.size());
+  user_numbers = Compressed_rows<std::size_t>(places.size(), cells.size(), [&](const std::size_t c, const auto& f)
+                                              { f(first_vertices[c]); }).items;
   return values_of_indices(is_parallel, cells.size(), [&](const std::size_t i)
   {
     std::array<int, 4> cell = cells[user_numbers[i]];

@@ -14,8 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 
-#include <optional>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Minimizes an energy plus the penalty of the constraints, for one weight, by Newton steps that never invert a cell. Ends

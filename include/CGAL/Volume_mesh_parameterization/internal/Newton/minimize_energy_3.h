@@ -14,9 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
 
-#include <iterator>
-#include <optional>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Below this energy, what is left to gain counts as it is, and not relative to the energy, which may have the minimum 0:

@@ -17,7 +17,6 @@
 #include <Eigen/LU>
 
 #include <cmath>
-#include <functional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

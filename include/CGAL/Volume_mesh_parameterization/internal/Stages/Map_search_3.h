@@ -16,8 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
-#include <optional>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 class Cell_energy_3;

@@ -42,8 +42,8 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
 // Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
 // displacements, and untangles. One point for all becomes the harmonic map, which recovers affine maps. If it inverts
 // cells, so may that with respect to regular cells, but mostly fewer, so that patches suffice.
-inline void untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& initial,
-                            const bool may_split, Progress_3& progress, Found_map_3& found)
+inline void untangle_from_3(Newton_system_3& system, const Eigen::Matrix3Xd& initial, const bool may_split,
+                            Progress_3& progress, Found_map_3& found)
 {
   const Numbered_mesh_3& mesh = system.mesh();
   constexpr double energy_tolerance = 1e-6; // of what is a start only
@@ -60,7 +60,7 @@ inline void untangle_from_3(Newton_system_3& system, Linear_solver_3& solver, co
   }
   progress.reach_flip_free();
   if(direction.is_usable())
-    untangle_3(system, solver, start, image(), may_split, progress, found);
+    untangle_3(system, start, image(), may_split, progress, found);
   else
     found.take(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction), judged(mesh, start));
 }
@@ -79,17 +79,17 @@ inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Ce
   const bool has_initial = !goes_on && initial.cols() > 0;
   Newton_system_3 system(mesh, free_vertices(mesh), solver);
   if(goes_on)
-    untangle_on_3(system, solver, start, progress, found);
+    untangle_on_3(system, start, progress, found);
   else
-    untangle_from_3(system, solver, has_initial ? initial : one_point, may_split, progress, found);
+    untangle_from_3(system, has_initial ? initial : one_point, may_split, progress, found);
   // then the full Hessian is tried first
   const bool may_be_near_minimum = has_initial && found.status == OK && progress.number_of_steps() == 0;
   if(has_initial && found.status == ERROR_NOT_FLIP_FREE)
-    untangle_from_3(system, solver, one_point, may_split, progress, found);
+    untangle_from_3(system, one_point, may_split, progress, found);
   if(found.untangling_method.empty())
     found.untangling_method = goes_on ? "soft boundary" : "harmonic extension";
   if(found.status == OK && !options.do_slide)
-    minimize_map_3(system, energy, solver, options, progress, found, Negative_curvature(may_be_near_minimum ? 1 : 0));
+    minimize_map_3(system, energy, options, progress, found, Negative_curvature(may_be_near_minimum ? 1 : 0));
 }
 
 // No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put

@@ -159,8 +159,8 @@ inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unkn
 // so flat that they hold most of the energy, these crawl along curved valleys for thousands of steps, their stiffness
 // keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
 // is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
-inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy, Linear_solver_3& solver,
-                           const Map_options_3& options, Progress_3& progress, Found_map_3& found,
+inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy, const Map_options_3& options,
+                           Progress_3& progress, Found_map_3& found,
                            const Negative_curvature& negative_curvature = Negative_curvature())
 {
   const Numbered_mesh_3& mesh = system.mesh();
@@ -188,7 +188,7 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
   if(others.size() == 0)
     return;
-  Newton_system_3 rest(mesh, others, solver);
+  Newton_system_3 rest(mesh, others, system.solver());
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
                          ends_if_stagnating(mesh, energy, options), options.negligible_gain()));

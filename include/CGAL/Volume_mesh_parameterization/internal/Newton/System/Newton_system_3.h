@@ -94,7 +94,7 @@ public:
 
   Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
                   Linear_solver_3& solver, const Quadratic_penalty_3* const penalty = nullptr)
-    : m_mesh(mesh), m_communicator(*mesh.communicator),
+    : m_mesh(mesh), m_communicator(*mesh.communicator), m_solver(solver),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
       m_penalty(penalty), m_unit(scaled.unit),
       m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups())),
@@ -103,13 +103,14 @@ public:
 
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
   Newton_system_3(const Newton_system_3& whole, Unknowns_3 some, Linear_solver_3& solver)
-    : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_number_of_own_rows(some.size()),
+    : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_solver(solver), m_number_of_own_rows(some.size()),
       m_unknowns(std::move(some)), m_penalty(nullptr), m_unit(whole.m_unit),
       m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)), m_packs(whole.m_packs, m_unknowns, m_pattern),
       m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
 
   const Numbered_mesh_3& mesh() const { return m_mesh; }
+  Linear_solver_3& solver() const { return m_solver; }
   const Unknowns_3& unknowns() const { return m_unknowns; }
   bool has_penalty() const { return m_penalty != nullptr; }
   double unit() const { return m_unit; } // by which positions are multiplied
@@ -235,6 +236,7 @@ private:
 
   const Numbered_mesh_3& m_mesh;
   const Communicator_3& m_communicator;
+  Linear_solver_3& m_solver;
   int m_number_of_own_rows; // they come first; the others are copies
   Unknowns_3 m_unknowns;
   const Quadratic_penalty_3* m_penalty;

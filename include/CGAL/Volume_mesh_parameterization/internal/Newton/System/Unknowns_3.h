@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -113,25 +114,6 @@ inline Unknowns_3 all_vertices(const Numbered_mesh_3& mesh)
   return Unknowns_3(mesh.number_of_vertices(), [](int) { return true; });
 }
 
-// Which items are at each row, in compressed rows; `for_each_row_of(item, f)` calls f for the rows of an item.
-struct Items_of_rows
-{
-  std::vector<std::size_t> begin; // of each row; while items are filled in, one place further
-  std::vector<int> items;
-
-  template <typename For_each_row_of>
-  Items_of_rows(const int number_of_rows, const int number_of_items, const For_each_row_of& for_each_row_of)
-    : begin(number_of_rows + 2, 0)
-  {
-    for(int item = 0; item < number_of_items; ++item)
-      for_each_row_of(item, [&](const int row) { ++begin[row + 2]; });
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    items.resize(begin.back());
-    for(int item = 0; item < number_of_items; ++item)
-      for_each_row_of(item, [&](const int row) { items[begin[row + 1]++] = item; });
-  }
-};
-
 using Groups_of_vertices = std::vector<std::vector<int> >;
 
 // The pattern of the Hessian: the pairs of unknown vertices that share a cell, or one of the groups.
@@ -150,7 +132,7 @@ inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const 
     };
     item < number_of_cells ? for_each(mesh.cells[item]) : for_each(groups[item - number_of_cells]);
   };
-  const Items_of_rows at(n, number_of_cells + static_cast<int>(groups.size()), for_each_row_of);
+  const Compressed_rows<int> at(n, number_of_cells + static_cast<int>(groups.size()), for_each_row_of);
   Sparsity_pattern_3 result;
   result.row_begin.assign(n + 1, 0);
   std::vector<std::vector<int> > parts((n + rows_per_part - 1) / rows_per_part);

@@ -22,9 +22,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangling_search_3
 {
 public:
-  Untangling_search_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
-                      Progress_3& progress, Found_map_3& best)
-    : m_mesh(system.mesh()), m_system(system), m_solver(solver), m_progress(progress), m_best(best)
+  Untangling_search_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& best)
+    : m_mesh(system.mesh()), m_system(system), m_progress(progress), m_best(best)
   {
     m_best.take(ERROR_NOT_FLIP_FREE, "", judged(m_mesh, start));
     m_best.untangling_method = "";
@@ -46,7 +45,8 @@ public:
       m_best.status = OK;
     m_system.set_references(cells_scaled_to_target(m_mesh));
     if(m_best.status == OK && m_progress.number_of_steps() > 0)
-      m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_solver, m_best.map.positions, m_progress.budget()));
+      m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
+                                                       m_progress.budget()));
   }
 
   // The whole mesh, and then patches of it.
@@ -62,7 +62,7 @@ public:
   void untangle_patches(const Eigen::Matrix3Xd& start, const std::string& method)
   {
     if(inverted_cells(m_mesh, start).number <= most_exceptions(m_mesh.global_number_of_cells()))
-      keep_better(method, [&] { return untangle_patches_3(m_mesh, m_solver, start, m_progress); });
+      keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress); });
   }
 
   // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from. If cells are so
@@ -103,7 +103,6 @@ private:
 
   const Numbered_mesh_3& m_mesh;
   Newton_system_3& m_system;
-  Linear_solver_3& m_solver;
   Progress_3& m_progress;
   Found_map_3& m_best;
 };
@@ -111,12 +110,11 @@ private:
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
 // from the same start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are
 // left, so edges at these are rather split, if they may be.
-inline void untangle_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
-                       const Eigen::Matrix3Xd& regular_start, const bool may_split, Progress_3& progress,
-                       Found_map_3& found)
+inline void untangle_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, const Eigen::Matrix3Xd& regular_start,
+                       const bool may_split, Progress_3& progress, Found_map_3& found)
 {
   constexpr std::size_t few_to_split = 10;
-  Untangling_search_3 search(system, solver, start, progress, found);
+  Untangling_search_3 search(system, start, progress, found);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
@@ -131,10 +129,9 @@ inline void untangle_3(Newton_system_3& system, Linear_solver_3& solver, const E
 }
 
 // Goes on from images that an earlier search has left with few inverted cells, or none.
-inline void untangle_on_3(Newton_system_3& system, Linear_solver_3& solver, const Eigen::Matrix3Xd& start,
-                          Progress_3& progress, Found_map_3& found)
+inline void untangle_on_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
-  Untangling_search_3 search(system, solver, start, progress, found);
+  Untangling_search_3 search(system, start, progress, found);
   search.untangle_patches(start, "patches");
   if(search.goes_on())
     search.untangle(untangling_attempts[0], found.map.positions);

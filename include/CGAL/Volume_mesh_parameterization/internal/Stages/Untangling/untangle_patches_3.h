@@ -152,10 +152,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
       progress.after_step(step);
     }
   }
-  Newton_result_3 result;
-  result.positions = neighborhood.in_whole(positions);
-  result.status = number == 0 ? OK : progress.status_of_end(false);
-  return result;
+  return { neighborhood.in_whole(positions), 0, number == 0 ? OK : progress.status_of_end(false) };
 }
 
 // Relaxes patches of those cells that are flat, from a map on that inverts none. They hold most of an energy, and a
