@@ -151,11 +151,12 @@ struct Parts
 
 } // namespace
 
-TEST_CASE("The sum over the cells has the value and the derivatives it should")
+TEMPLATE_TEST_CASE("The sum over the cells has the value and the derivatives it should", "",
+                   VMP::Stretch_energy_3, VMP::Dirichlet_energy_3)
 {
   const Numbered_mesh_3 mesh = cube_mesh(3, 0.1);
   const Matrix3Xd u = mesh.source + noise(mesh.number_of_vertices(), 0.1);
-  const VMP::Stretch_energy_3 energy;
+  const TestType energy;
   Parts parts(mesh);
 
   double expected = 0;
@@ -166,7 +167,7 @@ TEST_CASE("The sum over the cells has the value and the derivatives it should")
   CHECK(evaluation.energy == Approx(expected).epsilon(1e-12));
   CHECK(evaluation.is_flip_free());
 
-  const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> cell_energy(energy);
+  const VMP::internal::Cell_energy_of<TestType> cell_energy(energy);
   const auto assembled_gradient = [&](const Matrix3Xd& v)
   {
     Matrix3Xd gradient;

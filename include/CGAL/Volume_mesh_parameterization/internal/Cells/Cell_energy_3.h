@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
@@ -73,6 +74,7 @@ public:
   // Does psi follow from |J|^2, |J^{-1}|^2 and det J, which cost far less than the singular values?
   virtual bool is_of_norms() const = 0;
   virtual void value_of_norms(const Packed_vector_3& norms, Packed_number& psi) const = 0;
+  virtual bool is_squared_norm() const = 0; // psi = |J|^2, with constant second derivatives
 };
 
 template <typename Energy, typename T, typename = void>
@@ -121,6 +123,7 @@ public:
   }
 
   bool is_of_norms() const override { return Is_of_norms<Energy, Pack>::value; }
+  bool is_squared_norm() const override { return std::is_same<Energy, Dirichlet_energy_3>::value; }
 
   void value_of_norms(const Packed_vector_3& norms, Packed_number& psi) const override
   {
