@@ -134,9 +134,9 @@ TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   const VMP::internal::Newton_result_3 below = minimize_energy_3(
     problem.system, problem.energy, stricter.positions, progress, VMP::internal::Negative_curvature(),
-    [&](const VMP::internal::Newton_iterate_3&, const auto& positions) -> std::optional<VMP::Error_code>
+    [&](const VMP::internal::Newton_iterate_3& iterate) -> std::optional<VMP::Error_code>
     {
-      CHECK(largest_angle_distortion(mesh, positions()) < bound);
+      CHECK(largest_angle_distortion(mesh, iterate.positions()) < bound);
       return std::nullopt;
     });
   CHECK(below.status == VMP::OK);

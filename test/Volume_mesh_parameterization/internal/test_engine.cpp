@@ -258,7 +258,7 @@ TEST_CASE("A step is not doubled where a cell is turned over on the way")
 
   const auto length_after = [&](const Vector3d& c, const Vector3d& d)
   {
-    VMP::internal::Newton_iterate_3 iterate{ mesh.source, {} };
+    VMP::internal::Newton_iterate_3 iterate{ 1, mesh.source };
     iterate.direction.vectors = Matrix3Xd::Zero(3, 4);
     iterate.direction.vectors.leftCols(2) << c, d;
     const Matrix3Xd step = 0.4 * iterate.direction.vectors, u = mesh.source + step, doubled = u + step;
@@ -987,8 +987,9 @@ TEST_CASE("A search crawls where a few cells hold most of the energy, and it fal
       image.col(mesh.cells[0][0]) -= (1 - first_height * std::pow(1.1, rounds)) * normal.dot(a - b) * normal;
       image.row(2) *= 0.1 * std::pow(rate, rounds);
       const double falling = is_stagnating ? 1 : std::pow(0.999, step);
-      const VMP::internal::Newton_iterate_3 iterate = iterate_of(2 * VMP::internal::Gain_3::large_energy * falling, 1);
-      if(const std::optional<VMP::Error_code> status = gain.status_of_end(iterate, [&] { return image; }))
+      VMP::internal::Newton_iterate_3 iterate = iterate_of(2 * VMP::internal::Gain_3::large_energy * falling, 1);
+      iterate.u = image;
+      if(const std::optional<VMP::Error_code> status = gain.status_of_end(iterate))
         return status == VMP::OK ? -step : step; // negative if nothing is gained for any cell
     }
     return 0;

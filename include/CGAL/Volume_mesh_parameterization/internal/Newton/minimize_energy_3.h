@@ -35,7 +35,7 @@ class Minimizer_3
 public:
   Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
               const Negative_curvature& negative_curvature)
-    : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.unit() * positions, {} },
+    : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.unit(), system.unit() * positions },
       m_negative_curvature(negative_curvature)
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
@@ -145,7 +145,7 @@ inline void minimize_few_3(Newton_system_3& system, const Cell_energy_3& energy,
   Conjugate_gradient_solver_traits_3<Sequential_tag, double> traits;
   Linear_solver_of solver(traits);
   Newton_system_3 part(system, std::move(*few), solver);
-  Minimizer_3 moves(part, energy, minimizer.iterate().u / system.unit(), Negative_curvature());
+  Minimizer_3 moves(part, energy, minimizer.iterate().positions(), Negative_curvature());
   for(int step = 0; step < number_of_steps && !budget.is_exhausted(); ++step)
   {
     moves.step(budget);
@@ -155,10 +155,8 @@ inline void minimize_few_3(Newton_system_3& system, const Cell_energy_3& energy,
   minimizer.take(moves.iterate());
 }
 
-// With what status is it to end after this step, although it is no minimum? `positions()` returns the images of all vertices
-// then.
-using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&,
-                                                          const std::function<Eigen::Matrix3Xd()>& positions)>;
+// With what status is it to end after this step, although it is no minimum?
+using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&)>;
 
 // Minimizes from images on that invert no cell; vertices that are not unknown stay where they are. The first step that
 // promises no more than the negligible part of the energy is the last one: the next one would gain about its square.
@@ -169,11 +167,8 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
 {
   Minimizer_3 minimizer(system, energy, positions, negative_curvature);
   const Newton_iterate_3& iterate = minimizer.iterate();
-  const auto current_positions = [&]() -> Eigen::Matrix3Xd { return iterate.u / system.unit(); };
   const auto result = [&](const Error_code status, const char* const reason = "")
-  {
-    return Newton_result_3{ current_positions(), iterate.energy(), status, reason };
-  };
+  { return Newton_result_3{ iterate.positions(), iterate.energy(), status, reason }; };
   progress.end_start();
   while(progress.goes_on())
   {
@@ -187,7 +182,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return result(ERROR_NOT_CONVERGED);
     if(system.mesh().is_whole() && !system.has_penalty())
       minimize_few_3(system, energy, minimizer, progress.budget());
-    if(const std::optional<Error_code> status = ends_here ? ends_here(iterate, current_positions) : std::nullopt)
+    if(const std::optional<Error_code> status = ends_here ? ends_here(iterate) : std::nullopt)
       return result(*status);
   }
   return result(progress.status_of_end(true));

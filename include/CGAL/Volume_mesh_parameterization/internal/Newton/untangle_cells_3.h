@@ -23,7 +23,7 @@ class Untangler_3
 public:
   Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta, const std::size_t few,
               const double solver_tolerance)
-    : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few(few), m_iterate{ u, {} }, m_best(u)
+    : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few(few), m_iterate{ system.unit(), u }, m_best(u)
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
@@ -97,9 +97,7 @@ inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Ma
   Untangler_3 untangler(system, system.unit() * positions, theta, few, solver_tolerance);
   const Newton_iterate_3& iterate = untangler.iterate();
   const auto result = [&](const Error_code status, const char* const reason = "")
-  {
-    return Newton_result_3{ untangler.best() / system.unit(), iterate.evaluation.energy, status, reason };
-  };
+  { return Newton_result_3{ untangler.best() / system.unit(), iterate.evaluation.energy, status, reason }; };
   progress.end_start();
   while(!iterate.evaluation.is_flip_free())
   {

@@ -99,7 +99,7 @@ public:
   const Parameterization_step& last_step() const { return m_last_step; }
 
   // The images of all vertices; those of the prescribed ones are near their targets.
-  Eigen::Matrix3Xd positions() const { return m_minimizer->iterate().u / m_scaled.unit; }
+  Eigen::Matrix3Xd positions() const { return m_minimizer->iterate().positions(); }
   Map_3 map() const { return judged(m_mesh, positions()); }
 
   // The same with the prescribed vertices on their targets.

@@ -96,14 +96,14 @@ public:
 
   // The status with which to end, if it is time: OK if nothing is gained, and ERROR_NOT_CONVERGED if a few cells are
   // dominant and nothing is gained, or for them alone.
-  std::optional<Error_code> status_of_end(const Newton_iterate_3& iterate, const std::function<Eigen::Matrix3Xd()>& image)
+  std::optional<Error_code> status_of_end(const Newton_iterate_3& iterate)
   {
     constexpr std::size_t patience = 100;
     constexpr double notable = 1e-3;
     const bool stagnates = is_stagnating(iterate);
     if(m_number_of_steps % interval != 0 || !(stagnates || iterate.energy() > large_energy))
       return std::nullopt;
-    if(!is_dominated(image()))
+    if(!is_dominated(iterate.positions()))
       return stagnates ? std::optional(OK) : std::nullopt;
     if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
     {
@@ -140,7 +140,7 @@ private:
 // Ends a minimization where nothing is gained.
 inline Ends_here ends_if_stagnating(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const Map_options_3& options)
 {
-  return [gain = Gain_3(mesh, energy, options.energy_tolerance)](const Newton_iterate_3& iterate, const auto&) mutable
+  return [gain = Gain_3(mesh, energy, options.energy_tolerance)](const Newton_iterate_3& iterate) mutable
   { return gain.is_stagnating(iterate) ? std::optional(OK) : std::nullopt; };
 }
 
@@ -174,9 +174,9 @@ inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy,
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
     system, energy, found.map.positions, progress, negative_curvature,
-    [&](const Newton_iterate_3& iterate, const auto& image)
+    [&](const Newton_iterate_3& iterate)
     {
-      const std::optional<Error_code> status = gain.status_of_end(iterate, image);
+      const std::optional<Error_code> status = gain.status_of_end(iterate);
       has_crawled = status == ERROR_NOT_CONVERGED;
       return status;
     }, options.negligible_gain());
