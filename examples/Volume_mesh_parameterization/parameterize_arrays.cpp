@@ -9,10 +9,9 @@
 #include <iostream>
 #include <vector>
 
-namespace VMP = CGAL::Volume_mesh_parameterization;
-
 int main()
 {
+  namespace VMP = CGAL::Volume_mesh_parameterization;
   std::vector<std::array<double, 3> > points, targets, images;
   std::vector<std::array<int, 4> > cells;
   for(int v = 0; v < 48; ++v)
@@ -23,22 +22,20 @@ int main()
 
   const auto map_to = [&](const auto& boundary_parameterizer)
   {
-    if(boundary_parameterizer.parameterize(points, cells, targets) != VMP::OK)
-      return false;
-    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-      points, cells, targets, images, CGAL::parameters::do_refine(true)); // new points and cells are appended
-    std::cout << result.message << " " << points.size() << " points, energy " << result.energy << std::endl;
-    return result.status == VMP::OK;
+    VMP::Error_code status = boundary_parameterizer.parameterize(points, cells, targets);
+    if(status == VMP::OK) // new points and cells are appended
+      status = CGAL::stretch_minimizing_volume_parameterization(points, cells, targets, images,
+                                                                CGAL::parameters::do_refine(true)).status;
+    std::cout << VMP::get_error_message(status) << " " << points.size() << " points" << std::endl;
+    return status == VMP::OK;
   };
   if(!map_to(VMP::Ball_boundary_parameterizer_3()) || !map_to(VMP::Cube_boundary_parameterizer_3())
      || !map_to(VMP::Polycube_boundary_parameterizer_3(0.5)))
     return 1;
 
-  const VMP::Volume_map_3 map(points, cells, images);
-  std::cout << "(1, 1, 0.5) is mapped to " << map.image({ 1, 1, 0.5 })->point << std::endl;
-
   VMP::Hexahedron_soup_3 hexahedra;
   const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh(points, cells, images, 0.5, hexahedra);
-  std::cout << hexahedra.cells.size() << " hexahedra, minimal scaled Jacobian " << result.minimal_scaled_jacobian << std::endl;
+  std::cout << "(1, 1, 0.5) goes to " << VMP::Volume_map_3(points, cells, images).image({ 1, 1, 0.5 })->point << std::endl
+            << hexahedra.cells.size() << " hexahedra, scaled Jacobian from " << result.minimal_scaled_jacobian << std::endl;
   return result.status == VMP::OK ? 0 : 1;
 }
