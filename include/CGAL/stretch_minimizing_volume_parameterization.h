@@ -37,7 +37,7 @@ namespace CGAL {
 computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted cell and a low
 distortion of angles and volumes. The map is linear on each cell and given by the images of the vertices.
 
-The method is the stretch-minimizing parameterization of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
+The method is the stretch-minimizing parameterization of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
 harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps that never invert a
 cell. With soft boundary, the method of the paper, no cell is inverted from the beginning, and the boundary may be missed.
 That no cell is inverted is checked at the end with exact predicates on the coordinates that are written.

@@ -20,8 +20,8 @@ namespace CGAL::Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationEnergies
 
 The as-rigid-as-possible energy
-\f$\psi = (\sigma_1 - 1)^2 + (\sigma_2 - 1)^2 + (\sigma_3 - 1)^2\f$ of Chao et al.
-\cgalCite{cgal:cpss-sgmed-10}, the squared distance of the differential to the nearest rotation.
+\f$\psi = (\sigma_1 - 1)^2 + (\sigma_2 - 1)^2 + (\sigma_3 - 1)^2\f$ of
+Chao et al.\ \cgalCite{cgal:cpss-sgmed-10}, the squared distance of the differential to the nearest rotation.
 
 Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It has no barrier: cells may collapse or invert, unless the step length or

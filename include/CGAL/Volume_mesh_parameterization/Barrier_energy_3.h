@@ -54,13 +54,13 @@ struct Inverse_spline_barrier
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-Any energy, plus the barrier of Schueller et al. \cgalCite{cgal:skps-lim-13} against collapsing cells:
+Any energy, plus the barrier of Schueller et al.\ \cgalCite{cgal:skps-lim-13} against collapsing cells:
 \f$\psi = \psi_0 + \beta\,\varphi(D / \lambda)\f$ with \f$D = \sigma_1 \sigma_2 \sigma_3\f$ and the inverse
 spline \f$\varphi(x) = 1 / (1 - (1 - x)^3) - 1\f$ for \f$0 < x < 1\f$, \f$\varphi(x) = 0\f$ for \f$x \ge 1\f$.
 It is twice continuously differentiable. For \f$D \to 0\f$ it grows like \f$\beta\lambda / (3 D)\f$; it is
 meaningless for \f$D \le 0\f$.
 
-The defaults are the parameters of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, section 5: \f$\beta = 0.01\f$, and the
+The defaults are the parameters of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5: \f$\beta = 0.01\f$, and the
 barrier concerns a cell whose volume has fallen below \f$V_D / V_M\f$ times that in the source, where
 \f$V_D\f$ and \f$V_M\f$ are the volumes of target and source. As both meshes are scaled to one volume
 before \f$D\f$ is computed, this is \f$\lambda = 1\f$.

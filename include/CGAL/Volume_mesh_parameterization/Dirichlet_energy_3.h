@@ -19,8 +19,8 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-The Dirichlet energy \f$\psi = \sigma_1^2 + \sigma_2^2 + \sigma_3^2 = |J|^2\f$, for volumes used by Wang et al.
-\cgalCite{cgal:wgy-vhm-04}. Its minimizers are the harmonic maps.
+The Dirichlet energy \f$\psi = \sigma_1^2 + \sigma_2^2 + \sigma_3^2 = |J|^2\f$, for volumes used by
+Wang et al.\ \cgalCite{cgal:wgy-vhm-04}. Its minimizers are the harmonic maps.
 
 Minimum: 0 at a collapsed cell. It is homogeneous of degree 2: its minimizer does not depend on the scale of source
 and target. It has no barrier: cells may collapse or invert, unless the step length or `Barrier_energy_3` forbids it.

@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization {
 
 The energy of length preserving maps,
 \f$\psi = (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 + (\sigma_3^2 - 1)^2 = |J^T J|^2 - 2\,|J|^2 + 3\f$
-in the form of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (6).
+in the form of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (6).
 
 Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It has no barrier, and a collapsed cell costs no more than 3: cells may collapse

@@ -22,7 +22,7 @@ namespace CGAL::Volume_mesh_parameterization {
 The energy of least squares conformal maps,
 \f$\psi = (\sigma_1^2 - \sigma_2^2)^2 + (\sigma_2^2 - \sigma_3^2)^2 + (\sigma_3^2 - \sigma_1^2)^2
         = 3\,|J^T J|^2 - |J|^4\f$
-in the form of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (5).
+in the form of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (5).
 
 Minimum: 0 at a similarity, but at a collapsed cell as well. It is homogeneous of degree 4, so large
 cells dominate. It has no barrier: cells may collapse or invert, unless the step length or

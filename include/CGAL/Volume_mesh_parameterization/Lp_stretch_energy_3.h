@@ -22,7 +22,7 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-The squared \f$L^p\f$ stretch, of which Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, section 3.2, have the case
+The squared \f$L^p\f$ stretch, of which Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 3.2, have the case
 \f$p = 2\f$,
 \f$\psi = \left(|\sigma_1|^{-p} + |\sigma_2|^{-p} + |\sigma_3|^{-p}\right)^{2/p}\f$, \f$p \ge 2\f$.
 For \f$p = 2\f$ it is `Stretch_energy_3`; for large \f$p\f$ it approaches the square of the

@@ -20,7 +20,7 @@ namespace CGAL::Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationEnergies
 
 The energy of most isometric parameterizations (MIPS) \cgalCite{cgal:hg-mipsp-00}, in the form for
-volumes of Fu et al. \cgalCite{cgal:flg-clbmi-15},
+volumes of Fu et al.\ \cgalCite{cgal:flg-clbmi-15},
 \f$\psi = \frac{1}{8}\left(\frac{\sigma_1}{\sigma_2} + \frac{\sigma_2}{\sigma_1}\right)
                      \left(\frac{\sigma_2}{\sigma_3} + \frac{\sigma_3}{\sigma_2}\right)
                      \left(\frac{\sigma_3}{\sigma_1} + \frac{\sigma_1}{\sigma_3}\right)

@@ -23,8 +23,8 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-The distortions \f$D = (D_{aa}, D_{ma}, D_{av}, D_{mv})\f$ of a map as in Jin et al.
-\cgalCite{cgal:jqzctz-smvp-15}, section 5: mean and maximum, over the cells, of the distortion of angles
+The distortions \f$D = (D_{aa}, D_{ma}, D_{av}, D_{mv})\f$ of a map as in
+Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5: mean and maximum, over the cells, of the distortion of angles
 \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ and of the distortion of volumes \f$\det J + 1/\det J\f$, where
 \f$\sigma_1 \ge \sigma_2 \ge \sigma_3\f$ are the singular values of the differential \f$J\f$ of the map in a cell. In
 the means, a cell counts by its volume in the source. The values have no unit; 2 is without distortion, and none is smaller.

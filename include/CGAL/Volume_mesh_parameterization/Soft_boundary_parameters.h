@@ -35,7 +35,7 @@ enum class Boundary_mode
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
-The parameters of the map with soft boundary, after section 4 of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}.
+The parameters of the map with soft boundary, after section 4 of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}.
 The mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$, where
 \f$P(u)\f$ collects the distances of the prescribed vertices to their targets and the residuals of further
 linear constraints. Lengths are measured on a copy of the problem in which the target has volume 1. (The
@@ -111,7 +111,7 @@ inline Soft_boundary_parameters approaching_soft_boundary_parameters()
 \ingroup PkgVolumeMeshParameterizationRef
 
 A linear equation \f$\sum_k c_k \cdot u_{v_k} = p\f$ between the images of vertices: a row of the
-positional constraints \f$P(u) = C u - p = 0\f$ of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (7).
+positional constraints \f$P(u) = C u - p = 0\f$ of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (7).
 
 For example, a vertex `v` stays on the plane through `q` with normal `n` by the term `{v, n}` and the
 value `n.dot(q)`, and the vertices `v` and `w` keep their distance in that direction by the terms

@@ -20,7 +20,7 @@ namespace CGAL::Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationEnergies
 
 The \f$L^2\f$ stretch energy \f$\psi = \sigma_1^{-2} + \sigma_2^{-2} + \sigma_3^{-2} = |J^{-1}|^2\f$
-of Jin et al. \cgalCite{cgal:jqzctz-smvp-15}, equation (4).
+of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (4).
 
 Minimum for prescribed volume: 3 at an isometry. It is homogeneous of degree -2: its minimizer does not depend on
 the scale of source and target. It tends to infinity when a cell becomes flat, so it needs no further barrier.

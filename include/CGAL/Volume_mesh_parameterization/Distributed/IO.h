@@ -165,7 +165,7 @@ namespace IO {
 /// \return `OK`, or `ERROR_INTERRUPTED` in all processes if the time is over or the visitor ends the reading in one of them;
 ///         `soup` is then unchanged.
 ///
-/// \exception Input_error names the file and the line that are wrong, in all processes; `soup` is then unchanged.
+/// \exception Input_error names the file and the line that are wrong, in all processes; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup,
                       const NamedParameters& np = parameters::default_values())
@@ -196,7 +196,7 @@ Error_code read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_
 ///
 /// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
 ///
-/// \exception Input_error names the file and what is wrong, in all processes; `targets` is then unchanged.
+/// \exception Input_error names the file and what is wrong, in all processes; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_boundary_targets(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
                                  std::vector<std::array<double, 3> >& targets,

@@ -73,7 +73,7 @@ namespace IO {
 /// \return `OK`, or `ERROR_INTERRUPTED` if the time is over or the visitor ends the reading; `soup` is then unchanged. A
 ///         stream that waits for its source is waited for; a file is not.
 ///
-/// \exception Input_error names the line of a text that is wrong, or what is wrong; `soup` is then unchanged.
+/// \exception Input_error names the line of a text that is wrong, or what is wrong; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
 {
@@ -91,7 +91,7 @@ Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup, const NamedPar
 ///
 /// \return the same; a pipe that has nothing to read is not waited for after the limit
 ///
-/// \exception Input_error names the file and the line that are wrong; `soup` is then unchanged.
+/// \exception Input_error names the file and the line that are wrong; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
                       const NamedParameters& np = parameters::default_values())

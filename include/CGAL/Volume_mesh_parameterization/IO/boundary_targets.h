@@ -107,7 +107,7 @@ namespace IO {
 ///
 /// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
 ///
-/// \exception Input_error names the line that is wrong; `targets` is then unchanged.
+/// \exception Input_error names the line that is wrong; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
                                  std::vector<std::array<double, 3> >& targets,
@@ -133,7 +133,7 @@ Error_code read_boundary_targets(std::istream& is, std::size_t number_of_vertice
 ///
 /// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
 ///
-/// \exception Input_error names the file and what is wrong; `targets` is then unchanged.
+/// \exception Input_error names the file and what is wrong; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_boundary_targets(const std::string& filename, const Tetrahedron_soup_3& source,
                                  std::vector<std::array<double, 3> >& targets,

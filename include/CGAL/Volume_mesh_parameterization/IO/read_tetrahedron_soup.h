@@ -40,7 +40,7 @@ namespace IO {
 ///
 /// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `soup` is then unchanged.
 ///
-/// \exception Input_error names the file and what is wrong; `soup` is then unchanged.
+/// \exception Input_error names the file and what is wrong; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 Error_code read_tetrahedron_soup(const std::string& filename, Tetrahedron_soup_3& soup,
                                  const NamedParameters& np = parameters::default_values())
