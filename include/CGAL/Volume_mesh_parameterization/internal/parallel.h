@@ -87,15 +87,31 @@ constexpr bool is_parallel()
   return result;
 }
 
+// A function of an index, by reference: the types of `std::function` would make an object file larger by a sixth.
+class Index_function
+{
+public:
+  template <typename Function>
+  explicit Index_function(const Function& f)
+    : m_function(&f), m_call([](const void* function, const std::size_t i) { (*static_cast<const Function*>(function))(i); })
+  {}
+
+  void operator()(const std::size_t i) const { m_call(m_function, i); }
+
+private:
+  const void* m_function;
+  void (*m_call)(const void*, std::size_t);
+};
+
 // Defined with the engine, so that only that needs TBB's headers.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, const std::function<void(std::size_t)>& f);
+void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, Index_function f);
 
 // Calls f(first), ..., f(last - 1), in parallel if asked for. The calls must be independent; callers
 // that sum keep one partial sum an index and add them in order, so results do not depend on threads.
 template <typename Function>
 void for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Function& f)
-{ call_for_each_index(is_parallel, first, last, std::cref(f)); }
+{ call_for_each_index(is_parallel, first, last, Index_function(f)); }
 
 // Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in the
 // same way.
@@ -134,8 +150,7 @@ auto values_of_indices(const bool is_parallel, const std::size_t n, const Functi
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last,
-                         const std::function<void(std::size_t)>& f)
+void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Index_function f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(is_parallel)
