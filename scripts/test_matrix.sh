@@ -18,7 +18,8 @@ Without a configuration, all of these:
   no_gmp       the core, with numbers of Boost in place of those of GMP
   arm64        the core, cross-compiled without GMP, and run by qemu
   windows      the core, cross-compiled by MinGW-w64 without GMP, and run by Wine
-  cgal_core    the core, with the headers in the folder given by --cgal, for instance those of an archive of CGAL 6
+  cgal_core    the core, by the compiler in \$CXX, with the headers in the folder given by --cgal, for instance those of an
+               archive of CGAL 6, and of a Boost beside it
 The core is header-only: a map of arrays, and the tests of the public function. It is without TBB, CHOLMOD, PETSc, CGAL's
 models and the program parameterize_mesh_file.
 FOLDER is build/matrix if not given, and PREFIX the environment variables CGAL_PREFIX and EIGEN_PREFIX; cgal, cgal_core and
@@ -75,14 +76,11 @@ build_headers()
 # those of the system are not: only the former are shown to a cross compiler.
 test_core() # NAME RUNNER COMPILER FLAGS...
 {
-  local build="$folder/$1" runner=$2 compiler=("${@:3}") prefix=/usr
+  local build="$folder/$1" runner=$2 compiler=("${@:3}")
   local test="$root/test/Volume_mesh_parameterization" examples="$root/examples/Volume_mesh_parameterization"
   mkdir -p "$build/libraries"
-  for library in boost eigen3 catch2; do
-    ln -sfn "/usr/include/$library" "$build/libraries/$library"
-  done
-  [ "$1" != cgal_core ] || prefix=$cgal
-  ln -sfn "$prefix/include/CGAL" "$build/libraries/CGAL"
+  ln -sfn /usr/include/{CGAL,boost,eigen3,catch2} "$build/libraries"
+  [ "$1" != cgal_core ] || ln -sfn "$cgal"/include/* "$build/libraries"
   compiler+=(-std=c++17 -O1 -DNDEBUG -DCGAL_EIGEN3_ENABLED -frounding-math -Wall -Wextra -I "$root/include" -I "$test"
     -isystem "$build/libraries" -isystem "$build/libraries/eigen3")
   local link=()
@@ -111,7 +109,7 @@ run()
     no_gmp) test_core "$1" "" g++ -DCGAL_DISABLE_GMP ;;
     arm64) test_core "$1" qemu-aarch64-static aarch64-linux-gnu-g++ -static -DCGAL_DISABLE_GMP ;;
     windows) WINEDEBUG=-all test_core "$1" /usr/lib/wine/wine64 x86_64-w64-mingw32-g++-posix -static -Wa,-mbig-obj -DCGAL_DISABLE_GMP ;;
-    cgal_core) test_core "$1" "" g++ ;;
+    cgal_core) test_core "$1" "" "${CXX:-g++}" ;;
     *) echo "there is no configuration '$1'"; return 1 ;;
   esac
 }

@@ -19,7 +19,6 @@ int main()
   for(const int v : { 0, 1, 2, 4, 6, 8, 10, 16, 17, 18, 20, 22, 24, 26 }) // the letter U, of cubes in two layers
     for(const auto& [a, b] : { std::array{ 1, 5 }, { 4, 20 }, { 16, 17 }, { 17, 1 }, { 5, 4 }, { 20, 16 } })
       cells.push_back({ v, v + a, v + b, v + 21 }); // around the diagonal of the cube
-
   const auto map_to = [&](const auto& boundary_parameterizer)
   {
     VMP::Error_code status = boundary_parameterizer.parameterize(points, cells, targets);
