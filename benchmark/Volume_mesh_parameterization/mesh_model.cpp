@@ -51,7 +51,8 @@ double diagonal(const CGAL::Bbox_3& box)
 }
 
 // Edges have about the given length. The sharp edges of the surface are kept if the kind is "sharp", and the boundary
-// is a manifold unless the kind is "any". There is no perturbation, which could undo that.
+// is a manifold unless the kind is "any". There is no perturbation, which could undo that, and no limit of time, with which
+// each run gives another mesh.
 C3t3 make_mesh(const Surface_mesh& surface, const double size, const std::string& kind)
 {
   if(kind != "smooth" && kind != "sharp" && kind != "any")
@@ -62,7 +63,7 @@ C3t3 make_mesh(const Surface_mesh& surface, const double size, const std::string
   const CGAL::Mesh_criteria_3<Tr> criteria(params::edge_size = size, params::facet_angle = 25,
                                            params::facet_size = size, params::facet_distance = size / 8,
                                            params::cell_radius_edge_ratio = 3, params::cell_size = size);
-  return CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(),
+  return CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::exude(params::time_limit = 0),
                                  (kind == "any") ? params::non_manifold() : params::manifold());
 }
 
