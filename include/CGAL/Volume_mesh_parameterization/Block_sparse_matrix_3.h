@@ -60,7 +60,7 @@ public:
   /// a block that cannot be changed
   using Const_block = Eigen::Map<const Eigen::Matrix<NT, 3, 3> >;
 
-  /// sets the sparsity pattern; all values become 0.
+  /// sets the sparsity pattern. The values are yet to be set, row by row.
   ///
   /// \param row_begin the position of the first block of each row, and the number of blocks: one entry more than
   ///        there are rows
@@ -69,8 +69,10 @@ public:
   {
     m_row_begin = std::move(row_begin);
     m_columns = std::move(columns);
+    // not written here, so that the threads which share the rows share the system's work of clearing pages, too;
     // one number more: a product reads its 3-vectors as 4-vectors
-    m_values.assign(9 * m_columns.size() + 1, NT(0));
+    m_values.resize(9 * m_columns.size() + 1);
+    m_values[m_values.size() - 1] = NT(0);
   }
 
   /// returns the number of rows of blocks, a third of the number of unknowns.
@@ -100,8 +102,8 @@ public:
     return static_cast<int>(std::lower_bound(begin + row_begin(row), begin + row_end(row), column) - begin);
   }
 
-  /// sets all values to 0.
-  void set_zero() { std::fill(m_values.begin(), m_values.end(), NT(0)); }
+  /// sets the values of a row to 0.
+  void set_zero(const int row) { std::fill(values(row_begin(row)), values(row_end(row)), NT(0)); }
 
   /// copies the upper triangle to that part of a row which is in the lower one, so that the matrix becomes symmetric.
   void complete_row(const int row)
@@ -135,7 +137,7 @@ public:
 private:
   std::vector<int> m_row_begin;
   std::vector<int> m_columns;
-  std::vector<NT> m_values;
+  Eigen::Array<NT, Eigen::Dynamic, 1> m_values;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -162,7 +162,8 @@ TEST_CASE("Scaling the diagonal changes the diagonal blocks only")
     expected.block<3, 3>(3 * v, 3 * v) *= 1.25;
   A.scale_diagonal(0.25);
   CHECK((dense(A) - expected).norm() == 0);
-  A.set_zero();
+  for(int row = 0; row < A.size(); ++row)
+    A.set_zero(row);
   CHECK(dense(A).norm() == 0);
 }
 

@@ -32,6 +32,8 @@ struct alignas(64) Cell_pack_3
 {
   using Indices = std::array<int, cells_per_pack>;
 
+  Cell_pack_3() {} // a pack is first written by the thread that fills it
+
   Packed_matrix_3 inverse_source;   // X^{-1}, times the factor that gives both meshes one volume
   Packed_number weight;
   std::array<Indices, 4> vertices;  // sorted by rows, which changes the orientation, but not J

@@ -130,9 +130,9 @@ private:
   template <typename Matrix>
   void sum_blocks(const Matrix& A, const int size, Block_sparse_matrix_3<double>& sums) const
   {
-    sums.set_zero();
     for_each_range(m_is_parallel, A.size(), size, [&](const std::size_t aggregate, const int first, const int last)
     {
+      sums.set_zero(static_cast<int>(aggregate));
       for(int row = first; row < last; ++row)
         for(int k = A.row_begin(row), position = sums.row_begin(static_cast<int>(aggregate)); k < A.row_end(row); ++k)
         {

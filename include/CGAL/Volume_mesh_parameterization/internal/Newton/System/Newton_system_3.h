@@ -58,13 +58,13 @@ void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, con
 {
   const auto add_derivatives = std::get<Cell_kernels_3::Add_derivatives<NT> >(cell_kernels_3().add_derivatives);
   gradient.setZero(3, hessian.size());
-  hessian.set_zero();
+  constexpr int rows_per_range = 1024;
+  for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range, [&](const int row) { hessian.set_zero(row); });
   for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
   {
     add_derivatives(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
                     gradient.data(), hessian.values(0));
   });
-  constexpr int rows_per_range = 1024;
   for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range,
                      [&](const int row) { hessian.complete_row(row); });
 }
