@@ -136,9 +136,10 @@ private:
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(s % 2 == 0 || separates(s))
         m_turning[chart(s)] += 4;
+    std::vector<std::size_t> charts;
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
     {
-      std::vector<std::size_t> charts;
+      charts.clear();
       for(const std::size_t s : sides)
         charts.push_back(chart(s));
       std::sort(charts.begin(), charts.end());

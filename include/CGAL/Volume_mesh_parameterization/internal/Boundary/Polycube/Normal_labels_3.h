@@ -155,10 +155,10 @@ private:
     for(const Face f : m_mesh.faces())
     {
       const auto around = CGAL::faces_around_face(m_mesh.halfedge(f), m_mesh);
-      if(m_budget.is_exhausted())
-        return false;
       if(std::all_of(around.begin(), around.end(), [&](const Face g) { return labels[g] == labels[f]; }))
         continue;
+      if(m_budget.is_exhausted())
+        return false;
       find_region(f, rings, center_of_face, region);
       const auto [label, gain] = best_label(region, f, center_of_face, smoothing, labels);
       if(gain <= least_gain)
