@@ -190,7 +190,7 @@ private:
     for(std::size_t i = 0; i < queries.size(); ++i)
       if(internal::is_finite_point(queries[i]))
         order.push_back(i);
-    internal::sort_in_space(order.begin(), order.end(), queries);
+    internal::sort_in_space<ConcurrencyTag>(order.begin(), order.end(), queries);
     std::vector<std::optional<Result> > results(queries.size());
     internal::for_each_index(internal::is_parallel<ConcurrencyTag>(), 0, order.size(), [&](const std::size_t k)
     { results[order[k]] = query(queries[order[k]]); });

@@ -7,6 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
@@ -34,6 +35,7 @@
 #include <numeric>
 #include <optional>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -893,6 +895,59 @@ TEST_CASE("Both solvers lead to the same minimum")
 }
 #endif
 
+#ifdef CGAL_LINKED_WITH_TBB
+TEST_CASE("Threads put items into the rows that one thread does, in order")
+{
+  constexpr std::size_t number_of_rows = 9001, number_of_items = 200003;
+  const auto for_each_row_of = [](const std::size_t i, const auto& f) // two rows at most, and none of the last one
+  {
+    f(i * i % (number_of_rows - 1));
+    if(i % 3 == 0)
+      f(i % 17);
+  };
+  std::vector<std::vector<std::size_t> > expected(number_of_rows);
+  for(std::size_t i = 0; i < number_of_items; ++i)
+    for_each_row_of(i, [&](const std::size_t row) { expected[row].push_back(i); });
+  for(const bool is_parallel : { false, true })
+  {
+    const VMP::internal::Compressed_rows<std::size_t> rows(number_of_rows, number_of_items, for_each_row_of, is_parallel);
+    for(std::size_t row = 0; row < number_of_rows; ++row)
+      REQUIRE(std::vector<std::size_t>(rows.items.data() + rows.begin[row], rows.items.data() + rows.begin[row + 1])
+              == expected[row]);
+  }
+}
+
+TEST_CASE("Threads find the facets, and the first of several mistakes, that one thread does")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(24);
+  const auto facets = VMP::internal::boundary_facets_3(mesh.cells);
+  CHECK(facets.size() == 2 * 6 * 24 * 24);
+  CHECK(VMP::internal::boundary_facets_3(mesh.cells, true) == facets);
+
+  VMP::Tetrahedron_soup_3 soup;
+  for(const std::array<int, 4>& cell : mesh.cells)
+    soup.cells.push_back({ std::size_t(cell[0]), std::size_t(cell[1]), std::size_t(cell[2]), std::size_t(cell[3]) });
+  soup.points.resize(mesh.number_of_vertices());
+  for(std::size_t c = 5; c < soup.cells.size(); c += 500) // they overlap their neighbors
+    std::swap(soup.cells[c][0], soup.cells[c][1]);
+  const auto mistake = [&](const bool is_parallel) -> std::string
+  {
+    try
+    {
+      VMP::internal::Facet_matching_3(soup, {}, is_parallel);
+    }
+    catch(const VMP::Input_error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(!mistake(false).empty());
+  for(int i = 0; i < 10; ++i)
+    CHECK(mistake(true) == mistake(false));
+}
+#endif
+
 TEST_CASE("The spatial order keeps free vertices in front and the mesh as it is")
 {
   const Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
@@ -900,6 +955,9 @@ TEST_CASE("The spatial order keeps free vertices in front and the mesh as it is"
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     is_prescribed.push_back(!mesh.is_free(v));
   const std::vector<std::size_t> order = VMP::internal::spatial_order_3(mesh.source, is_prescribed);
+#ifdef CGAL_LINKED_WITH_TBB
+  CHECK(VMP::internal::spatial_order_3(mesh.source, is_prescribed, true) == order);
+#endif
   std::vector<std::size_t> sorted = order;
   std::sort(sorted.begin(), sorted.end());
   REQUIRE(sorted.size() == is_prescribed.size());

@@ -97,18 +97,17 @@ public:
   // `numbers` of the cells are for messages; without them, they are those in the soup.
   explicit Facet_matching_3(const Tetrahedron_soup_3& soup, std::vector<std::size_t> numbers = {},
                             const bool is_parallel = false)
-    : m_soup(soup), m_numbers(std::move(numbers)), m_mirrors(4 * soup.cells.size(), none)
+    : m_soup(soup), m_numbers(std::move(numbers)), m_mirrors(4 * soup.cells.size()),
+      m_marked_facets(soup.facets.size(), none)
   {
-    const std::size_t n = m_mirrors.size();
-    for_each_group(n + soup.facets.size(), [&](const std::size_t side)
+    try
     {
-      if(side >= n)
-        return Side(sorted(soup.facets[side - n]), side);
-      const auto& [i, j, k] = facets_of_cell[side % 4];
-      const std::array<std::size_t, 4>& cell = soup.cells[side / 4];
-      return Side(sorted(std::array<std::size_t, 3>{ cell[i], cell[j], cell[k] }), side);
-    },
-    [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
+      match_facets(is_parallel);
+    }
+    catch(const Input_error&)
+    {
+      match_facets(false); // which throws the first of several mistakes, whatever threads have found
+    }
   }
 
   // the same facet seen from the other cell, or `none` on the boundary
@@ -118,24 +117,46 @@ public:
   std::vector<std::size_t> sides_on_boundary() const
   {
     std::vector<std::size_t> result;
-    for(std::size_t facet = 0; facet < m_mirrors.size(); ++facet)
+    for(std::size_t facet = 0; facet < 4 * m_soup.cells.size(); ++facet)
       if(m_mirrors[facet] == none)
         result.push_back(facet);
     return result;
   }
 
-  // the facets of cells that are marked by `soup.facets`, with their references
-  const std::vector<std::pair<std::size_t, int> >& marks() const { return m_marks; }
+  // the facets of cells that are marked by `soup.facets`, with their references, each once
+  std::vector<std::pair<std::size_t, int> > marks() const
+  {
+    std::vector<std::pair<std::size_t, int> > result;
+    for(std::size_t mark = 0; mark < m_marked_facets.size(); ++mark)
+      if(m_marked_facets[mark] != none)
+        result.emplace_back(m_marked_facets[mark], m_soup.facet_references[mark]);
+    return result;
+  }
 
 private:
   // The vertices of a facet of a cell, or of the marked facet `number - 4 * number_of_cells`, and its number.
   using Side = std::pair<std::array<std::size_t, 3>, std::size_t>;
 
+  void match_facets(const bool is_parallel)
+  {
+    const std::size_t n = 4 * m_soup.cells.size();
+    for_each_group(n + m_marked_facets.size(), [&](const std::size_t side)
+    {
+      if(side >= n)
+        return Side(sorted(m_soup.facets[side - n]), side);
+      const auto& [i, j, k] = facets_of_cell[side % 4];
+      const std::array<std::size_t, 4>& cell = m_soup.cells[side / 4];
+      return Side(sorted(std::array<std::size_t, 3>{ cell[i], cell[j], cell[k] }), side);
+    },
+    [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
+  }
+
   // Those of cells come before the marks.
   template <typename Iterator>
   void match_facet(const Iterator begin, const Iterator end)
   {
-    const auto first_mark = std::find_if(begin, end, [&](const Side& side) { return side.second >= m_mirrors.size(); });
+    const std::size_t n = 4 * m_soup.cells.size();
+    const auto first_mark = std::find_if(begin, end, [&](const Side& side) { return side.second >= n; });
     const auto number_of_cells = first_mark - begin;
     if(number_of_cells == 0)
       return;
@@ -143,10 +164,11 @@ private:
     if(number_of_cells > 2)
       throw Input_error("more than two cells share a facet, among them " + cell_name(facet) + ", "
                         + cell_name((begin + 1)->second) + " and " + cell_name((begin + 2)->second));
+    m_mirrors[facet] = none;
     if(number_of_cells == 2)
       join(facet, (begin + 1)->second);
     if(first_mark != end)
-      m_marks.emplace_back(facet, m_soup.facet_references[first_mark->second - m_mirrors.size()]);
+      m_marked_facets[first_mark->second - n] = facet;
   }
 
   void join(std::size_t f, std::size_t g)
@@ -171,8 +193,8 @@ private:
 
   const Tetrahedron_soup_3& m_soup;
   std::vector<std::size_t> m_numbers;
-  std::vector<std::size_t> m_mirrors;
-  std::vector<std::pair<std::size_t, int> > m_marks;
+  Eigen::Array<std::size_t, Eigen::Dynamic, 1> m_mirrors; // first written by threads, as the items of compressed rows
+  std::vector<std::size_t> m_marked_facets; // the facet of a cell, for each that `soup.facets` marks first
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -30,18 +30,18 @@ struct Numbered_body_3
                   const bool is_parallel = false)
     : vertices(soup.points.size(), -1)
   {
-    std::vector<std::array<int, 4> > cells;
-    cells.reserve(soup.cells.size());
     for(const std::array<std::size_t, 4>& cell : soup.cells)
-    {
       for(const std::size_t p : cell)
         if(vertices[p] == -1)
         {
           vertices[p] = static_cast<int>(points.size());
           points.push_back(p);
         }
-      cells.push_back({ vertices[cell[0]], vertices[cell[1]], vertices[cell[2]], vertices[cell[3]] });
-    }
+    const auto cells = values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c) -> std::array<int, 4>
+    {
+      const auto& [p, q, r, s] = soup.cells[c];
+      return { vertices[p], vertices[q], vertices[r], vertices[s] };
+    });
     std::vector<bool> is_prescribed;
     for(const std::size_t p : points)
       is_prescribed.push_back(is_point_prescribed[p]);

@@ -63,7 +63,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
                                            const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh)
 {
-  const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed);
+  const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed, mesh.is_parallel);
   mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
   mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers, mesh.is_parallel);
   mesh.source.resize(3, points.cols());

@@ -119,9 +119,11 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
     for(const std::array<int, 4>& cell : mesh.cells)
       for(int i = 1; i < 4; ++i)
         components.unite(cell[0], cell[i]);
+    const std::vector<double> volumes_of_cells = values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell)
+    { return edge_matrix(mesh.target, cell).determinant() / 6; });
     std::fill(volumes.begin(), volumes.end(), 0.);
-    for(const std::array<int, 4>& cell : mesh.cells)
-      volumes[components.find(cell[0])] += edge_matrix(mesh.target, cell).determinant() / 6;
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      volumes[components.find(mesh.cells[c][0])] += volumes_of_cells[c];
   }
   const double flat = 1e-12 * std::pow(target_diagonal(mesh), 3);
   for(const std::array<int, 4>& cell : mesh.cells)

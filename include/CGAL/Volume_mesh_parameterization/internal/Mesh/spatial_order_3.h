@@ -22,27 +22,35 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Sorts indices of points such that neighbors in space follow each other.
-template <typename Iterator>
+template <typename ConcurrencyTag, typename Iterator>
 void sort_in_space(const Iterator begin, const Iterator end, const std::vector<Exact_point_3>& points)
 {
   using Point_map = Pointer_property_map<Exact_point_3>::const_type;
   using Traits = Spatial_sort_traits_adapter_3<Exact_predicates_inexact_constructions_kernel, Point_map>;
-  hilbert_sort(begin, end, Traits(make_property_map(points)));
+  hilbert_sort<ConcurrencyTag>(begin, end, Traits(make_property_map(points)));
 }
 
 // An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones
 // only, the others keep their order.
-inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed)
+inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed,
+                                                const bool is_parallel = false)
 {
-  std::vector<Exact_point_3> points;
-  for(Eigen::Index v = 0; v < source.cols(); ++v)
-    points.push_back(exact_point(source.col(v)));
+  const std::vector<Exact_point_3> points
+    = values_of_indices(is_parallel, source.cols(), [&](const std::size_t v) { return exact_point(source.col(v)); });
 
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto end_of_free
     = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return !is_prescribed[v]; });
-  sort_in_space(order.begin(), end_of_free, points);
+#ifdef CGAL_LINKED_WITH_TBB
+  if(is_parallel)
+  {
+    sort_in_space<Parallel_tag>(order.begin(), end_of_free, points);
+    return order;
+  }
+#endif
+  static_cast<void>(is_parallel);
+  sort_in_space<Sequential_tag>(order.begin(), end_of_free, points);
   return order;
 }
 
@@ -60,13 +68,12 @@ inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::
                                                          const std::vector<int>& places,
                                                          std::vector<std::size_t>& user_numbers, const bool is_parallel)
 {
-  const std::vector<int> first_vertices = values_of_indices(is_parallel, cells.size(), [&](const std::size_t c)
+  const Compressed_rows<std::size_t> rows(places.size(), cells.size(), [&](const std::size_t c, const auto& f)
   {
     const auto& [i, j, k, l] = cells[c];
-    return (std::min)({ places[i], places[j], places[k], places[l] });
-  });
-  user_numbers = Compressed_rows<std::size_t>(places.size(), cells.size(), [&](const std::size_t c, const auto& f)
-                                              { f(first_vertices[c]); }).items;
+    f((std::min)({ places[i], places[j], places[k], places[l] }));
+  }, is_parallel);
+  user_numbers.assign(rows.items.data(), rows.items.data() + rows.items.size());
   return values_of_indices(is_parallel, cells.size(), [&](const std::size_t i)
   {
     std::array<int, 4> cell = cells[user_numbers[i]];

@@ -29,28 +29,26 @@ public:
                const Sparsity_pattern_3& pattern)
     : m_is_parallel(mesh.is_parallel)
   {
-    std::vector<std::pair<int, int> > cells, copies, others; // with their lowest row
-    const std::vector<int> lowest_rows = values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell)
+    const int n = unknowns.size(), number_of_own_cells = static_cast<int>(mesh.number_of_own_cells());
+    const auto row_of = [&](const int c) // own cells without an unknown vertex are behind the others, then come copies
     {
-      const auto& [u, v, w, x] = cell;
-      return (std::min)({ order(unknowns, u), order(unknowns, v), order(unknowns, w), order(unknowns, x) });
-    });
-    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      const auto& [u, v, w, x] = mesh.cells[c];
+      const int lowest = (std::min)({ order(unknowns, u), order(unknowns, v), order(unknowns, w), order(unknowns, x), n });
+      return c < number_of_own_cells ? lowest : n + 1 + lowest;
+    };
+    const Compressed_rows<int> cells(2 * std::size_t(n + 1), mesh.cells.size(),
+                                     [&](const int c, const auto& f) { f(row_of(c)); }, m_is_parallel);
+    const auto append_rows = [&](const std::size_t first, const std::size_t last, std::vector<int>& result)
     {
-      const bool is_own = c < mesh.number_of_own_cells();
-      if(lowest_rows[c] < unknowns.size())
-        (is_own ? cells : copies).emplace_back(lowest_rows[c], static_cast<int>(c));
-      else if(is_own)
-        others.emplace_back(lowest_rows[c], static_cast<int>(c));
-    }
-    std::sort(cells.begin(), cells.end());
-    std::sort(copies.begin(), copies.end());
-    append(cells, m_cells);
-    if(!copies.empty())
+      result.insert(result.end(), cells.items.data() + cells.begin[first], cells.items.data() + cells.begin[last]);
+      append_padding(cells_per_pack, result);
+    };
+    append_rows(0, n, m_cells);
+    if(cells.begin[n + 1] != cells.begin[2 * n + 1])
       append_padding(cells_per_pack * packs_per_chunk, m_cells);
     m_number_of_own_packs = m_cells.size() / cells_per_pack;
-    append(copies, m_cells);
-    append(others, m_other_cells);
+    append_rows(n + 1, 2 * n + 1, m_cells);
+    append_rows(n, n + 1, m_other_cells);
     m_packs = packed(m_cells, mesh, unknowns, pattern);
     m_others = packed(m_other_cells, mesh, unknowns, pattern);
     set_references(mesh, scaled);
@@ -130,14 +128,6 @@ private:
       result.push_back(padding(cell_of(result.back())));
   }
 
-  static void append(const std::vector<std::pair<int, int> >& cells, std::vector<int>& result)
-  {
-    result.reserve(result.size() + cells.size() + cells_per_pack);
-    for(const auto& [lowest, c] : cells)
-      result.push_back(c);
-    append_padding(cells_per_pack, result);
-  }
-
   static std::vector<Cell_pack_3> packed(const std::vector<int>& cells, const Numbered_mesh_3& mesh,
                                          const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
   {
@@ -197,10 +187,11 @@ private:
 
   void distribute_to_rounds(const int number_of_rows)
   {
+    std::vector<std::vector<int> > rows(number_of_chunks());
+    for_each_index(m_is_parallel, 0, rows.size(), [&](const std::size_t chunk) { rows[chunk] = rows_of_chunk(chunk); });
     std::vector<std::size_t> last_round(number_of_rows, 0); // in which the row was taken
     std::vector<std::size_t> waiting(number_of_chunks());
-    for(std::size_t i = 0; i < waiting.size(); ++i)
-      waiting[i] = i;
+    std::iota(waiting.begin(), waiting.end(), std::size_t(0));
 
     m_round_begin.push_back(0);
     for(std::size_t round = 1; !waiting.empty(); ++round)
@@ -208,29 +199,33 @@ private:
       std::vector<std::size_t> postponed;
       for(const std::size_t chunk : waiting)
       {
-        if(for_each_row(chunk, [&](const int row) { return last_round[row] != round; }))
-        {
-          for_each_row(chunk, [&](const int row) { last_round[row] = round; return true; });
-          m_chunks.push_back(chunk);
-        }
-        else
-          postponed.push_back(chunk);
+        const bool is_taken = std::all_of(rows[chunk].begin(), rows[chunk].end(),
+                                          [&](const int row) { return last_round[row] != round; });
+        for(const int row : rows[chunk])
+          if(is_taken)
+            last_round[row] = round;
+        (is_taken ? m_chunks : postponed).push_back(chunk);
       }
       m_round_begin.push_back(m_chunks.size());
       waiting.swap(postponed);
     }
   }
 
-  // Stops and returns false as soon as f does.
-  template <typename Function>
-  bool for_each_row(const std::size_t chunk, const Function& f) const
+  // Most repetitions are left out.
+  std::vector<int> rows_of_chunk(const std::size_t chunk) const
   {
+    std::array<int, 1024> seen;
+    seen.fill(-1);
+    std::vector<int> result;
     for(const Cell_pack_3* pack = chunk_begin(chunk); pack != chunk_end(chunk); ++pack)
       for(const Cell_pack_3::Indices& rows : pack->rows)
         for(const int row : rows)
-          if(row >= 0 && !f(row))
-            return false;
-    return true;
+          if(row >= 0 && seen[row % seen.size()] != row)
+          {
+            seen[row % seen.size()] = row;
+            result.push_back(row);
+          }
+    return result;
   }
 
   bool m_is_parallel;

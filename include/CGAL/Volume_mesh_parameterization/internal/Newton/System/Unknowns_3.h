@@ -132,7 +132,7 @@ inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const 
     };
     item < number_of_cells ? for_each(mesh.cells[item]) : for_each(groups[item - number_of_cells]);
   };
-  const Compressed_rows<int> at(n, number_of_cells + static_cast<int>(groups.size()), for_each_row_of);
+  const Compressed_rows<int> at(n, number_of_cells + static_cast<int>(groups.size()), for_each_row_of, mesh.is_parallel);
   Sparsity_pattern_3 result;
   result.row_begin.assign(n + 1, 0);
   std::vector<std::vector<int> > parts((n + rows_per_part - 1) / rows_per_part);
