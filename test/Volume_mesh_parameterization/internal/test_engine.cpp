@@ -605,7 +605,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   start.col(0) = Vector3d(1.5, 0.5, 0.5);
   {
     Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-    Untangling_search_3 search(system, start, progress, found);
+    Untangling_search_3 search(system, judged(mesh, start), progress, found);
     search.untangle(attempt, start);
     REQUIRE(search.goes_on());
     attempt.few_cells = found.map.number_of_inverted_cells;
@@ -619,7 +619,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   REQUIRE(number_of_inverted_cells(mesh, start) > 0);
   Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   attempt.few_cells = mesh.cells.size();
-  CHECK(!Untangling_search_3(system, start, progress, found).is_in_vain(attempt));
+  CHECK(!Untangling_search_3(system, judged(mesh, start), progress, found).is_in_vain(attempt));
 }
 
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")
@@ -724,7 +724,7 @@ TEST_CASE("Untangling with regular cells does not depend on slivers of the sourc
   {
     Solver<> solver;
     fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
-    problem.system.set_references(regular_cells_scaled_to_target(mesh));
+    problem.system.set_references(true);
     VMP::internal::Progress_3 progress = patient_progress();
     const VMP::internal::Newton_result_3 result = untangle_cells_3(problem.system, mesh.target, 0.5, progress);
     CHECK(result.status == VMP::OK);
@@ -745,11 +745,11 @@ TEST_CASE("The reference cells of a system can be exchanged")
   const VMP::internal::Scaled_cells_3 source = cells_scaled_to_target(mesh), regular = regular_cells_scaled_to_target(mesh);
   CHECK(source.unit == regular.unit);
   VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver);
-  exchanged.set_references(regular);
+  exchanged.set_references(true);
   const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver);
   const Matrix3Xd u = source.unit * mesh.source;
   CHECK(exchanged.evaluate(energy, u).energy == system.evaluate(energy, u).energy);
-  exchanged.set_references(source);
+  exchanged.set_references(false);
   CHECK(exchanged.evaluate(energy, u).energy != system.evaluate(energy, u).energy);
   // all edges of a regular cell are equally long, and all cells together fill the target
   const Eigen::Matrix3d edges = regular.inverse_sources[0].inverse();

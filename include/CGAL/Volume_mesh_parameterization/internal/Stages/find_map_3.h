@@ -51,18 +51,18 @@ inline void untangle_from_3(Newton_system_3& system, const Eigen::Matrix3Xd& ini
   Eigen::Matrix3Xd displacements = snapped(mesh, initial) - initial;
   const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + displacements); };
   Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
-  const Eigen::Matrix3Xd start = image();
-  found.number_of_inverted_cells_at_start = inverted_cells(mesh, start).number;
-  if(direction.is_usable() && found.number_of_inverted_cells_at_start > 0 && !progress.is_interrupted())
+  const Map_3 start = judged(mesh, image());
+  found.number_of_inverted_cells_at_start = start.number_of_inverted_cells;
+  if(direction.is_usable() && !start.is_valid() && !progress.is_interrupted())
   {
-    system.set_references(regular_cells_scaled_to_target(mesh));
+    system.set_references(true);
     direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   }
   progress.reach_flip_free();
   if(direction.is_usable())
     untangle_3(system, start, image(), may_split, progress, found);
   else
-    found.take(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction), judged(mesh, start));
+    found.take(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction), start);
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.

@@ -115,8 +115,13 @@ public:
   bool has_penalty() const { return m_penalty != nullptr; }
   double unit() const { return m_unit; } // by which positions are multiplied
 
-  // Takes these reference cells, with the same unit, from now on.
-  void set_references(const Scaled_cells_3& scaled) { m_packs.set_references(m_mesh, scaled); }
+  // Takes regular cells as reference from now on, or those of the source again, with the same unit.
+  void set_references(const bool are_regular)
+  {
+    if(are_regular != m_has_regular_references)
+      m_packs.set_references(m_mesh, are_regular ? regular_cells_scaled_to_target(m_mesh) : cells_scaled_to_target(m_mesh));
+    m_has_regular_references = are_regular;
+  }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
@@ -241,6 +246,7 @@ private:
   Unknowns_3 m_unknowns;
   const Quadratic_penalty_3* m_penalty;
   double m_unit;
+  bool m_has_regular_references = false;
   Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;
   std::unique_ptr<Linear_system_3> m_system;

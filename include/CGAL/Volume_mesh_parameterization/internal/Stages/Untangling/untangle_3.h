@@ -22,10 +22,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangling_search_3
 {
 public:
-  Untangling_search_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& best)
+  Untangling_search_3(Newton_system_3& system, const Map_3& start, Progress_3& progress, Found_map_3& best)
     : m_mesh(system.mesh()), m_system(system), m_progress(progress), m_best(best)
   {
-    m_best.take(ERROR_NOT_FLIP_FREE, "", judged(m_mesh, start));
+    m_best.take(ERROR_NOT_FLIP_FREE, "", start);
     m_best.untangling_method = "";
   }
 
@@ -43,7 +43,7 @@ public:
   {
     if(goes_on() && m_best.map.is_valid())
       m_best.status = OK;
-    m_system.set_references(cells_scaled_to_target(m_mesh));
+    m_system.set_references(false);
     if(m_best.status == OK && m_progress.number_of_steps() > 0)
       m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
                                                        m_progress.budget()));
@@ -110,7 +110,7 @@ private:
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
 // from the same start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are
 // left, so edges at these are rather split, if they may be.
-inline void untangle_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, const Eigen::Matrix3Xd& regular_start,
+inline void untangle_3(Newton_system_3& system, const Map_3& start, const Eigen::Matrix3Xd& regular_start,
                        const bool may_split, Progress_3& progress, Found_map_3& found)
 {
   constexpr std::size_t few_to_split = 10;
@@ -121,7 +121,7 @@ inline void untangle_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, c
     if(may_split && !attempt.has_regular_cells && found.map.number_of_inverted_cells <= few_to_split)
       break;
     if(search.goes_on())
-      search.untangle(attempt, start);
+      search.untangle(attempt, start.positions);
     if(search.is_in_vain(attempt))
       break;
   }
@@ -131,7 +131,7 @@ inline void untangle_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, c
 // Goes on from images that an earlier search has left with few inverted cells, or none.
 inline void untangle_on_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
-  Untangling_search_3 search(system, start, progress, found);
+  Untangling_search_3 search(system, judged(system.mesh(), start), progress, found);
   search.untangle_patches(start, "patches");
   if(search.goes_on())
     search.untangle(untangling_attempts[0], found.map.positions);

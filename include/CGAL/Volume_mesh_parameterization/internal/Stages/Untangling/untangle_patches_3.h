@@ -59,8 +59,7 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
 inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
                                      Eigen::Matrix3Xd positions, Progress_3& progress)
 {
-  system.set_references(attempt.has_regular_cells ? regular_cells_scaled_to_target(system.mesh())
-                                                  : cells_scaled_to_target(system.mesh()));
+  system.set_references(attempt.has_regular_cells);
   if(attempt.is_harmonic)
     harmonic_map_3(system, positions, progress);
   Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress, attempt.few_cells,
@@ -75,7 +74,7 @@ inline Eigen::Matrix3Xd relaxed_3(Newton_system_3& system, const Eigen::Matrix3X
   constexpr std::size_t number_of_steps = 10;
   const Untangling_energy_3 barrier(0, 0.01);
   Progress_3 steps(budget, number_of_steps);
-  system.set_references(cells_scaled_to_target(system.mesh()));
+  system.set_references(false);
   return snapped(system.mesh(),
                  minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(barrier), positions, steps).positions);
 }
@@ -121,10 +120,13 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
   constexpr int maximal_number_of_rings = 2;
   const auto is_inverted = [](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return !is_positive(positions, cell); };
+  progress.end_start();
+  std::size_t number = inverted_cells(mesh, start).number;
+  if(number == 0)
+    return { start, 0, OK };
   // of what becomes inverted, too
   const Neighborhood_3 neighborhood(mesh, start, is_inverted, maximal_number_of_rings + 1);
   Eigen::Matrix3Xd positions = neighborhood.positions();
-  std::size_t number = inverted_cells(mesh, start).number;
   const auto untangle = [&](const Patch_3& patch)
   {
     Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
@@ -138,7 +140,6 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
     if(after < before)
       p.write(positions);
   };
-  progress.end_start();
   for(int rings = 1; rings <= maximal_number_of_rings && number > 0; ++rings)
   {
     const std::vector<Patch_3> patches = patches_3(neighborhood.mesh(), positions, is_inverted, rings);
