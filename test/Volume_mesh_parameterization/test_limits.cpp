@@ -108,6 +108,44 @@ TEST_CASE("A map with soft boundary")
   });
 }
 
+namespace {
+
+// Counts its factorizations, and knows how many questions the visitor was asked before the first one.
+struct Watched_solver : VMP::Conjugate_gradient_solver_traits_3<>
+{
+  const Impatient_visitor& visitor;
+  std::size_t number_of_factorizations = 0, number_of_questions_before = 0;
+
+  explicit Watched_solver(const Impatient_visitor& v) : visitor(v) {}
+
+  VMP::Linear_solver_status factorize(const Matrix& A)
+  {
+    if(number_of_factorizations++ == 0)
+      number_of_questions_before = visitor.number_of_questions;
+    return VMP::Conjugate_gradient_solver_traits_3<>::factorize(A);
+  }
+};
+
+} // namespace
+
+TEST_CASE("The visitor is asked while a map is prepared, and what it has ended is not begun")
+{
+  Impatient_visitor patient = { (std::numeric_limits<std::size_t>::max)() };
+  Watched_solver solver(patient);
+  REQUIRE_FALSE(is_map_interrupted(VMP::Ball_boundary_parameterizer_3(),
+                                   params::visitor(std::ref(patient)).solver_traits(std::ref(solver))));
+  REQUIRE(solver.number_of_questions_before > 2);
+  for(std::size_t n = 1; n <= solver.number_of_questions_before; ++n)
+  {
+    CAPTURE(n);
+    Impatient_visitor visitor = { n };
+    Watched_solver unused(visitor);
+    CHECK(is_map_interrupted(VMP::Ball_boundary_parameterizer_3(),
+                             params::visitor(std::ref(visitor)).solver_traits(std::ref(unused))));
+    CHECK(unused.number_of_factorizations == 0);
+  }
+}
+
 TEST_CASE("Maps of boundaries")
 {
   const auto check = [](const auto& parameterizer)

@@ -38,7 +38,7 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
   const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights,
                                          problem.is_parallel);
   const Numbered_mesh_3& mesh = distributed.mesh();
-  const Input_check_3 check = check_input_3(mesh);
+  const Input_check_3 check = check_input_3(mesh, problem.progress.budget());
   problem.progress.end_numbering();
   Parameterization_result result;
   if(check.allows_fixed_boundary())

@@ -39,13 +39,13 @@ struct Checked_body_3
   Numbered_body_3 numbered;
   Input_check_3 check;
 
-  Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem)
+  Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem, const Budget& budget)
     : numbered(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
                problem.use_volume_weights, problem.is_parallel)
   {
     if(!prescription.initial.empty())
       numbered.mesh.initial = numbered.columns(prescription.initial);
-    check = check_input_3(numbered.mesh);
+    check = check_input_3(numbered.mesh, budget);
     problem.progress.end_numbering();
   }
 
@@ -106,7 +106,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
                                             const Map_problem_3& problem, std::vector<std::array<double, 3> >& images)
 {
-  const Checked_body_3 checked(body, prescription, problem);
+  const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
   Approach_start_3 approach;
   approach.patience = 2; // where nothing can be refined, larger weights get a chance
   std::optional<Found_map_3> found;
@@ -129,7 +129,8 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   for(bool is_first = true; ; is_first = false)
   {
     prescription.extend_to(body.soup.points.size());
-    const Checked_body_3 checked(body, prescription, problem);
+    // later, there may be a map to be returned
+    const Checked_body_3 checked(body, prescription, problem, is_first ? budget : Budget());
     const auto take = [&](const std::vector<Insertion_3>& made)
     { insertions.insert(insertions.end(), made.begin(), made.end()); };
     if(is_first && checked.check.allows_soft_boundary() && checked.check.is_refinable)

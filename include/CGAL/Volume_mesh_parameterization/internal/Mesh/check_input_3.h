@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
@@ -38,7 +39,8 @@ template <typename... Parts>
 Input_check_3 failed_check(const Error_code status, const Parts&... parts) { return { status, sentence(parts...), true }; }
 
 // Can there be a map? Names the first reason against it.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh);
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget = Budget());
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
@@ -185,7 +187,7 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
                       mesh.user_number(*inverted.first), ".");
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget)
 {
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
@@ -196,6 +198,8 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbe
     const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);
     if(code != OK)
       return { static_cast<Error_code>(code), message, result.is_refinable };
+    if(!mesh.communicator->all(!budget.is_exhausted()))
+      return failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED));
   }
   return {};
 }

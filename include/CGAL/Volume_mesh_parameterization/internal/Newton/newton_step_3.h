@@ -171,7 +171,7 @@ inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phas
 // Moves the unknown vertices to the minimum of the Dirichlet energy. As it is quadratic, one exact Newton step suffices;
 // that of a solver which is not exact leaves about the squared tolerance of its gain. Then further steps with the same
 // matrix follow, until no more than a part of the energy is left to gain, or the budget is exhausted. Returns the last
-// direction.
+// direction, which is not usable if there was none.
 inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& positions, Progress_3& progress,
                                          const double energy_tolerance = 1e-14)
 {
@@ -180,6 +180,8 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;
   Eigen::Matrix3Xd u = system.unit() * positions;
+  if(progress.is_interrupted())
+    return {};
   Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance, progress.budget());
   for(int i = 1; direction.is_usable(); ++i)
   {

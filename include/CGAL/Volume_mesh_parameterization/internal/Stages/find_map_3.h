@@ -61,6 +61,8 @@ inline void untangle_from_3(Newton_system_3& system, const Eigen::Matrix3Xd& ini
   progress.reach_flip_free();
   if(direction.is_usable())
     untangle_3(system, start, image(), may_split, progress, found);
+  else if(progress.is_interrupted())
+    found.take(ERROR_INTERRUPTED, "", start);
   else
     found.take(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction), start);
 }
