@@ -22,9 +22,9 @@ namespace CGAL::Volume_mesh_parameterization {
 
 Conjugate gradients, preconditioned by the inverses of the 3x3 diagonal blocks, for large matrices by those of aggregates
 of rows, too, and truncated where the matrix shows negative curvature \cgalCite{cgal:s-cgmtr-83}. Memory: five vectors and
-the diagonal blocks, and a tenth of the matrix for aggregates. One iteration costs one product with the matrix, in time
-linear in the number of cells; the number of iterations grows with the distortion of the map, and slowly with the number of
-cells along a diameter of the mesh.
+the diagonal blocks, and a twentieth of the matrix for aggregates. One iteration costs one product with the matrix, and for
+large matrices a tenth more, in time linear in the number of cells; the number of iterations grows with the distortion of
+the map, and slowly with the number of cells along a diameter of the mesh.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; results do not depend on it, nor
         on the number of threads

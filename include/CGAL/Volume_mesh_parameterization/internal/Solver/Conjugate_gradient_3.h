@@ -89,6 +89,8 @@ public:
     x = m_solution.template cast<double>();
     if(!std::isfinite(rz))
       return Linear_solver_status::FAILED;
+    if(rz < 0 && status == Linear_solver_status::SUCCESS) // the preconditioner has met negative curvature
+      return Linear_solver_status::TRUNCATED;
     return status == Linear_solver_status::SUCCESS && rz > target ? Linear_solver_status::ITERATION_LIMIT : status;
   }
 
