@@ -21,8 +21,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Sets of the indices from 0 to n - 1, united by size. Those of CGAL take several times as long, as they have a node of a
-// list for each index; those of Boost do not compile after some headers of Boost's graphs.
+// Sets of the indices from 0 to n - 1, united by size. Those of CGAL have a node of a list for each index, and those of Boost
+// do not compile after some headers of Boost's graphs.
 class Disjoint_sets
 {
 public:
