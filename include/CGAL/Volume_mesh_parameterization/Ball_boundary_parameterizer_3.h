@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
@@ -87,12 +86,9 @@ public:
   }
 
 private:
-  // templates, like what they call
-  template <typename Surface>
-  Error_code map(const Surface& surface, std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
-  { return map(surface, internal::Landmarks_3(), images, budget); }
+  using Given = internal::Landmarks_3;
 
-  template <typename Surface>
+  template <typename Surface> // as what it calls
   Error_code map(const Surface& surface, const internal::Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
                  const internal::Budget& budget) const
   { return internal::map_to_sphere_3(surface, landmarks, images, budget); }

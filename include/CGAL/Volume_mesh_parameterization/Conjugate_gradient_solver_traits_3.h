@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Solver/Conjugate_gradient_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {

@@ -12,12 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -101,20 +97,20 @@ public:
   { return this->parameterize_arrays(internal::body_of(points, cells), targets, np, corners); }
 
 private:
-  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
-                 const internal::Budget& budget) const
-  { return internal::map_to_box_3(surface, m_half_lengths, std::nullopt, images, budget); }
+  using Given = std::optional<std::array<std::size_t, 8> >; // corners
 
-  Error_code map(const internal::Numbered_surface_3& surface, const std::array<std::size_t, 8>& corners,
-                 std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
+  Error_code map(const internal::Numbered_surface_3& surface, const Given& corners, std::vector<Eigen::Vector3d>& images,
+                 const internal::Budget& budget) const
   {
-    std::array<int, 8> indices;
-    for(std::size_t k = 0; k < 8; ++k)
+    std::optional<std::array<int, 8> > indices;
+    if(corners)
+      indices.emplace();
+    for(std::size_t k = 0; corners && k < 8; ++k)
     {
-      const auto found = std::find(surface.vertices.begin(), surface.vertices.end(), corners[k]);
-      if(found == surface.vertices.end() || std::count(corners.begin(), corners.end(), *found) > 1)
+      const auto found = std::find(surface.vertices.begin(), surface.vertices.end(), (*corners)[k]);
+      if(found == surface.vertices.end() || std::count(corners->begin(), corners->end(), *found) > 1)
         return ERROR_INVALID_CORNERS;
-      indices[k] = static_cast<int>(found - surface.vertices.begin());
+      (*indices)[k] = static_cast<int>(found - surface.vertices.begin());
     }
     return internal::map_to_box_3(surface, m_half_lengths, indices, images, budget);
   }

@@ -12,12 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -76,9 +72,7 @@ public:
   ///
   /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   explicit Polycube_boundary_parameterizer_3(const double spacing = 0) : m_spacing(spacing)
-  {
-    internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is not negative.");
-  }
+  { internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is not negative."); }
 
   using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
 
@@ -125,11 +119,7 @@ public:
   }
 
 private:
-  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
-                 const internal::Budget& budget) const
-  {
-    return internal::map_to_polycube_3(surface, {}, m_spacing, images, budget);
-  }
+  using Given = std::vector<std::size_t>; // labels
 
   Error_code map(const internal::Numbered_surface_3& surface, const std::vector<std::size_t>& label_of_facet,
                  std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const

@@ -12,14 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
-
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/properties.h>
 
 #include <map>
 #include <set>
@@ -63,8 +57,9 @@ public:
 private:
   using Coordinates = std::array<double, 3>;
   using Face = std::array<std::size_t, 3>; // with the smallest index first
+  struct Given {};
 
-  Error_code map(const internal::Numbered_surface_3& surface, std::vector<Eigen::Vector3d>& images,
+  Error_code map(const internal::Numbered_surface_3& surface, Given, std::vector<Eigen::Vector3d>& images,
                  const internal::Budget& budget) const
   {
     internal::Boundary_mesh_3 mesh;

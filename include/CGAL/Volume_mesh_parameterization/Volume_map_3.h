@@ -14,9 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #include <Eigen/Dense>
@@ -136,29 +133,21 @@ public:
   /// returns what `image()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > images(const PointRange& points) const
-  {
-    return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& p) { return image(p); });
-  }
+  { return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& p) { return image(p); }); }
 
   /// returns what `preimage()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > preimages(const PointRange& points) const
-  {
-    return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& q) { return preimage(q); });
-  }
+  { return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& q) { return preimage(q); }); }
 
   /// returns what `differential()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Eigen::Matrix3d> > differentials(const PointRange& points) const
-  {
-    return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points, [this](const Point_3& p) { return differential(p); });
-  }
+  { return for_each_point<ConcurrencyTag, Eigen::Matrix3d>(points, [this](const Point_3& p) { return differential(p); }); }
   /// @}
 
 private:
-  explicit Volume_map_3(const internal::Mapped_soup_3& map)
-    : m_source(map.points, map.cells), m_target(map.images, map.cells)
-  {}
+  explicit Volume_map_3(const internal::Mapped_soup_3& map) : m_source(map.points, map.cells), m_target(map.images, map.cells) {}
 
   static std::optional<Location> carried(const std::optional<internal::Place_3>& place,
                                          const internal::Cell_locator_3& other)

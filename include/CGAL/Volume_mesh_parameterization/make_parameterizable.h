@@ -12,12 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Inserted_vertex_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/iterator.h>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
@@ -25,6 +22,23 @@
 #endif
 
 namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+A vertex that refinement has inserted into a complex, with the vertices of the edge, facet or cell
+it was inserted into. Up to rounding it lies at their centroid, so that the mean of values at these vertices
+is the value of the linear interpolation at the new one.
+
+\tparam VertexHandle `C3t3::Vertex_handle`
+*/
+template <typename VertexHandle>
+struct Inserted_vertex_3
+{
+  VertexHandle vertex;               ///< the new vertex
+  std::vector<VertexHandle> simplex; ///< the two, three or four vertices of the edge, facet or cell
+};
+
 namespace internal {
 
 template <typename Vertex, typename NamedParameters, typename VertexOfPoint>

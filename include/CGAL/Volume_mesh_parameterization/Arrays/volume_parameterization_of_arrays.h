@@ -12,11 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

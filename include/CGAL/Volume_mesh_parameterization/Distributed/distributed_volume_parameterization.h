@@ -12,14 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <iostream>
 

@@ -12,14 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {

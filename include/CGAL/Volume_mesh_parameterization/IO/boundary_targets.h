@@ -12,11 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <filesystem>
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/mistakes.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Real_timer.h>
 
 #include <functional>

@@ -34,14 +34,11 @@ template <typename T>
 struct Is_complex<T, std::void_t<typename T::Triangulation, typename T::Subdomain_index> > : std::true_type {};
 
 // A property map with these keys; one whose key type is void takes any.
-template <typename Map, typename Key, typename = void>
-struct Is_map_of : std::false_type {};
+template <typename Map>
+using Key_of = typename boost::property_traits<Map>::key_type;
 
-template <typename Map, typename Key>
-struct Is_map_of<Map, Key, std::void_t<typename boost::property_traits<Map>::key_type> >
-  : std::disjunction<std::is_convertible<Key, typename boost::property_traits<Map>::key_type>,
-                     std::is_void<typename boost::property_traits<Map>::key_type> >
-{};
+template <typename Map, typename Key, typename Key_of_map = boost::detected_t<Key_of, Map> >
+using Is_map_of = std::disjunction<std::is_convertible<Key, Key_of_map>, std::is_void<Key_of_map> >;
 
 template <typename Map>
 using Value_of = typename boost::property_traits<Map>::value_type;

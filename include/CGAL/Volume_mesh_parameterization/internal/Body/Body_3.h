@@ -22,7 +22,6 @@
 #  include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 #endif
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
 
 #include <boost/container/static_vector.hpp>

@@ -45,9 +45,7 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
     return ERROR_NON_MANIFOLD_BOUNDARY;
 
   const auto index = [](const std::size_t v)
-  {
-    return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v));
-  };
+  { return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v)); };
   for(const Eigen::Vector3d& p : surface.points)
     mesh.add_vertex(Boundary_point_3(p[0], p[1], p[2]));
   for(const std::array<std::size_t, 3>& facet : surface.facets)
@@ -56,9 +54,7 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
 }
 
 inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
-{
-  return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-}
+{ return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()); }
 
 inline Eigen::AlignedBox3d bounding_box(const Boundary_mesh_3& mesh)
 {
@@ -74,9 +70,7 @@ inline std::vector<Eigen::Vector3d> unit_points(const Boundary_mesh_3& mesh)
   const Eigen::AlignedBox3d box = bounding_box(mesh);
   std::vector<Eigen::Vector3d> points;
   for(const auto v : mesh.vertices())
-    points.push_back(eigen_point(mesh, v));
-  for(Eigen::Vector3d& point : points)
-    point = (point - box.center()) / box.sizes().maxCoeff();
+    points.push_back((eigen_point(mesh, v) - box.center()) / box.sizes().maxCoeff());
   return points;
 }
 

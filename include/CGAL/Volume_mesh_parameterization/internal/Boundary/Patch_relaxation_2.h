@@ -86,11 +86,7 @@ private:
     double area;
   };
 
-  struct State
-  {
-    double energy;
-    double smallest_determinant;
-  };
+  struct State { double energy, smallest_determinant; };
 
   void add_triangle(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Halfedge_index h, std::vector<int>& number)
   {
@@ -206,8 +202,7 @@ private:
     return before;
   }
 
-  void add_derivatives(const Triangle& t, Eigen::VectorXd& gradient,
-                       std::vector<Eigen::Triplet<double> >& entries) const
+  void add_derivatives(const Triangle& t, Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double> >& entries) const
   {
     const Eigen::Matrix2d J = edges(t, m_images) * t.to_rest;
     const Eigen::Vector4d j(J(0, 0), J(1, 0), J(0, 1), J(1, 1)), cofactors(J(1, 1), -J(0, 1), -J(1, 0), J(0, 0));
@@ -223,9 +218,7 @@ private:
     // orthogonal to them in both planes of similarities, all that the Hessian couples is p with q.
     const Eigen::Vector2d p = (j + cofactors).head<2>() / 2, q = (j - cofactors).head<2>() / 2;
     const auto unit = [](const Eigen::Vector2d& x) -> Eigen::Vector2d
-    {
-      return x.isZero(0) ? Eigen::Vector2d(Eigen::Vector2d::UnitX()) : x.normalized();
-    };
+    { return x.isZero(0) ? Eigen::Vector2d(Eigen::Vector2d::UnitX()) : x.normalized(); };
     const Eigen::Vector2d a = unit(p), b = unit(q);
     Eigen::Matrix4d basis;
     basis <<  a[0],  b[0], -a[1], -b[1],
@@ -242,16 +235,14 @@ private:
     basis.leftCols<2>() *= eigen.eigenvectors();
     Eigen::Vector4d eigenvalues;
     eigenvalues << eigen.eigenvalues(), 2 * inverse + first, 2 * inverse - first;
-    const Eigen::Matrix4d H
-      = basis * eigenvalues.cwiseMax(1e-6 * inverse).asDiagonal() * basis.transpose();
+    const Eigen::Matrix4d H = basis * eigenvalues.cwiseMax(1e-6 * inverse).asDiagonal() * basis.transpose();
 
     Eigen::Matrix<double, 4, 6> derivative = Eigen::Matrix<double, 4, 6>::Zero(); // of j by the images
     for(int k = 0; k < 2; ++k)
       for(int i = 0; i < 3; ++i)
         derivative.block<2, 2>(2 * k, 2 * i).diagonal().setConstant(
           (i == 0) ? -t.to_rest.col(k).sum() : t.to_rest(i - 1, k));
-    const Eigen::Matrix<double, 6, 1> g
-      = t.area * derivative.transpose() * (2 * inverse * j + first * cofactors);
+    const Eigen::Matrix<double, 6, 1> g = t.area * derivative.transpose() * (2 * inverse * j + first * cofactors);
     const Eigen::Matrix<double, 6, 6> h = t.area * derivative.transpose() * H * derivative;
     for(int i = 0; i < 6; ++i)
     {

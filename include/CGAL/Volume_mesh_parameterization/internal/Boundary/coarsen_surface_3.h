@@ -21,6 +21,10 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Is it among them?
+inline bool contains(const std::vector<int>& vertices, const int v)
+{ return std::find(vertices.begin(), vertices.end(), v) != vertices.end(); }
+
 // A vertex that was collapsed onto the first vertex of its ring.
 struct Removed_vertex
 {
@@ -32,15 +36,13 @@ struct Removed_vertex
 class Vertex_rings_3
 {
 public:
-  explicit Vertex_rings_3(const Boundary_mesh_3& mesh)
-    : m_rings(mesh.number_of_vertices())
+  explicit Vertex_rings_3(const Boundary_mesh_3& mesh) : m_rings(mesh.number_of_vertices())
   {
     for(const auto v : mesh.vertices())
     {
-      std::vector<int>& ring = m_rings[v];
-      for(const auto w : CGAL::vertices_around_target(v, mesh)) // clockwise
-        ring.push_back(static_cast<int>(w));
-      std::reverse(ring.begin(), ring.end());
+      const auto clockwise = CGAL::vertices_around_target(v, mesh);
+      m_rings[v].assign(clockwise.begin(), clockwise.end());
+      std::reverse(m_rings[v].begin(), m_rings[v].end());
     }
   }
 
@@ -52,10 +54,7 @@ public:
   // May v be collapsed onto its neighbour u, with the surface remaining a manifold? (Link condition.)
   bool is_collapsible(const int v, const int u) const
   {
-    return std::count_if(m_rings[v].begin(), m_rings[v].end(), [&](const int w)
-    {
-      return std::find(m_rings[u].begin(), m_rings[u].end(), w) != m_rings[u].end();
-    }) == 2;
+    return std::count_if(m_rings[v].begin(), m_rings[v].end(), [&](const int w) { return contains(m_rings[u], w); }) == 2;
   }
 
   Removed_vertex collapse(const int v, const int u)
@@ -93,9 +92,7 @@ public:
 
 private:
   std::vector<int>::iterator begin_at(const int v, const int neighbour)
-  {
-    return std::find(m_rings[v].begin(), m_rings[v].end(), neighbour);
-  }
+  { return std::find(m_rings[v].begin(), m_rings[v].end(), neighbour); }
 
   std::vector<std::vector<int> > m_rings;
 };
@@ -103,8 +100,7 @@ private:
 // A way to remove a vertex; the cost is the largest squared length of an edge of the triangles that fill the hole.
 struct Collapse
 {
-  int from;
-  int to;
+  int from, to;
   double cost;
 };
 
@@ -123,21 +119,14 @@ inline Collapse best_collapse(const Vertex_rings_3& rings, const std::vector<Eig
 }
 
 inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& rings,
-                                                        const std::vector<Eigen::Vector3d>& points,
-                                                        const Budget& budget)
+                                                        const std::vector<Eigen::Vector3d>& points, const Budget& budget)
 {
   std::vector<Collapse> collapses;
   for(int v = 0; v < rings.number_of_vertices(); ++v)
     if(!rings[v].empty() && !budget.is_exhausted())
-    {
-      const Collapse collapse = best_collapse(rings, points, v);
-      if(collapse.to >= 0)
+      if(const Collapse collapse = best_collapse(rings, points, v); collapse.to >= 0)
         collapses.push_back(collapse);
-    }
-  std::stable_sort(collapses.begin(), collapses.end(), [](const Collapse& a, const Collapse& b)
-  {
-    return a.cost < b.cost;
-  });
+  std::stable_sort(collapses.begin(), collapses.end(), [](const Collapse& a, const Collapse& b) { return a.cost < b.cost; });
   collapses.resize((collapses.size() + 1) / 2);
   return collapses;
 }

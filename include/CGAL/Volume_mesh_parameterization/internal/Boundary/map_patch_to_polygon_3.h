@@ -43,9 +43,8 @@ public:
 
   template <typename VertexUVMap, typename VertexIndexMap, typename VertexParameterizedMap>
   Surface_mesh_parameterization::Error_code parameterize(const Triangle_mesh& mesh,
-                                                         const Triangle_mesh::Halfedge_index border,
-                                                         VertexUVMap, VertexIndexMap,
-                                                         VertexParameterizedMap is_parameterized) const
+                                                         const Triangle_mesh::Halfedge_index border, VertexUVMap,
+                                                         VertexIndexMap, VertexParameterizedMap is_parameterized) const
   {
     for(const auto v : CGAL::vertices_around_face(border, mesh))
       put(is_parameterized, v, true);
@@ -93,13 +92,13 @@ inline Surface_patch_3 extract_patch(const Boundary_mesh_3& whole, const std::ve
     std::vector<Boundary_mesh_3::Vertex_index> face;
     for(const auto v : CGAL::vertices_around_face(whole.halfedge(f), whole))
     {
-      const auto inserted = number.emplace(static_cast<int>(v), Boundary_mesh_3::Vertex_index());
-      if(inserted.second)
+      const auto [entry, is_new] = number.emplace(static_cast<int>(v), Boundary_mesh_3::Vertex_index());
+      if(is_new)
       {
-        inserted.first->second = result.mesh.add_vertex(whole.point(v));
+        entry->second = result.mesh.add_vertex(whole.point(v));
         result.vertices.push_back(static_cast<int>(v));
       }
-      face.push_back(inserted.first->second);
+      face.push_back(entry->second);
     }
     result.mesh.add_face(face);
     result.faces.push_back(f);
@@ -120,9 +119,7 @@ inline Boundary_mesh_3::Halfedge_index fill_holes(Boundary_mesh_3& mesh, const s
     return x;
   };
   std::iter_swap(borders.begin(), std::min_element(borders.begin(), borders.end(), [&](const auto a, const auto b)
-  {
-    return leftmost(a) < leftmost(b);
-  }));
+  { return leftmost(a) < leftmost(b); }));
   for(std::size_t i = 1; i < borders.size(); ++i)
   {
     std::vector<Boundary_point_3> points;
@@ -157,10 +154,7 @@ inline bool map_patch_to_polygon_3(const Surface_patch_3& patch, const int u, co
   if(SMP::parameterize(mesh, parameterizer, border, uv_map) != SMP::OK)
     return false;
   const auto vertices = patch.mesh.vertices();
-  if(!std::all_of(vertices.begin(), vertices.end(), [&](const auto w)
-     {
-       return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y());
-     }))
+  if(!std::all_of(vertices.begin(), vertices.end(), [&](const auto w) { return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y()); }))
     return false;
   for(const auto w : patch.mesh.vertices())
     if(!patch.mesh.is_border(w))

@@ -20,8 +20,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Stages/Map_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
-#include <CGAL/Named_function_parameters.h>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is asked for, and with what means.

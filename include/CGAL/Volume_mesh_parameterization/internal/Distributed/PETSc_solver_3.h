@@ -117,9 +117,7 @@ private:
 
     Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
                                const Budget&) override // which processes may see differently
-    {
-      return m_solver.solve(b, x, tolerance);
-    }
+    { return m_solver.solve(b, x, tolerance); }
 
   private:
     PETSc_solver_3& m_solver;

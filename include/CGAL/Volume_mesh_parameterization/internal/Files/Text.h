@@ -48,19 +48,10 @@ Error_code read_within_limits(const NamedParameters& np, const std::string& file
   check_named_parameters(np);
   Limits<NamedParameters> limits(np);
   const Budget budget = limits.budget();
-  try
-  {
-    read(budget);
-    return OK;
-  }
-  catch(const Interruption&)
-  {
-    return ERROR_INTERRUPTED;
-  }
-  catch(const Input_error& error)
-  {
-    throw Input_error(filename.empty() ? error.what() : filename + ": " + error.what());
-  }
+  try { read(budget); }
+  catch(const Interruption&) { return ERROR_INTERRUPTED; }
+  catch(const Input_error& error) { throw Input_error(filename.empty() ? error.what() : filename + ": " + error.what()); }
+  return OK;
 }
 
 // The rest of a stream, or its next `size` characters.

@@ -12,9 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Files/Binary.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Text.h>
 
 #include <map>
 
@@ -161,22 +159,19 @@ private:
     if(format == "ascii")
       for(Text_scanner scanner(content, m_budget); !scanner.rest().empty(); )
         result.push_back(scanner.next_number<Number>("a number of an array"));
-    else if(type == "Float32")
-      result = values<Number, float>(tag, content, format);
-    else if(type == "Float64")
-      result = values<Number, double>(tag, content, format);
-    else if(type == "Int8")
-      result = values<Number, std::int8_t>(tag, content, format);
-    else if(type == "UInt8")
-      result = values<Number, std::uint8_t>(tag, content, format);
-    else if(type == "Int32")
-      result = values<Number, std::int32_t>(tag, content, format);
-    else if(type == "UInt32")
-      result = values<Number, std::uint32_t>(tag, content, format);
-    else if(type == "Int64" || type == "UInt64")
-      result = values<Number, std::int64_t>(tag, content, format);
     else
-      throw Input_error("the array " + name + " has the type '" + type + "'");
+    {
+      using Reader = std::vector<Number> (VTU_reader::*)(std::string_view, std::string_view, const std::string&) const;
+      static const std::map<std::string, Reader> readers = {
+        { "Float32", &VTU_reader::values<Number, float> }, { "Float64", &VTU_reader::values<Number, double> },
+        { "Int8", &VTU_reader::values<Number, std::int8_t> }, { "UInt8", &VTU_reader::values<Number, std::uint8_t> },
+        { "Int32", &VTU_reader::values<Number, std::int32_t> }, { "UInt32", &VTU_reader::values<Number, std::uint32_t> },
+        { "Int64", &VTU_reader::values<Number, std::int64_t> }, { "UInt64", &VTU_reader::values<Number, std::int64_t> } };
+      const auto reader = readers.find(type);
+      if(reader == readers.end())
+        throw Input_error("the array " + name + " has the type '" + type + "'");
+      result = (this->*reader->second)(tag, content, format);
+    }
     if(result.size() % multiple_of != 0)
       throw Input_error("the array " + name + " is not complete");
     return result;

@@ -54,10 +54,7 @@ public:
           result = pair;
       });
     }
-    catch(const Interruption&)
-    {
-      return std::nullopt;
-    }
+    catch(const Interruption&) { return std::nullopt; }
     return result;
   }
 

@@ -26,9 +26,7 @@ bool contains(const Simplex& simplex, const typename Simplex::value_type& v)
 
 template <typename Simplex>
 bool contains(const Simplex& simplex, const Simplex_3& face)
-{
-  return std::all_of(face.begin(), face.end(), [&](const std::size_t v) { return contains(simplex, v); });
-}
+{ return std::all_of(face.begin(), face.end(), [&](const std::size_t v) { return contains(simplex, v); }); }
 
 // Calls f for the edges, facets and cells that are faces of the simplex, itself included.
 template <typename Function>

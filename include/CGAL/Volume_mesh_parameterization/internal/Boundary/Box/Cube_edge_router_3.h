@@ -63,10 +63,7 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
 }
 
 // Bit a of the number of a corner of the cube tells on which of the two sides it is along axis a.
-inline int side_of_corner(const int corner, const int axis)
-{
-  return (corner >> axis & 1) ? 1 : -1;
-}
+inline int side_of_corner(const int corner, const int axis) { return (corner >> axis & 1) ? 1 : -1; }
 
 inline std::array<int, 8> mirrored(std::array<int, 8> corners)
 {
@@ -140,13 +137,9 @@ private:
   void sort_edges_by_distance()
   {
     const auto squared_distance = [&](const Cube_edge_3& edge)
-    {
-      return (m_points[m_corners[edge.corner]] - m_points[m_corners[edge.other_corner()]]).squaredNorm();
-    };
+    { return (m_points[m_corners[edge.corner]] - m_points[m_corners[edge.other_corner()]]).squaredNorm(); };
     std::stable_sort(m_edges.begin(), m_edges.end(), [&](const Cube_edge_3& a, const Cube_edge_3& b)
-    {
-      return squared_distance(a) < squared_distance(b);
-    });
+    { return squared_distance(a) < squared_distance(b); });
   }
 
   bool route_all()
@@ -216,8 +209,7 @@ private:
   std::vector<int> find_path(const int source, const std::vector<int>& source_exits,
                              const int target, const std::vector<int>& target_exits) const
   {
-    const std::vector<int>& ring = m_rings[source];
-    if(contains(ring, target) && !(contains(source_exits, target) && contains(target_exits, source)))
+    if(contains(m_rings[source], target) && !(contains(source_exits, target) && contains(target_exits, source)))
       return {};
 
     std::vector<double> costs = costs_of_vertices(source, target);
@@ -265,11 +257,6 @@ private:
       it = (next == it) ? path.end() : next;
     }
     return result;
-  }
-
-  static bool contains(const std::vector<int>& range, const int v)
-  {
-    return std::find(range.begin(), range.end(), v) != range.end();
   }
 
   const Vertex_rings_3& m_rings;

@@ -18,14 +18,11 @@
 #include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
-#  include <CGAL/Polygon_mesh_processing/connected_components.h>
 #  include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #  include <CGAL/number_utils.h>
 #  include <boost/property_map/function_property_map.hpp>
@@ -45,16 +42,15 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
 // The points, moved and scaled such that their bounding box becomes the cube [-1, 1]^3.
-inline std::vector<Eigen::Vector3d> in_bounding_cube(const std::vector<Eigen::Vector3d>& points)
+inline std::vector<Eigen::Vector3d> in_bounding_cube(std::vector<Eigen::Vector3d> points)
 {
   Eigen::AlignedBox3d box;
   for(const Eigen::Vector3d& point : points)
     box.extend(point);
   const Eigen::Vector3d sizes = box.sizes().cwiseMax((std::numeric_limits<double>::min)());
-  std::vector<Eigen::Vector3d> result;
-  for(const Eigen::Vector3d& point : points)
-    result.push_back(2 * (point - box.center()).cwiseQuotient(sizes));
-  return result;
+  for(Eigen::Vector3d& point : points)
+    point = 2 * (point - box.center()).cwiseQuotient(sizes);
+  return points;
 }
 
 // The rotation that turns the images into the directions of the points as well as possible (Kabsch).
@@ -123,16 +119,10 @@ struct Box_boundary_3
 
   Eigen::Vector3d half_lengths;
 
-  bool is_on_side(const Eigen::Vector3d& image, const int axis) const
-  {
-    return std::abs(image[axis]) == half_lengths[axis];
-  }
+  bool is_on_side(const Eigen::Vector3d& image, const int axis) const { return std::abs(image[axis]) == half_lengths[axis]; }
 
   double area() const
-  {
-    return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2]
-                + half_lengths[2] * half_lengths[0]);
-  }
+  { return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2] + half_lengths[2] * half_lengths[0]); }
 
   Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
   {
@@ -144,10 +134,7 @@ struct Box_boundary_3
     return result;
   }
 
-  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const
-  {
-    return image + step;
-  }
+  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const { return image + step; }
 
   // The distance of the face that contains the triangle from the origin.
   double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const

@@ -42,10 +42,9 @@ inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vect
            && radial_orientation(t[1], t[2], direction) != NEGATIVE
            && radial_orientation(t[2], t[0], direction) != NEGATIVE;
   };
-  return std::all_of(triangles.begin(), triangles.end(), [](const std::array<Eigen::Vector3d, 3>& t)
-         {
-           return radial_orientation(t[0], t[1], t[2]) == POSITIVE;
-         })
+  const auto is_positive = [](const std::array<Eigen::Vector3d, 3>& t)
+  { return radial_orientation(t[0], t[1], t[2]) == POSITIVE; };
+  return std::all_of(triangles.begin(), triangles.end(), is_positive)
          && std::count_if(triangles.begin(), triangles.end(), is_in_direction) == 1;
 }
 
@@ -95,9 +94,7 @@ public:
 
 private:
   double dirichlet(const Eigen::Vector3d& a) const
-  {
-    return m_constant + ((m_cotangent_b * (a - m_c).squaredNorm()) + m_cotangent_c * (a - m_b).squaredNorm()) / 2;
-  }
+  { return m_constant + ((m_cotangent_b * (a - m_c).squaredNorm()) + m_cotangent_c * (a - m_b).squaredNorm()) / 2; }
 
   Eigen::Vector3d m_b, m_c, m_normal;
   double m_constant, m_cotangent_b, m_cotangent_c;
@@ -182,10 +179,8 @@ private:
   {
     double area = 0;
     for(int v = 0; v < m_rings.number_of_vertices(); ++v)
-      for_each_triangle(v, [&](const int b, const int c)
-      {
-        area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6; // a third for each vertex
-      });
+      for_each_triangle(v, [&](const int b, const int c) // a third of it for each vertex
+      { area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6; });
     m_area_scale = m_domain.area() / area;
   }
 

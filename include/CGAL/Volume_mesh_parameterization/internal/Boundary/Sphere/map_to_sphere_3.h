@@ -18,9 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #  include <CGAL/number_utils.h>
 #  include <Eigen/SVD>
 #endif
@@ -50,10 +48,7 @@ struct Unit_sphere_3
     return result;
   }
 
-  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const
-  {
-    return (image + step).normalized();
-  }
+  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const { return (image + step).normalized(); }
 
   double height(const Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&) const { return 1; }
   double area() const { return 4 * CGAL_PI; }
