@@ -165,8 +165,7 @@ private:
   {
     Eigen::Matrix3d result;
     for(int i = 0; i < 3; ++i)
-      for(int k = 0; k < 3; ++k)
-        result(k, i) = side.corner(cell, static_cast<std::size_t>(i + 1))[k] - side.corner(cell, 0)[k];
+      result.col(i) = internal::to_vector(side.corner(cell, i + 1)) - internal::to_vector(side.corner(cell, 0));
     return result;
   }
 

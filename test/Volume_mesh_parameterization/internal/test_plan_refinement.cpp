@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/find_map_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
 

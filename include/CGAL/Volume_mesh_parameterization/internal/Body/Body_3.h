@@ -31,12 +31,13 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-inline std::vector<bool> points_of_facets(const std::size_t number_of_points,
-                                          const std::vector<std::array<std::size_t, 3> >& facets)
+// Which points are vertices of facets or cells?
+template <typename Simplices>
+std::vector<bool> used_points(const Simplices& simplices, const std::size_t number_of_points)
 {
   std::vector<bool> result(number_of_points, false);
-  for(const std::array<std::size_t, 3>& facet : facets)
-    for(const std::size_t v : facet)
+  for(const auto& simplex : simplices)
+    for(const std::size_t v : simplex)
       result[v] = true;
   return result;
 }
@@ -71,7 +72,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup,
 // The points on the boundary, and those that are constrained as well.
 inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {})
 {
-  std::vector<bool> result = points_of_facets(body.soup.points.size(), body.boundary);
+  std::vector<bool> result = used_points(body.boundary, body.soup.points.size());
   for(std::size_t v = 0; v < is_constrained.size(); ++v)
     result[v] = result[v] || is_constrained[v];
   return result;
@@ -233,10 +234,7 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
   const auto constraints = given(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
   const std::size_t number_of_points = body.soup.points.size();
   const std::vector<bool> is_on_boundary = prescribed_points(body);
-  std::vector<bool> has_cell(number_of_points, false);
-  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
-    for(const std::size_t p : cell)
-      has_cell[p] = true;
+  const std::vector<bool> has_cell = used_points(body.soup.cells, number_of_points);
 
   Prescription_3 result;
   result.extend_to(number_of_points);

@@ -79,14 +79,12 @@ public:
   virtual bool is_squared_norm() const = 0; // psi = |J|^2, with constant second derivatives
 };
 
-template <typename Energy, typename T, typename = void>
-struct Is_of_norms : std::false_type {};
+template <typename Energy, typename T>
+using Value_of_norms
+  = decltype(std::declval<const Energy&>().value_of_norms(std::declval<T>(), std::declval<T>(), std::declval<T>()));
 
 template <typename Energy, typename T>
-struct Is_of_norms<Energy, T, std::void_t<decltype(
-  std::declval<const Energy&>().value_of_norms(std::declval<T>(), std::declval<T>(), std::declval<T>()))> >
-  : std::true_type
-{};
+using Is_of_norms = boost::is_detected<Value_of_norms, Energy, T>;
 
 // A model of `DistortionEnergy_3`, as such an energy. It is evaluated with the instructions for which the unit that
 // names the energy is compiled, those of its `Pack`.

@@ -48,8 +48,8 @@ public:
     const Star_forest all(communicator, m_size_of_slice, vertices);
     const std::vector<int> owner = all.get(owner_in_slice);
     // of the own vertices; the other cell of a facet without one may be with another process
-    const std::vector<bool> is_on_boundary = points_of_facets(
-      cells.points.size(), facets_of_sides(cells.cells, Facet_matching_3(cells, numbers).sides_on_boundary()));
+    const std::vector<bool> is_on_boundary = used_points(
+      facets_of_sides(cells.cells, Facet_matching_3(cells, numbers).sides_on_boundary()), cells.points.size());
     std::vector<PetscInt> own;
     std::vector<std::size_t> places_of_own;
     std::vector<char> is_own_prescribed, is_prescribed_in_slice(m_size_of_slice, 0);

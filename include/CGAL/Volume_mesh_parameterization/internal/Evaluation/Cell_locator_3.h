@@ -95,7 +95,7 @@ public:
   {
     m_points.reserve(points.size());
     for(const std::array<double, 3>& p : points)
-      m_points.emplace_back(p[0], p[1], p[2]);
+      m_points.push_back(exact_point(p));
 
     std::vector<Entry> entries;
     entries.reserve(m_cells.size());
@@ -184,10 +184,8 @@ private:
 
   static Box box_of(const Corners_3& p)
   {
-    const auto [x0, x1] = std::minmax({ p[0].x(), p[1].x(), p[2].x(), p[3].x() });
-    const auto [y0, y1] = std::minmax({ p[0].y(), p[1].y(), p[2].y(), p[3].y() });
-    const auto [z0, z1] = std::minmax({ p[0].z(), p[1].z(), p[2].z(), p[3].z() });
-    return Box(Tree_point(x0, y0, z0), Tree_point(x1, y1, z1));
+    const Bbox_3 box = p[0].bbox() + p[1].bbox() + p[2].bbox() + p[3].bbox();
+    return Box(Tree_point(box.xmin(), box.ymin(), box.zmin()), Tree_point(box.xmax(), box.ymax(), box.zmax()));
   }
 
   static bool contains(const Corners_3& tetrahedron, const Exact_point_3& p)

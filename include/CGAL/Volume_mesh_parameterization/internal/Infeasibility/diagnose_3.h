@@ -39,7 +39,7 @@ public:
   {
     std::vector<Box> boxes;
     for(std::size_t f = 0; f < m_facets.size(); ++f)
-      if(const Triangle t = triangle(f); !t.is_degenerate())
+      if(const Triangle t = triangle(f); !CGAL::collinear(t[0], t[1], t[2]))
         boxes.emplace_back(t.bbox(), f);
     std::optional<Pair> result;
     struct Interruption {}; // the only way out of the comparison

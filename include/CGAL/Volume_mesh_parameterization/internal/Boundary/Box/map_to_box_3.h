@@ -53,16 +53,6 @@ inline std::vector<Eigen::Vector3d> in_bounding_cube(std::vector<Eigen::Vector3d
   return points;
 }
 
-// The rotation that turns the images into the directions of the points as well as possible (Kabsch).
-inline Eigen::Matrix3d rotation_between(const std::vector<Eigen::Vector3d>& images,
-                                        const std::vector<Eigen::Vector3d>& points)
-{
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for(std::size_t v = 0; v < points.size(); ++v)
-    covariance += points[v] * images[v].transpose();
-  return rotation_and_stretch_3(covariance).rotation;
-}
-
 // The corner with positive coordinates of the box in the sphere whose faces, seen from the centre, have solid
 // angles in the ratio of the areas of the given box. In the unit sphere the angle of the face that is normal to
 // the third axis of a box with corner (a, b, c) is 4 atan(a b / c), and so on.
@@ -88,7 +78,10 @@ inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& poi
 {
   const double weight_of_box = 0.3; // lowered the distortion most over organic and mechanical models
   const std::vector<Eigen::Vector3d> cube_points = in_bounding_cube(points);
-  const Eigen::Matrix3d rotation = rotation_between(images, cube_points);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); // Kabsch: turns the images into the directions of the points
+  for(std::size_t v = 0; v < cube_points.size(); ++v)
+    covariance += cube_points[v] * images[v].transpose();
+  const Eigen::Matrix3d rotation = rotation_and_stretch_3(covariance).rotation;
   const Eigen::Vector3d positive_corner = corner_on_sphere(half_lengths);
   std::array<int, 8> corners = {};
   std::vector<bool> is_corner(points.size(), false);

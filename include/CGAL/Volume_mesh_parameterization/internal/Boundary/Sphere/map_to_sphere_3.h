@@ -19,8 +19,8 @@
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
 #  include <CGAL/number_utils.h>
-#  include <Eigen/SVD>
 #endif
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -161,10 +161,7 @@ void turn_to_landmarks_3(const Points& landmarks, std::vector<Eigen::Vector3d>& 
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for(const auto& [v, point] : landmarks)
     covariance += point * images[v].transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::NoQRPreconditioner> svd(covariance,
-                                                                         Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant();
-  const Eigen::Matrix3d rotation = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+  const Eigen::Matrix3d rotation = rotation_and_stretch_3(covariance).rotation;
   for(Eigen::Vector3d& image : images)
     image = (rotation * image).normalized();
 }
