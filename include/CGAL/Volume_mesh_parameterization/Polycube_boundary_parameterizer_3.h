@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
