@@ -66,7 +66,9 @@ almost flat: then a layer of hexahedra is put along the faces on both sides, of 
 manner of Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing (2019). It
 ends at other convex edges, on the faces behind them: the wall of a cylinder gets a layer, and its ends a ring of
 quadrangles. If the minimal scaled Jacobian is below 0.2 in the end, the same is done with one layer along all of the
-boundary, or without any if that was it.
+boundary, or without any if that was it. If corners are still inverted then, both are tried again with vertices that may
+leave the boundary at first, where corners are untangled easily: a weight that grows draws them back, while Newton steps
+invert no corner again.
 
 The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest sum of
 the mean scaled Jacobian and the minimal one, of which no more than 0.3 counts. That all corners are positive is checked with

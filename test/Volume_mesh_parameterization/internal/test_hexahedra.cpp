@@ -473,6 +473,41 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
       { return std::abs(x - 4 * std::round(x / 4)) < 1e-9; }));
 }
 
+TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")
+{
+  using VMP::internal::Freedom_3;
+  for(const Body& body : { Body(6, 0, same), Body(8, 0, rounded) })
+  {
+    Hexahedron_soup_3 mesh = Sliding_hexahedra(body, 2).start;
+    const Sliding_hexahedra straight(body, mesh);
+    std::mt19937 engine;
+    std::uniform_real_distribution<double> noise(-1.2, 1.2);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      Vector3d p = vector(mesh.points[v]);
+      if(straight.freedoms[v] != Freedom_3::NONE)
+        p += Vector3d(noise(engine), noise(engine), noise(engine));
+      p = straight.surface.nearest(p, straight.freedoms[v]);
+      mesh.points[v] = { p[0], p[1], p[2] };
+    }
+    REQUIRE(VMP::internal::judged(mesh, false).number_of_inverted_corners > 10);
+
+    VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+    VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+    const VMP::internal::Budget budget;
+    VMP::internal::Sliding_hexahedra_3 tangled(mesh, straight.freedoms, straight.surface, linear_solver, false, budget);
+    tangled.leave_and_return();
+    CHECK(VMP::internal::judged(tangled.mesh(), false).number_of_inverted_corners == 0);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      const Vector3d p = vector(tangled.mesh().points[v]);
+      CHECK((straight.surface.nearest(p, straight.freedoms[v]) - p).norm() < 1e-12);
+      if(straight.freedoms[v] == Freedom_3::NONE)
+        CHECK(tangled.mesh().points[v] == mesh.points[v]);
+    }
+  }
+}
+
 TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertices is at")
 {
   const Body egg(8, 0, [](const Vector3d& p) -> Vector3d { return rounded(p).cwiseProduct(Vector3d(1, 1, 3)); });

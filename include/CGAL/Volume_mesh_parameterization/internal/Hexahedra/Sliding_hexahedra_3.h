@@ -116,7 +116,6 @@ public:
   // positive keep them so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent)
   {
-    constexpr double pull = 5; // hardly makes corners worse
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
@@ -130,6 +129,28 @@ public:
       cover_boundary(goals);
     }
     put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget));
+    write_points();
+  }
+
+  // Lets vertices leave the surface, where corners are untangled easily, and draws them back to it by a weight that grows
+  // while corners stay positive (the penalty method; Nocedal and Wright, Numerical Optimization, section 17.1).
+  void leave_and_return()
+  {
+    constexpr double first_weight = 100, last_weight = 1e8, growth = 10;
+    constexpr std::size_t number_of_steps = 20;
+    for(double weight = first_weight; weight <= last_weight && !m_budget.is_exhausted(); weight *= growth)
+    {
+      Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
+                               number_of_steps };
+      set_edges(goals);
+      hold_boundary(goals);
+      cover_boundary(goals);
+      return_to_surface(std::sqrt(weight / pull), goals);
+      m_numbered.target = improve_corners_3(m_numbered, goals, m_solver, m_budget);
+      write_points();
+    }
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+      m_numbered.target.col(i) = nearest(i);
     write_points();
   }
 
@@ -157,6 +178,8 @@ public:
   }
 
 private:
+  static constexpr double pull = 5; // hardly makes corners worse
+
   // Hexahedra keep the mean lengths of their edges along each axis, if these are not too short.
   void set_edges(Corner_goals_3& goals) const
   {
@@ -187,6 +210,29 @@ private:
         for(int axis = 0; axis < 3; ++axis)
           goals.constraints.push_back({ { { static_cast<int>(i), Eigen::Vector3d::Unit(axis) } },
                                         m_numbered.source(axis, i) });
+  }
+
+  // The nearest point to a vertex of where it may be; one that may not move was there at first.
+  Eigen::Vector3d nearest(const std::size_t i) const
+  {
+    return m_surface.nearest(m_freedom[i] == Freedom_3::NONE ? m_numbered.source.col(i) : m_numbered.target.col(i),
+                             m_freedom[i]);
+  }
+
+  // Pulls vertices to the nearest points of where they may be, mostly in the directions in which they may not move there.
+  void return_to_surface(const double factor, Corner_goals_3& goals) const
+  {
+    constexpr double part_along = 0.1;
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+    {
+      if(m_freedom[i] == Freedom_3::SPACE)
+        continue;
+      const Eigen::Vector3d p = nearest(i);
+      const Eigen::Matrix3d way
+        = factor * (Eigen::Matrix3d::Identity() - (1 - part_along) * m_surface.projector(p, m_freedom[i]));
+      for(int axis = 0; axis < 3; ++axis)
+        goals.constraints.push_back({ { { static_cast<int>(i), way.col(axis) } }, way.col(axis).dot(p) });
+    }
   }
 
   // Pulls quadrangles to vertices of the body's surface that are far from all of them, along the shortest way only, so that

@@ -61,10 +61,17 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   Best_hexahedra_3 best
     = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
   const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(map, boxes, is_parallel, budget)).layers();
-  const std::vector<Layer_3> one = { layer_along_boundary(boxes) };
-  for(const std::vector<Layer_3>& layers : { chosen, chosen == one ? std::vector<Layer_3>() : one })
+  const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
+  struct Attempt
   {
-    if(best.result.minimal_scaled_jacobian >= poor_scaled_jacobian || budget.is_exhausted())
+    const std::vector<Layer_3>& layers;
+    bool may_leave_surface;
+  };
+  for(const auto& [layers, may_leave_surface]
+      : { Attempt{ chosen, false }, Attempt{ other, false }, Attempt{ chosen, true }, Attempt{ other, true } })
+  {
+    if(budget.is_exhausted() || (may_leave_surface ? best.result.status == OK
+                                                   : best.result.minimal_scaled_jacobian >= poor_scaled_jacobian))
       break;
     Hexahedron_soup_3 candidate = boxes;
     for(const Layer_3& layer : layers)
@@ -73,7 +80,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     if(budget.is_exhausted())
       break;
     Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
-    improve_hexahedra_3(hexahedra, !layers.empty(), budget, best);
+    improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
   }
   Hexahedral_mesh_result result = best.result;
   result.is_interrupted = budget.is_exhausted();

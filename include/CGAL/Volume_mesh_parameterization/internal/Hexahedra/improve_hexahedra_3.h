@@ -172,9 +172,9 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 
 // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the
 // mean gains little. Where corners are inverted or almost flat in between, or poor in the end, vertices around them move one
-// after the other; if that is in vain, those on lines may leave them.
-inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget,
-                                Best_hexahedra_3& best)
+// after the other; if that is in vain, those on lines may leave them. Where vertices may leave the surface, they do that first.
+inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
+                                const Budget& budget, Best_hexahedra_3& best)
 {
   constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3;
   constexpr std::size_t first_steps = 10, steps = 3, few = 100; // times as few as all corners
@@ -192,6 +192,11 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool has_p
     return judge();
   };
   Hexahedral_mesh_result result = judge();
+  if(may_leave_surface)
+  {
+    hexahedra.leave_and_return();
+    result = judge();
+  }
   std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
   for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
   {
