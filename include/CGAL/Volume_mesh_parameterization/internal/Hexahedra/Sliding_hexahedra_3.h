@@ -14,72 +14,12 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1;
-
-using Corners_of_vertex = std::vector<std::array<int, 4> >; // those to which it belongs
-
-// The sum of squares of what the scaled Jacobians lack.
-inline double shortage(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners, const double target)
-{
-  double sum = 0;
-  for(const std::array<int, 4>& corner : corners)
-    sum += std::pow((std::max)(0., target - scaled_jacobian(edge_matrix(positions, corner))), 2);
-  return sum;
-}
-
-inline double mean_length_of_edges(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners)
-{
-  double sum = 0;
-  for(const std::array<int, 4>& corner : corners)
-    sum += edge_matrix(positions, corner).colwise().norm().sum();
-  return sum / (3. * static_cast<double>(corners.size()));
-}
-
-// Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
-// scaled Jacobians of the corners around them come nearer to the target: local optimization (Freitag and Ollivier-Gooch
-// 1997) by pattern search (Hooke and Jeeves 1961).
-inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
-                               const Body_surface_3& surface, const double target, const Budget& budget,
-                               Eigen::Matrix3Xd& positions)
-{
-  constexpr int number_of_sweeps = 10;
-  constexpr double first_width = 0.25, smallest_width = 0.004; // relative to the edges
-  std::vector<Corners_of_vertex> corners_of_vertex(freedom.size());
-  for(const std::array<int, 4>& corner : corners)
-    for(const int v : corner)
-      corners_of_vertex[v].push_back(corner);
-  std::vector<double> widths(freedom.size(), first_width);
-  for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-    for(std::size_t v = 0; v < freedom.size() && !budget.is_exhausted(); ++v)
-    {
-      double least = freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
-                     ? 0 : shortage(positions, corners_of_vertex[v], target);
-      if(least == 0)
-        continue;
-      const Eigen::Vector3d here = positions.col(v);
-      Eigen::Vector3d best = here;
-      const double step = widths[v] * mean_length_of_edges(positions, corners_of_vertex[v]);
-      for(int i = 0; i < 27; ++i)
-      {
-        positions.col(v)
-          = surface.nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
-        if(const double next = shortage(positions, corners_of_vertex[v], target); next < least)
-        {
-          least = next;
-          best = positions.col(v);
-        }
-      }
-      positions.col(v) = best;
-      if(best == here)
-        widths[v] /= 2;
-    }
-}
 
 // Hexahedra of a body whose vertices move inside, on its boundary and along its lines.
 class Sliding_hexahedra_3
@@ -136,7 +76,7 @@ public:
   // while corners stay positive (the penalty method; Nocedal and Wright, Numerical Optimization, section 17.1).
   void leave_and_return()
   {
-    constexpr double first_weight = 100, last_weight = 1e8, growth = 10;
+    constexpr double first_weight = 100, last_weight = 1e10, growth = 3;
     constexpr std::size_t number_of_steps = 20;
     for(double weight = first_weight; weight <= last_weight && !m_budget.is_exhausted(); weight *= growth)
     {

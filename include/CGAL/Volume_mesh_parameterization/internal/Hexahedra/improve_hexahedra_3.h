@@ -172,7 +172,7 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 
 // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the
 // mean gains little. Where corners are inverted or almost flat in between, or poor in the end, vertices around them move one
-// after the other; if that is in vain, those on lines may leave them. Where vertices may leave the surface, they do that first.
+// after the other; if that is in vain, those on lines may leave them. Where vertices may leave the surface, that comes first.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
