@@ -5,6 +5,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Meridians_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -319,6 +320,120 @@ TEST_CASE("a topological sphere that has no other polycube is mapped to its boun
   CHECK(complex.parameterize() == VMP::OK);
   complex.image.clear();
   CHECK(complex.parameterize(0.5) == VMP::OK);
+}
+
+namespace {
+
+const Brick size_of_frame = {24, 4, 24};
+
+bool is_frame(const int x, int, const int z) { return x < 6 || x > 17 || z < 6 || z > 17; }
+
+// Lays the frame along a trefoil knot.
+std::array<double, 3> tie(const double x, const double y, const double z)
+{
+  const double u = x - 12, v = z - 12, t = std::atan2(v, u), along = 0.1 * (y - 2);
+  const double outwards = 0.1 * ((std::max)(std::abs(u), std::abs(v)) - 9);
+  const Vector_3 curve(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
+  const Vector_3 tangent(std::cos(t) + 4 * std::cos(2 * t), -std::sin(t) + 4 * std::sin(2 * t), -3 * std::cos(3 * t));
+  Vector_3 normal = CGAL::cross_product(tangent, Vector_3(0, 0, 1));
+  normal = normal / std::sqrt(normal.squared_length());
+  Vector_3 binormal = CGAL::cross_product(tangent, normal);
+  binormal = binormal / std::sqrt(binormal.squared_length());
+  const Vector_3 p = curve + outwards * normal + along * binormal;
+  return {p.x(), p.y(), p.z()};
+}
+
+} // namespace
+
+TEST_CASE("a body with handles that has no other polycube is mapped to a box with holes")
+{
+  Labelled_complex complex(bricks(size_of_frame, is_frame, tie));
+  const double spacing = GENERATE(0., 0.25);
+  REQUIRE(complex.parameterize(spacing) == VMP::OK);
+  const auto faces = faces_of_image(complex);
+  CHECK(faces.size() == 10);
+  std::map<std::size_t, double> area;
+  std::map<std::size_t, std::set<double> > coordinates;
+  double volume = 0;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    const std::size_t d = direction(t);
+    REQUIRE(d < 6);
+    area[d] += std::sqrt(CGAL::squared_area(t[0], t[1], t[2]));
+    coordinates[d].insert(t[0][static_cast<int>(d / 2)]);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+    if(spacing > 0)
+      CHECK(std::remainder(t[0][static_cast<int>(d / 2)], spacing) == 0);
+  }
+  // seen from above, a rectangle in a rectangle
+  const auto size_of_hole = [&](const int axis) { return *coordinates[2 * axis + 1].rbegin() - *coordinates[2 * axis].begin(); };
+  const auto size_of_box = [&](const int axis) { return *coordinates[2 * axis].rbegin() - *coordinates[2 * axis + 1].begin(); };
+  CHECK(size_of_hole(0) > 0);
+  CHECK(size_of_hole(1) > 0);
+  CHECK(area[4] == Approx(size_of_box(0) * size_of_box(1) - size_of_hole(0) * size_of_hole(1)));
+  CHECK(area[5] == Approx(area[4]));
+  CHECK(volume == Approx(area[4] * size_of_box(2)));
+}
+
+TEST_CASE("maps to boxes with holes can be ended anywhere, with nothing written")
+{
+  Labelled_complex complex(bricks(size_of_frame, is_frame, tie));
+  const auto target = boost::make_assoc_property_map(complex.image);
+  check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, target, np); }, complex.image);
+}
+
+TEST_CASE("meridians bound discs, and cut all handles")
+{
+  // a plate with three holes
+  const VMP::Tetrahedron_soup_3 soup = bricks({13, 5, 3}, [](const int x, const int y, int) { return x % 4 < 2 || y < 2 || y > 2; }, in_place);
+  VMP::internal::Meridians_3 meridians(soup.cells);
+  const auto loops = meridians.loops(3, 0, VMP::internal::Budget());
+  REQUIRE(loops.size() == 3);
+  using Edge = std::pair<std::size_t, std::size_t>;
+  std::set<Edge> cut;
+  std::set<std::size_t> vertices;
+  for(const auto& loop : loops)
+  {
+    vertices.insert(loop.begin(), loop.end());
+    std::array<double, 3> turns = {}; // around the axes of the holes: a disc inside does not meet these
+    for(std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const std::size_t v = loop[i], w = loop[(i + 1) % loop.size()];
+      cut.insert({ v, w });
+      cut.insert({ w, v });
+      for(int k = 0; k < 3; ++k)
+      {
+        const auto angle = [&](const std::size_t u) { return std::atan2(soup.points[u][1] - 2.5, soup.points[u][0] - (4 * k + 3)); };
+        turns[k] += std::remainder(angle(w) - angle(v), 2 * CGAL_PI);
+      }
+    }
+    for(const double turn : turns)
+      CHECK(std::abs(turn) < 1e-6);
+  }
+  CHECK(vertices.size() == loops[0].size() + loops[1].size() + loops[2].size()); // they are disjoint
+
+  // the surface remains connected, so that none of them bounds a disc on it, too, nor some of them a part of it
+  const auto facets = VMP::internal::boundary_facets_3(soup.cells);
+  std::map<Edge, std::size_t> facet_of_edge;
+  for(std::size_t f = 0; f < facets.size(); ++f)
+    for(int i = 0; i < 3; ++i)
+      facet_of_edge[{ facets[f][i], facets[f][(i + 1) % 3] }] = f;
+  std::vector<bool> is_reached(facets.size(), false);
+  std::vector<std::size_t> reached(1, 0);
+  is_reached[0] = true;
+  for(std::size_t n = 0; n < reached.size(); ++n)
+    for(int i = 0; i < 3; ++i)
+    {
+      const Edge edge(facets[reached[n]][(i + 1) % 3], facets[reached[n]][i]);
+      const std::size_t f = facet_of_edge.at(edge);
+      if(cut.count(edge) == 0 && !is_reached[f])
+      {
+        is_reached[f] = true;
+        reached.push_back(f);
+      }
+    }
+  CHECK(reached.size() == facets.size());
 }
 
 TEST_CASE("labels are proposed for a cylinder")

@@ -40,6 +40,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Bod
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   Numbered_surface_3 surface;
   surface.facets = body.boundary;
+  surface.cells = &body.soup.cells;
   std::vector<std::size_t> numbers(body.soup.points.size(), none);
   for(std::array<std::size_t, 3>& facet : surface.facets)
     for(std::size_t& v : facet)

@@ -27,6 +27,7 @@ struct Numbered_surface_3
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::size_t, 3> > facets; // vertices counterclockwise as seen from outside
   std::vector<std::size_t> vertices;               // the points of the body, each once, in the order of the facets
+  const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // of the body, by its points
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -66,13 +66,12 @@ public:
     return true;
   }
 
-  double operator[](const std::size_t chart) const { return m_coordinate[m_group[chart]]; }
-
-  // The image of a corner.
-  Eigen::Vector3d corner(const Polycube_charts_3::Vertex v) const
+  std::vector<double> of_charts() const
   {
-    const std::array<std::size_t, 3> groups = groups_at(v);
-    return Eigen::Vector3d(m_coordinate[groups[0]], m_coordinate[groups[1]], m_coordinate[groups[2]]);
+    std::vector<double> result;
+    for(const std::size_t group : m_group)
+      result.push_back(m_coordinate[group]);
+    return result;
   }
 
 private:

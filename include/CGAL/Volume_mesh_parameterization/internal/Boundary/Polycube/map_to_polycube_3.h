@@ -20,13 +20,7 @@
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Patch_relaxation_2.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Normal_labels_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
-#  include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_box_with_holes_3.h>
 #endif
 
 #include <cmath>
@@ -44,159 +38,6 @@ Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vecto
                              std::vector<Eigen::Vector3d>& images, const Budget& budget);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-
-// Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is given such
-// that the longest side of its bounding box is 1, and the polycube made for the box that it had before.
-class Polycube_map_3
-{
-public:
-  using Face = Boundary_mesh_3::Face_index;
-
-  // The faces get multiples of the spacing as coordinates, or any if it is 0.
-  Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
-                 const double spacing)
-    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
-      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
-  {}
-
-  // Finds the polycube, and maps the charts harmonically.
-  Error_code start(const Budget& budget)
-  {
-    const double size = m_box.sizes().maxCoeff();
-    const Grid_planes_3 planes = { -m_box.center() / size, m_spacing / size };
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes, budget);
-    if(m_charts.number_of_defects() > 0 || !coordinates.run())
-      return ERROR_NO_POLYCUBE;
-    for(const auto v : m_charts.corners())
-      m_images[v] = coordinates.corner(v);
-    std::vector<bool> is_on_edge(m_images.size(), false);
-    for(const Polycube_chain_3& chain : m_charts.chains())
-    {
-      const auto vertices = m_charts.vertices(chain);
-      map_path_to_segment_3(m_mesh, vertices, chain.axis, m_images);
-      for(const auto v : vertices)
-        is_on_edge[v] = true;
-    }
-    find_flipped_faces_between_edges(is_on_edge);
-    if(!m_flipped_faces.empty())
-      return ERROR_BOUNDARY_TOO_COARSE;
-    map_charts(coordinates, is_on_edge, budget);
-    return OK;
-  }
-
-  // Lowers the distortion, and checks the map.
-  Error_code finish(const Budget& budget)
-  {
-    for(Patch_relaxation_2& patch : m_patches)
-      patch.run(m_images, budget);
-    const auto faces = m_mesh.faces();
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(m_flipped_faces),
-                 [this](const Face f) { return !is_positive(f); });
-    if(!m_flipped_faces.empty())
-      return ERROR_BOUNDARY_TOO_COARSE;
-    for(Eigen::Vector3d& image : m_images)
-      image = m_box.center() + m_box.sizes().maxCoeff() * image;
-    if(m_spacing > 0)
-      remove_rounding();
-    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
-      return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
-    Boundary_mesh_3 image = m_mesh;
-    set_points(image, m_images);
-    return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
-  }
-
-  const std::vector<Eigen::Vector3d>& images() const { return m_images; }
-  const Polycube_charts_3& charts() const { return m_charts; }
-
-  // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
-  const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
-
-  // Of the harmonic maps: the integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t. Of
-  // several polycubes, the one where this is least had the least distortion inside, too, or nearly, in experiments.
-  double distortion() const
-  {
-    double sum = 0;
-    for(const Face f : m_mesh.faces())
-    {
-      const auto h = m_mesh.halfedge(f);
-      const auto a = m_mesh.source(h), b = m_mesh.target(h), c = m_mesh.target(m_mesh.next(h));
-      Eigen::Matrix<double, 3, 2> from, to;
-      from << eigen_point(m_mesh, b) - eigen_point(m_mesh, a), eigen_point(m_mesh, c) - eigen_point(m_mesh, a);
-      to << m_images[b] - m_images[a], m_images[c] - m_images[a];
-      const Eigen::Matrix2d metric = from.transpose() * from, ratio = metric.inverse() * (to.transpose() * to);
-      const double mean = ratio.trace() / 2, determinant = ratio.determinant(); // of the squared singular values
-      const double larger = mean + std::sqrt((std::max)(0., mean * mean - determinant));
-      sum += std::sqrt(metric.determinant()) / 8
-             * (std::pow(std::log(larger), 2) + std::pow(std::log(determinant / larger), 2));
-    }
-    return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
-  }
-
-private:
-  void find_flipped_faces_between_edges(const std::vector<bool>& is_on_edge)
-  {
-    for(const Face f : m_mesh.faces())
-    {
-      const auto around = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
-      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return is_on_edge[v]; }) && !is_positive(f))
-        m_flipped_faces.push_back(f);
-    }
-  }
-
-  void map_charts(const Polycube_coordinates_3& coordinates, const std::vector<bool>& is_on_edge, const Budget& budget)
-  {
-    std::vector<std::vector<Face> > faces(m_charts.number_of_charts());
-    for(const Face f : m_mesh.faces())
-    {
-      const std::size_t c = m_charts.chart_of_face()[f];
-      faces[c].push_back(f);
-      for(const auto v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
-        m_images[v][m_charts.axis(c)] = coordinates[c];
-    }
-    for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
-    {
-      const auto [u, v] = plane_axes(c);
-      m_patches.emplace_back(m_mesh, faces[c], is_on_edge, u, v, m_images);
-    }
-  }
-
-  // The axes of the plane of a chart, in the order that makes its image positive.
-  std::array<int, 2> plane_axes(const std::size_t c) const
-  {
-    const int axis = m_charts.axis(c), u = (axis + 1) % 3, v = (axis + 2) % 3;
-    return (sign_of_direction(m_charts.labels()[c]) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
-  }
-
-  bool is_positive(const Face f) const
-  {
-    const auto [u, v] = plane_axes(m_charts.chart_of_face()[f]);
-    const auto point = [this, u = u, v = v](const Boundary_mesh_3::Vertex_index w)
-    {
-      return Boundary_point_2(m_images[w][u], m_images[w][v]);
-    };
-    const auto h = m_mesh.halfedge(f);
-    return CGAL::orientation(point(m_mesh.source(h)), point(m_mesh.target(h)), point(m_mesh.target(m_mesh.next(h))))
-           == POSITIVE;
-  }
-
-  // Makes the coordinates of faces multiples of the spacing again.
-  void remove_rounding()
-  {
-    for(const auto h : m_mesh.halfedges())
-    {
-      double& x = m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))];
-      x = m_spacing * std::round(x / m_spacing);
-    }
-  }
-
-  const Boundary_mesh_3& m_mesh;
-  const Eigen::AlignedBox3d m_box;
-  const double m_spacing;
-  const Polycube_charts_3 m_charts;
-  std::vector<Eigen::Vector3d> m_images;
-  std::vector<Patch_relaxation_2> m_patches;
-  std::vector<Face> m_flipped_faces;
-};
 
 // Proposes labels with more and more smoothing, and takes those whose map has the least distortion. Where the boundary
 // is too coarse, faces for which there is no place are given to neighbouring charts, and borders that fold are unfolded.
@@ -240,15 +81,18 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
   return status;
 }
 
-inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
-                                         const std::vector<std::size_t>& labels, const double spacing,
-                                         std::vector<Eigen::Vector3d>& images, const Budget& budget)
+inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numbered_surface_3& surface,
+                                         const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
+                                         const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   if(labels.empty())
   {
     const Error_code status = map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
-    const bool needs_box = status != OK && !budget.is_exhausted() && check_sphere(mesh) == OK;
-    return needs_box ? map_to_bounding_box_3(mesh, box, spacing, images, budget) : status;
+    const Error_code kind = check_sphere(mesh);
+    if(status == OK || budget.is_exhausted() || kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+      return status;
+    return kind == OK ? map_to_bounding_box_3(mesh, box, spacing, images, budget)
+                      : map_to_box_with_holes_3(mesh, box, spacing, *surface.cells, surface.vertices, images, budget);
   }
   Polycube_map_3 map(mesh, box, labels, spacing);
   Error_code status = map.start(budget);
@@ -269,9 +113,9 @@ Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vecto
     return status;
   const Eigen::AlignedBox3d box = bounding_box(mesh);
   set_points(mesh, unit_points(mesh));
-  status = map_mesh_to_polycube_3(mesh, box, labels, spacing, images, budget);
+  status = map_mesh_to_polycube_3(mesh, surface, box, labels, spacing, images, budget);
   std::vector<Eigen::Vector3d> any;
-  if(status != OK && spacing > 0 && map_mesh_to_polycube_3(mesh, box, labels, 0, any, budget) == OK)
+  if(status != OK && spacing > 0 && map_mesh_to_polycube_3(mesh, surface, box, labels, 0, any, budget) == OK)
     return ERROR_SPACING_TOO_COARSE;
   return status;
 }

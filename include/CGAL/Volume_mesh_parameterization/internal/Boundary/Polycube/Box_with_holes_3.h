@@ -1,0 +1,321 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_BOX_WITH_HOLES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_BOX_WITH_HOLES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Lines_of_box_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Gives each face of the surface of a body with handles the label and the coordinate that its image has on a box with as
+// many holes, which lead from the bottom to the top and are in a row from left to right. What the lines of the box leave
+// between them are the top, the bottom, and rings, each of which is divided into four sides.
+class Box_with_holes_3
+{
+public:
+  using Vertex = Boundary_mesh_3::Vertex_index;
+  using Halfedge = Boundary_mesh_3::Halfedge_index;
+  using Face = Boundary_mesh_3::Face_index;
+
+  Box_with_holes_3(const Boundary_mesh_3& mesh, const Lines_of_box_3& lines)
+    : m_mesh(mesh), m_lines(lines), m_is_on_line(mesh.number_of_vertices(), false),
+      m_is_line(mesh.number_of_edges(), false), m_piece(mesh.number_of_faces(), none)
+  {
+    for(std::size_t k = 0; k < lines.number_of_holes(); ++k)
+      m_rings.push_back({ line_with_upper_part_on_left(k), lines.hole(k, false), true, {} });
+    m_rings.push_back({ lines.box(true), lines.box(false), false, {} });
+  }
+
+  // The corners of holes are moved along their lines by numbers of vertices. Returns whether there is place for all sides of the
+  // rings.
+  bool run(const std::vector<int>& turns)
+  {
+    for(const Ring& ring : m_rings)
+    {
+      draw(ring.line);
+      draw(ring.other_line);
+    }
+    for(std::size_t k = 0; k + 1 < m_rings.size(); ++k)
+    {
+      const int n = static_cast<int>(m_rings[k].line.size());
+      m_rings[k].corners = quarters(m_rings[k].line);
+      for(std::size_t& corner : m_rings[k].corners)
+        corner = static_cast<std::size_t>(((static_cast<int>(corner) + turns[k]) % n + n) % n);
+    }
+    m_rings.back().corners = corners_of_box();
+    return std::all_of(m_rings.begin(), m_rings.end(), [this](const Ring& ring) { return draw_corners(ring); })
+           && fill_pieces();
+  }
+
+  const std::vector<std::size_t>& piece_of_face() const { return m_piece; }
+
+  bool is_at_hole(const Vertex v, const std::size_t hole) const
+  {
+    const auto around = CGAL::halfedges_around_target(v, m_mesh);
+    return std::any_of(around.begin(), around.end(), [&](const Halfedge h)
+    {
+      const std::size_t piece = m_piece[m_mesh.face(h)];
+      return piece >= 2 && (piece - 2) / 4 == hole;
+    });
+  }
+
+  std::vector<std::size_t> labels() const
+  {
+    // seen from above, a ring is passed with the top on its left: counterclockwise around the box, clockwise around holes
+    constexpr std::size_t sides_of_box[] = { 0, 2, 1, 3 }, sides_of_hole[] = { 0, 3, 1, 2 };
+    std::vector<std::size_t> result;
+    for(const std::size_t piece : m_piece)
+      result.push_back(piece < 2 ? 4 + piece : (is_of_box(piece) ? sides_of_box : sides_of_hole)[(piece - 2) % 4]);
+    return result;
+  }
+
+  std::size_t number_of_pieces() const { return 2 + 4 * m_rings.size(); }
+
+  // The coordinates of the faces of the box, for each piece, along its axis. Bars are as thick as a quarter of a meridian, holes as
+  // wide as a quarter of their line, and, if there is place, before them the front is divided as its line is by the meridians;
+  // the top has the area of the upper part. With planes of a grid, distances are rounded up.
+  std::vector<double> coordinates(const Grid_planes_3& planes) const
+  {
+    const std::size_t g = m_lines.number_of_holes();
+    const auto rounded = [&](const double x) { return planes.spacing > 0 ? planes.spacing * std::ceil(x / planes.spacing) : x; };
+    double bar = 0, area = 0, largest = 0;
+    std::vector<double> width(g), left(g);
+    for(std::size_t k = 0; k < g; ++k)
+    {
+      bar += m_lines.length(m_lines.meridian(k)) / 4 / static_cast<double>(g);
+      width[k] = rounded(m_lines.length(m_rings[k].line) / 4);
+      area += width[k] * width[k];
+      largest = (std::max)(largest, width[k]);
+    }
+    bar = rounded(bar);
+    double area_of_side = 0;
+    for(const Face f : m_mesh.faces())
+    {
+      const Halfedge h = m_mesh.halfedge(f);
+      const double area_of_face = std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                                                               m_mesh.point(m_mesh.target(m_mesh.next(h)))));
+      (m_piece[f] < 2 ? area : area_of_side) += m_piece[f] < 2 ? area_of_face / 2 : is_of_box(m_piece[f]) ? area_of_face : 0;
+    }
+
+    // As long as its front is on the surface, if that leaves place for the bars and is not long and thin.
+    double x = bar;
+    for(const double w : width)
+      x += w + bar + planes.spacing;
+    x = rounded((std::max)(x, (std::min)(length_of_front(), 2 * std::sqrt(area))));
+    const double y = 2 * bar + largest + rounded((std::max)(0., area / x - 2 * bar - largest));
+    const double z = rounded((std::max)(bar, area_of_side / (2 * (x + y))));
+    const std::vector<double> middle = middles_of_holes();
+    double least = bar, rest = x; // where the next hole may begin, and what lies behind it at least
+    for(const double w : width)
+      rest -= w + bar;
+    for(std::size_t i = 0; i < g; ++i)
+    {
+      const std::size_t k = m_lines.crossings_of_box()[i].meridian;
+      const double most = least + rest - bar;
+      left[k] = (std::max)(least, (std::min)(most, rounded(x * middle[i] - width[k] / 2)));
+      rest -= left[k] - least;
+      least = left[k] + width[k] + bar;
+    }
+
+    const Eigen::Array3d unit = Eigen::Array3d::Constant(planes.spacing), middle_of_box(x / 2, y / 2, z / 2);
+    const Eigen::Array3d first = planes.spacing > 0 // the corner of the box
+      ? Eigen::Array3d(planes.origin.array() - unit * ((middle_of_box + planes.origin.array()) / unit).round())
+      : Eigen::Array3d(-middle_of_box);
+    std::vector<double> result = { first.z() + z, first.z() };
+    for(std::size_t k = 0; k < g; ++k)
+      for(const double c : { first.x() + left[k], first.y() + bar + width[k], first.x() + left[k] + width[k], first.y() + bar })
+        result.push_back(c);
+    for(const double c : { first.x() + x, first.y() + y, first.x(), first.y() })
+      result.push_back(c);
+    return result;
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // Between two lines. The other one is on the left of the first one, if that is of a hole, or on the right. The sides
+  // begin at corners, the vertices with these numbers; the last one is in front.
+  struct Ring
+  {
+    Surface_line_3 line, other_line;
+    bool is_other_on_left;
+    std::array<std::size_t, 4> corners;
+  };
+
+  bool is_of_box(const std::size_t piece) const { return piece >= 2 + 4 * m_lines.number_of_holes(); }
+
+  void draw(const Surface_line_3& line)
+  {
+    for(const Halfedge h : line)
+    {
+      m_is_on_line[m_mesh.source(h)] = m_is_on_line[m_mesh.target(h)] = true;
+      m_is_line[m_mesh.edge(h)] = true;
+    }
+  }
+
+  // A line of a hole leaves its meridian to the left. So the meridian goes on to the right there, and this is the upper part
+  // if the line of the box leaves to the left, too.
+  Surface_line_3 line_with_upper_part_on_left(const std::size_t hole) const
+  {
+    Surface_line_3 line = m_lines.hole(hole, true);
+    const auto& crossings = m_lines.crossings_of_box();
+    if(std::find_if(crossings.begin(), crossings.end(), [&](const Crossing_3& c) { return c.meridian == hole; })->leaves_left)
+    {
+      std::reverse(line.begin(), line.end());
+      for(Halfedge& h : line)
+        h = m_mesh.opposite(h);
+    }
+    return line;
+  }
+
+  // Where the parts of a closed line are that divide it at each second eighth of its length.
+  std::array<std::size_t, 4> quarters(const Surface_line_3& line) const
+  {
+    std::array<std::size_t, 4> result;
+    const double whole = m_lines.length(line);
+    double sum = 0;
+    for(std::size_t i = 0, k = 0; k < 4; ++k, sum += m_lines.length(line[i]), ++i)
+    {
+      for(; i + 4 < line.size() + k && sum + m_lines.length(line[i]) / 2 < whole * static_cast<double>(2 * k + 1) / 8; ++i)
+        sum += m_lines.length(line[i]);
+      result[k] = i;
+    }
+    return result;
+  }
+
+  // Near those of the holes on both ends, behind the last meridian: right in front, right behind, left behind, left in front.
+  std::array<std::size_t, 4> corners_of_box() const
+  {
+    const Surface_line_3& line = m_rings.back().line;
+    const Ring &left = m_rings[m_lines.crossings_of_box().front().meridian], &right = m_rings[m_lines.crossings_of_box().back().meridian];
+    const std::array<Halfedge, 4> goals = { right.line[right.corners[3]], right.line[right.corners[2]],
+                                            left.line[left.corners[1]], left.line[left.corners[0]] };
+    double rest = m_lines.length(line) * m_lines.crossings_along_box().back();
+    std::size_t begin = 0;
+    for(; rest > 0 && begin < line.size(); ++begin)
+      rest -= m_lines.length(line[begin]);
+
+    // The sum of distances is least for four places in this order: the best ones for the first k, by where the last of them is.
+    std::array<std::vector<double>, 4> sum;
+    std::array<std::vector<std::size_t>, 4> previous;
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      const Shortest_paths_3 paths(m_mesh, { m_mesh.source(goals[k]) }, [this](const Halfedge h) { return m_lines.length(h); });
+      std::size_t best = none;
+      for(std::size_t i = 0; i < line.size(); ++i)
+      {
+        if(k > 0 && i > 0 && (best == none || sum[k - 1][i - 1] < sum[k - 1][best]))
+          best = i - 1;
+        const double before = k == 0 ? (i < begin ? Shortest_paths_3::infinity : 0) : (best == none ? Shortest_paths_3::infinity : sum[k - 1][best]);
+        sum[k].push_back(before + paths.distance[m_mesh.source(line[i])]);
+        previous[k].push_back(best);
+      }
+    }
+    std::array<std::size_t, 4> result;
+    result[3] = std::min_element(sum[3].begin(), sum[3].end()) - sum[3].begin();
+    for(std::size_t k = 3; k > 0; --k)
+      result[k - 1] = previous[k][result[k]];
+    return result;
+  }
+
+  double length_of_part(const Ring& ring, const std::size_t begin, const std::size_t end) const
+  { return m_lines.length(Surface_line_3(ring.line.begin() + begin, ring.line.begin() + end)); }
+
+  double length_of_front() const
+  {
+    const Ring& box = m_rings.back();
+    return length_of_part(box, box.corners[3], box.line.size()) + length_of_part(box, 0, box.corners[0]);
+  }
+
+  // Where the meridians cross the line of the box, as parts of its front.
+  std::vector<double> middles_of_holes() const
+  {
+    const Ring& box = m_rings.back();
+    const double before = length_of_part(box, box.corners[3], box.line.size());
+    std::vector<double> result;
+    for(const double place : m_lines.crossings_along_box())
+      result.push_back((before + place * m_lines.length(box.line)) / length_of_front());
+    return result;
+  }
+
+  // From each corner of a ring to the other line, along disjoint paths.
+  bool draw_corners(const Ring& ring)
+  {
+    std::vector<bool> is_goal(m_mesh.number_of_vertices(), false);
+    for(const Halfedge h : ring.other_line)
+      is_goal[m_mesh.source(h)] = true;
+    for(const std::size_t corner : ring.corners)
+    {
+      const auto first = m_lines.leaving(ring.line, corner, ring.is_other_on_left);
+      const Vertex source = m_mesh.source(ring.line[corner]);
+      const Shortest_paths_3 paths(m_mesh, { source }, [&](const Halfedge h)
+      {
+        const Vertex v = m_mesh.source(h), w = m_mesh.target(h);
+        const bool is_open = v == source ? std::find(first.begin(), first.end(), h) != first.end() : !m_is_on_line[v];
+        return is_open && (is_goal[w] || !m_is_on_line[w]) ? m_lines.length(h) : Shortest_paths_3::infinity;
+      });
+      Vertex goal = source;
+      for(const Halfedge h : ring.other_line)
+        if(const Vertex v = m_mesh.source(h); is_goal[v] && (goal == source || paths.distance[v] < paths.distance[goal]))
+          goal = v;
+      if(goal == source || paths.distance[goal] == Shortest_paths_3::infinity)
+        return false;
+      is_goal[goal] = false;
+      draw(paths.path_to(m_mesh, goal));
+    }
+    return true;
+  }
+
+  bool fill_pieces()
+  {
+    bool are_apart = fill(m_rings.back().line[0], 0) && fill(m_mesh.opposite(m_rings[0].line[0]), 1);
+    for(std::size_t k = 0; k < m_rings.size(); ++k)
+      for(std::size_t i = 0; i < 4; ++i)
+      {
+        const Halfedge h = m_rings[k].line[m_rings[k].corners[i]];
+        are_apart = are_apart && fill(m_rings[k].is_other_on_left ? h : m_mesh.opposite(h), 2 + 4 * k + i);
+      }
+    return are_apart && std::count(m_piece.begin(), m_piece.end(), none) == 0;
+  }
+
+  // From the face of a halfedge to the lines. Returns whether no other piece is in the way.
+  bool fill(const Halfedge start, const std::size_t piece)
+  {
+    std::vector<Face> faces(1, m_mesh.face(start));
+    if(m_piece[faces[0]] != none)
+      return false;
+    m_piece[faces[0]] = piece;
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      for(const Halfedge h : CGAL::halfedges_around_face(m_mesh.halfedge(faces[i]), m_mesh))
+      {
+        const Face f = m_mesh.face(m_mesh.opposite(h));
+        if(m_is_line[m_mesh.edge(h)] || m_piece[f] == piece)
+          continue;
+        if(m_piece[f] != none)
+          return false;
+        m_piece[f] = piece;
+        faces.push_back(f);
+      }
+    return true;
+  }
+
+  const Boundary_mesh_3& m_mesh;
+  const Lines_of_box_3& m_lines;
+  std::vector<Ring> m_rings; // of the holes, and of the box
+  std::vector<bool> m_is_on_line, m_is_line;
+  std::vector<std::size_t> m_piece; // of faces: the top, the bottom, and four sides of each ring
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_BOX_WITH_HOLES_3_H
