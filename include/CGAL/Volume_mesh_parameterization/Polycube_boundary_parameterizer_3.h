@@ -48,12 +48,15 @@ facets, of small regions and of charts are changed as long as that lowers the co
 neighbours, another one is put between them. Charts that no polycube can have, and their neighbours, get other
 labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
 the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the
-mean square of the logarithms of the singular values. If its map is not valid, the next one is taken, and if there
-is none, a topological sphere is mapped to its bounding box.
+mean square of the logarithms of the singular values. If its map is not valid, the next one is taken. If there
+is none, a topological sphere is mapped to its bounding box, and the boundary of a body with handles to a box with as many
+holes, which exists for each body that discs cut into a ball, also a knotted one: meridians around the handles are found
+inside the body, and the edges of the box as disjoint lines on its boundary. At least four edges of the mesh must
+lead around each handle, and more where it is to be mapped with low distortion.
 
 `parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, `ERROR_BOUNDARY_TOO_COARSE` if facets
-between edges of the polycube would be flipped or flat, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
+`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,
+`ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
 `ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`. The
 running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights, with \f$ n \f$ boundary vertices of
 bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Lines_of_box_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/coordinates_of_box_with_holes_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -31,8 +31,8 @@ public:
     : m_mesh(mesh), m_lines(lines), m_is_on_line(mesh.number_of_vertices(), false),
       m_is_line(mesh.number_of_edges(), false), m_piece(mesh.number_of_faces(), none)
   {
-    for(std::size_t k = 0; k < lines.number_of_holes(); ++k)
-      m_rings.push_back({ line_with_upper_part_on_left(k), lines.hole(k, false), true, {} });
+    for(const Crossing_3& crossing : lines.crossings_of_box())
+      m_rings.push_back({ line_with_upper_part_on_left(crossing), lines.hole(crossing.meridian, false), true, {} });
     m_rings.push_back({ lines.box(true), lines.box(false), false, {} });
   }
 
@@ -81,63 +81,28 @@ public:
 
   std::size_t number_of_pieces() const { return 2 + 4 * m_rings.size(); }
 
-  // The coordinates of the faces of the box, for each piece, along its axis. Bars are as thick as a quarter of a meridian, holes as
-  // wide as a quarter of their line, and, if there is place, before them the front is divided as its line is by the meridians;
-  // the top has the area of the upper part. With planes of a grid, distances are rounded up.
+  // The coordinates of the images of the pieces, along their axes.
   std::vector<double> coordinates(const Grid_planes_3& planes) const
   {
-    const std::size_t g = m_lines.number_of_holes();
-    const auto rounded = [&](const double x) { return planes.spacing > 0 ? planes.spacing * std::ceil(x / planes.spacing) : x; };
-    double bar = 0, area = 0, largest = 0;
-    std::vector<double> width(g), left(g);
-    for(std::size_t k = 0; k < g; ++k)
+    Measures_of_box_3 measures;
+    for(std::size_t i = 0; i < m_lines.number_of_holes(); ++i)
     {
-      bar += m_lines.length(m_lines.meridian(k)) / 4 / static_cast<double>(g);
-      width[k] = rounded(m_lines.length(m_rings[k].line) / 4);
-      area += width[k] * width[k];
-      largest = (std::max)(largest, width[k]);
+      measures.bar += length(m_mesh, m_lines.meridian(i)) / 4 / static_cast<double>(m_lines.number_of_holes());
+      measures.widths.push_back(length(m_mesh, m_rings[i].line) / 4);
     }
-    bar = rounded(bar);
-    double area_of_side = 0;
+    measures.front = length_of_front();
+    measures.middles = middles_of_holes();
     for(const Face f : m_mesh.faces())
     {
       const Halfedge h = m_mesh.halfedge(f);
-      const double area_of_face = std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
-                                                               m_mesh.point(m_mesh.target(m_mesh.next(h)))));
-      (m_piece[f] < 2 ? area : area_of_side) += m_piece[f] < 2 ? area_of_face / 2 : is_of_box(m_piece[f]) ? area_of_face : 0;
+      const double area = std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
+                                                       m_mesh.point(m_mesh.target(m_mesh.next(h)))));
+      if(m_piece[f] < 2)
+        measures.area_of_top += area / 2;
+      else if(is_of_box(m_piece[f]))
+        measures.area_of_sides += area;
     }
-
-    // As long as its front is on the surface, if that leaves place for the bars and is not long and thin.
-    double x = bar;
-    for(const double w : width)
-      x += w + bar + planes.spacing;
-    x = rounded((std::max)(x, (std::min)(length_of_front(), 2 * std::sqrt(area))));
-    const double y = 2 * bar + largest + rounded((std::max)(0., area / x - 2 * bar - largest));
-    const double z = rounded((std::max)(bar, area_of_side / (2 * (x + y))));
-    const std::vector<double> middle = middles_of_holes();
-    double least = bar, rest = x; // where the next hole may begin, and what lies behind it at least
-    for(const double w : width)
-      rest -= w + bar;
-    for(std::size_t i = 0; i < g; ++i)
-    {
-      const std::size_t k = m_lines.crossings_of_box()[i].meridian;
-      const double most = least + rest - bar;
-      left[k] = (std::max)(least, (std::min)(most, rounded(x * middle[i] - width[k] / 2)));
-      rest -= left[k] - least;
-      least = left[k] + width[k] + bar;
-    }
-
-    const Eigen::Array3d unit = Eigen::Array3d::Constant(planes.spacing), middle_of_box(x / 2, y / 2, z / 2);
-    const Eigen::Array3d first = planes.spacing > 0 // the corner of the box
-      ? Eigen::Array3d(planes.origin.array() - unit * ((middle_of_box + planes.origin.array()) / unit).round())
-      : Eigen::Array3d(-middle_of_box);
-    std::vector<double> result = { first.z() + z, first.z() };
-    for(std::size_t k = 0; k < g; ++k)
-      for(const double c : { first.x() + left[k], first.y() + bar + width[k], first.x() + left[k] + width[k], first.y() + bar })
-        result.push_back(c);
-    for(const double c : { first.x() + x, first.y() + y, first.x(), first.y() })
-      result.push_back(c);
-    return result;
+    return coordinates_of_box_with_holes_3(measures, planes);
   }
 
 private:
@@ -165,11 +130,10 @@ private:
 
   // A line of a hole leaves its meridian to the left. So the meridian goes on to the right there, and this is the upper part
   // if the line of the box leaves to the left, too.
-  Surface_line_3 line_with_upper_part_on_left(const std::size_t hole) const
+  Surface_line_3 line_with_upper_part_on_left(const Crossing_3& crossing_of_box) const
   {
-    Surface_line_3 line = m_lines.hole(hole, true);
-    const auto& crossings = m_lines.crossings_of_box();
-    if(std::find_if(crossings.begin(), crossings.end(), [&](const Crossing_3& c) { return c.meridian == hole; })->leaves_left)
+    Surface_line_3 line = m_lines.hole(crossing_of_box.meridian, true);
+    if(crossing_of_box.leaves_left)
     {
       std::reverse(line.begin(), line.end());
       for(Halfedge& h : line)
@@ -182,12 +146,12 @@ private:
   std::array<std::size_t, 4> quarters(const Surface_line_3& line) const
   {
     std::array<std::size_t, 4> result;
-    const double whole = m_lines.length(line);
+    const double whole = length(m_mesh, line);
     double sum = 0;
-    for(std::size_t i = 0, k = 0; k < 4; ++k, sum += m_lines.length(line[i]), ++i)
+    for(std::size_t i = 0, k = 0; k < 4; ++k, sum += length(m_mesh, line[i]), ++i)
     {
-      for(; i + 4 < line.size() + k && sum + m_lines.length(line[i]) / 2 < whole * static_cast<double>(2 * k + 1) / 8; ++i)
-        sum += m_lines.length(line[i]);
+      for(; i + 4 < line.size() + k && sum + length(m_mesh, line[i]) / 2 < whole * static_cast<double>(2 * k + 1) / 8; ++i)
+        sum += length(m_mesh, line[i]);
       result[k] = i;
     }
     return result;
@@ -197,20 +161,20 @@ private:
   std::array<std::size_t, 4> corners_of_box() const
   {
     const Surface_line_3& line = m_rings.back().line;
-    const Ring &left = m_rings[m_lines.crossings_of_box().front().meridian], &right = m_rings[m_lines.crossings_of_box().back().meridian];
+    const Ring &left = m_rings.front(), &right = m_rings[m_rings.size() - 2];
     const std::array<Halfedge, 4> goals = { right.line[right.corners[3]], right.line[right.corners[2]],
                                             left.line[left.corners[1]], left.line[left.corners[0]] };
-    double rest = m_lines.length(line) * m_lines.crossings_along_box().back();
+    double rest = length(m_mesh, line) * m_lines.crossings_along_box().back();
     std::size_t begin = 0;
     for(; rest > 0 && begin < line.size(); ++begin)
-      rest -= m_lines.length(line[begin]);
+      rest -= length(m_mesh, line[begin]);
 
     // The sum of distances is least for four places in this order: the best ones for the first k, by where the last of them is.
     std::array<std::vector<double>, 4> sum;
     std::array<std::vector<std::size_t>, 4> previous;
     for(std::size_t k = 0; k < 4; ++k)
     {
-      const Shortest_paths_3 paths(m_mesh, { m_mesh.source(goals[k]) }, [this](const Halfedge h) { return m_lines.length(h); });
+      const Shortest_paths_3 paths(m_mesh, { m_mesh.source(goals[k]) }, [this](const Halfedge h) { return length(m_mesh, h); });
       std::size_t best = none;
       for(std::size_t i = 0; i < line.size(); ++i)
       {
@@ -229,7 +193,7 @@ private:
   }
 
   double length_of_part(const Ring& ring, const std::size_t begin, const std::size_t end) const
-  { return m_lines.length(Surface_line_3(ring.line.begin() + begin, ring.line.begin() + end)); }
+  { return length(m_mesh, Surface_line_3(ring.line.begin() + begin, ring.line.begin() + end)); }
 
   double length_of_front() const
   {
@@ -244,7 +208,7 @@ private:
     const double before = length_of_part(box, box.corners[3], box.line.size());
     std::vector<double> result;
     for(const double place : m_lines.crossings_along_box())
-      result.push_back((before + place * m_lines.length(box.line)) / length_of_front());
+      result.push_back((before + place * length(m_mesh, box.line)) / length_of_front());
     return result;
   }
 
@@ -256,13 +220,13 @@ private:
       is_goal[m_mesh.source(h)] = true;
     for(const std::size_t corner : ring.corners)
     {
-      const auto first = m_lines.leaving(ring.line, corner, ring.is_other_on_left);
+      const auto first = leaving(m_mesh, ring.line, corner, ring.is_other_on_left);
       const Vertex source = m_mesh.source(ring.line[corner]);
       const Shortest_paths_3 paths(m_mesh, { source }, [&](const Halfedge h)
       {
         const Vertex v = m_mesh.source(h), w = m_mesh.target(h);
         const bool is_open = v == source ? std::find(first.begin(), first.end(), h) != first.end() : !m_is_on_line[v];
-        return is_open && (is_goal[w] || !m_is_on_line[w]) ? m_lines.length(h) : Shortest_paths_3::infinity;
+        return is_open && (is_goal[w] || !m_is_on_line[w]) ? length(m_mesh, h) : Shortest_paths_3::infinity;
       });
       Vertex goal = source;
       for(const Halfedge h : ring.other_line)
@@ -311,7 +275,7 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Lines_of_box_3& m_lines;
-  std::vector<Ring> m_rings; // of the holes, and of the box
+  std::vector<Ring> m_rings; // of the holes from left to right, and of the box
   std::vector<bool> m_is_on_line, m_is_line;
   std::vector<std::size_t> m_piece; // of faces: the top, the bottom, and four sides of each ring
 };

@@ -12,67 +12,13 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Surface_line_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-
-#include <CGAL/boost/graph/iterator.h>
 
 #include <cmath>
 #include <numeric>
-#include <optional>
-#include <queue>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Shortest paths on a surface from some vertices, along halfedges that have lengths; infinite ones are not used.
-struct Shortest_paths_3
-{
-  using Vertex = Boundary_mesh_3::Vertex_index;
-  using Halfedge = Boundary_mesh_3::Halfedge_index;
-  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-
-  std::vector<double> distance;
-  std::vector<Halfedge> last; // of the path to each vertex
-
-  template <typename Length>
-  Shortest_paths_3(const Boundary_mesh_3& mesh, const std::vector<Vertex>& sources, const Length& length)
-    : distance(mesh.number_of_vertices(), infinity), last(mesh.number_of_vertices())
-  {
-    using Entry = std::pair<double, Vertex>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-    const auto reach = [&](const Vertex v, const double d)
-    {
-      distance[v] = d;
-      queue.push({ d, v });
-    };
-    for(const Vertex v : sources)
-      reach(v, 0);
-    while(!queue.empty())
-    {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(d == distance[v])
-        for(const Halfedge h : CGAL::halfedges_around_source(v, mesh))
-          if(const double candidate = d + length(h); candidate < distance[mesh.target(h)])
-          {
-            last[mesh.target(h)] = h;
-            reach(mesh.target(h), candidate);
-          }
-    }
-  }
-
-  // From the source, if the vertex has been reached.
-  std::vector<Halfedge> path_to(const Boundary_mesh_3& mesh, Vertex v) const
-  {
-    std::vector<Halfedge> result;
-    for(; distance[v] > 0; v = mesh.source(last[v]))
-      result.push_back(last[v]);
-    std::reverse(result.begin(), result.end());
-    return result;
-  }
-};
-
-using Surface_line_3 = std::vector<Boundary_mesh_3::Halfedge_index>;
 
 // Where a line crosses a meridian, at its vertex with this number, and whether it goes on to the left of the meridian.
 struct Crossing_3
@@ -119,7 +65,7 @@ public:
       Surface_line_3 loop;
       for(std::size_t i = 0; i < vertices.size(); ++i)
         loop.push_back(mesh.halfedge(vertex(vertices[i]), vertex(vertices[(i + 1) % vertices.size()])));
-      m_meridians.push_back(without_shortcuts(loop));
+      m_meridians.push_back(without_shortcuts(mesh, loop));
       for(const Halfedge h : m_meridians.back())
         m_is_on_meridian[mesh.source(h)] = true;
     }
@@ -132,7 +78,7 @@ public:
     if(std::any_of(m_meridians.begin(), m_meridians.end(), is_short) || !choose_crossings() || !separate(budget))
       return false;
     for(const Closed_line_3& line : m_lines)
-      m_loops.push_back(without_shortcuts(line.whole()));
+      m_loops.push_back(without_shortcuts(m_mesh, line.whole()));
     return std::none_of(m_loops.begin(), m_loops.end(), is_short);
   }
 
@@ -150,31 +96,10 @@ public:
   {
     std::vector<double> result(1, 0.);
     for(const Surface_line_3& part : m_lines[0].parts)
-      result.push_back(result.back() + length(part));
+      result.push_back(result.back() + length(m_mesh, part));
     for(double& place : result)
       place /= result.back();
     result.pop_back();
-    return result;
-  }
-
-  double length(const Halfedge h) const
-  {
-    return std::sqrt(CGAL::squared_distance(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h))));
-  }
-
-  double length(const Surface_line_3& line) const
-  {
-    return std::accumulate(line.begin(), line.end(), 0., [this](const double sum, const Halfedge h) { return sum + length(h); });
-  }
-
-  // The halfedges that leave a closed line to one side, where its i-th halfedge begins.
-  std::vector<Halfedge> leaving(const Surface_line_3& line, const std::size_t i, const bool is_left) const
-  {
-    const Halfedge next = line[i], back = m_mesh.opposite(line[(i + line.size() - 1) % line.size()]);
-    std::vector<Halfedge> result;
-    const auto turn = [this](const Halfedge h) { return m_mesh.opposite(m_mesh.prev(h)); }; // to the left
-    for(Halfedge h = turn(is_left ? next : back); h != (is_left ? back : next); h = turn(h))
-      result.push_back(h);
     return result;
   }
 
@@ -182,25 +107,6 @@ private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
   static Vertex vertex(const std::size_t v) { return Vertex(static_cast<Boundary_mesh_3::size_type>(v)); }
-
-  // Two sides of a face in a row are replaced by the third one.
-  Surface_line_3 without_shortcuts(Surface_line_3 line) const
-  {
-    for(std::size_t i = 0; i < line.size() && line.size() > 4; )
-    {
-      const std::size_t next = (i + 1) % line.size();
-      const Halfedge a = line[i], b = line[next], back_a = m_mesh.opposite(a), back_b = m_mesh.opposite(b);
-      if(m_mesh.next(a) != b && m_mesh.next(back_b) != back_a)
-      {
-        ++i;
-        continue;
-      }
-      line[i] = m_mesh.next(a) == b ? m_mesh.opposite(m_mesh.next(b)) : m_mesh.prev(back_b);
-      line.erase(line.begin() + next);
-      i = 0;
-    }
-    return line;
-  }
 
   // Vertices that divide a meridian into quarters, beginning with one.
   std::array<std::size_t, 4> quarters(const Surface_line_3& meridian, const std::size_t first) const
@@ -210,13 +116,13 @@ private:
     double sum = 0;
     for(std::size_t i = 0, k = 1; k < 4; ++k)
     {
-      const auto next = [&] { return length(meridian[(first + i) % n]); };
+      const auto next = [&] { return length(m_mesh, meridian[(first + i) % n]); };
       do
       {
         sum += next();
         ++i;
       }
-      while(i + 4 < n + k && sum + next() / 2 < length(meridian) * static_cast<double>(k) / 4);
+      while(i + 4 < n + k && sum + next() / 2 < length(m_mesh, meridian) * static_cast<double>(k) / 4);
       result[k] = (first + i) % n;
     }
     return result;
@@ -240,8 +146,8 @@ private:
   template <typename Length>
   Surface_line_3 path(const Crossing_3& from, const Crossing_3& to, const Length& length_of) const
   {
-    const auto first = leaving(m_meridians[from.meridian], from.place, from.leaves_left);
-    const auto last = leaving(m_meridians[to.meridian], to.place, !to.leaves_left);
+    const auto first = leaving(m_mesh, m_meridians[from.meridian], from.place, from.leaves_left);
+    const auto last = leaving(m_mesh, m_meridians[to.meridian], to.place, !to.leaves_left);
     const Vertex source = m_mesh.source(m_meridians[from.meridian][from.place]);
     const Shortest_paths_3 paths(m_mesh, { source }, [&](const Halfedge h)
     {
@@ -261,58 +167,60 @@ private:
     return result;
   }
 
-  // The lines of the holes cross where they are shortest, those of the box on the other side of the bars, each time at the next
-  // meridian from there. The upper part is on the left of the lines of the box.
+  // Each line of a hole crosses its meridian where it is shortest, and those of the box on the other side of the bars, the next
+  // meridian each time being the nearest one. The upper part is to the left of the lines of the box.
   bool choose_crossings()
   {
     const std::size_t g = number_of_holes();
-    const auto length_of = [this](const Halfedge h) { return length(h); };
-    std::vector<std::array<std::size_t, 4> > places(g);
+    m_lines.resize(2 + 2 * g);
+    std::vector<std::array<std::size_t, 4> > places(g); // of the lines: one of the hole, one in each part, one of the box
     for(std::size_t k = 0; k < g; ++k)
     {
-      double least = infinity;
-      for(std::size_t i = 0; i < m_meridians[k].size(); i += (m_meridians[k].size() + 7) / 8)
-      {
-        const Crossing_3 crossing = { k, i, true };
-        const Surface_line_3 line = path(crossing, crossing, length_of);
-        if(!line.empty() && length(line) < least)
-        {
-          least = length(line);
-          places[k] = quarters(m_meridians[k], i);
-        }
-      }
-      if(least == infinity)
+      const auto [length, crossing] = nearest(crossings_of_meridian(k), [](const Crossing_3& c) { return c; });
+      if(length == infinity)
         return false;
+      places[k] = quarters(m_meridians[k], crossing.place);
     }
-
-    m_lines.resize(2 + 2 * g);
-    std::vector<bool> is_crossed(g, false);
-    for(Crossing_3 crossing = { 0, places[0][2], true }; m_lines[0].crossings.size() < g; )
-    {
-      m_lines[0].crossings.push_back(crossing);
-      is_crossed[crossing.meridian] = true;
-      double least = infinity;
-      Crossing_3 next = crossing;
-      for(std::size_t k = 0; k < g; ++k)
-        for(const bool leaves_left : { true, false })
-          if(!is_crossed[k])
-            if(const Surface_line_3 line = path(crossing, { k, places[k][2], leaves_left }, length_of);
-               !line.empty() && length(line) < least)
-            {
-              least = length(line);
-              next = { k, places[k][2], leaves_left };
-            }
-      crossing = next;
-    }
-    for(const Crossing_3& crossing : m_lines[0].crossings)
+    for(Crossing_3 crossing = { 0, places[0][2], true }; ; )
     {
       const std::size_t k = crossing.meridian;
       const auto [hole, one_side, box, other_side] = places[k];
+      m_lines[0].crossings.push_back(crossing);
       m_lines[1].crossings.push_back({ k, crossing.leaves_left ? other_side : one_side, crossing.leaves_left });
       m_lines[2 + 2 * k].crossings.push_back({ k, hole, true });
       m_lines[3 + 2 * k].crossings.push_back({ k, crossing.leaves_left ? one_side : other_side, true });
+      std::vector<Crossing_3> next;
+      for(std::size_t i = 0; i < g; ++i)
+        for(const bool leaves_left : { true, false })
+          if(m_lines[2 + 2 * i].crossings.empty())
+            next.push_back({ i, places[i][2], leaves_left });
+      if(next.empty())
+        return true;
+      crossing = nearest(next, [&](const Crossing_3&) { return crossing; }).second;
     }
-    return true;
+  }
+
+  std::vector<Crossing_3> crossings_of_meridian(const std::size_t k) const
+  {
+    constexpr std::size_t most = 8;
+    std::vector<Crossing_3> result;
+    for(std::size_t i = 0; i < m_meridians[k].size(); i += (m_meridians[k].size() + most - 1) / most)
+      result.push_back({ k, i, true });
+    return result;
+  }
+
+  // That of some crossings to which the path is shortest, from where a function tells, and the length of this path.
+  template <typename From>
+  std::pair<double, Crossing_3> nearest(const std::vector<Crossing_3>& crossings, const From& from) const
+  {
+    std::pair<double, Crossing_3> result(infinity, crossings.front());
+    for(const Crossing_3& to : crossings)
+    {
+      const Surface_line_3 line = path(from(to), to, [this](const Halfedge h) { return length(m_mesh, h); });
+      if(!line.empty() && length(m_mesh, line) < result.first)
+        result = { length(m_mesh, line), to };
+    }
+    return result;
   }
 
   void use(const Closed_line_3& line, const int times)
@@ -327,7 +235,7 @@ private:
     constexpr int least_number_of_rounds = 4, most = 40;
     double quarter = 0; // of a meridian, in the mean
     for(const Surface_line_3& meridian : m_meridians)
-      quarter += length(meridian) / 4 / static_cast<double>(number_of_holes());
+      quarter += length(m_mesh, meridian) / 4 / static_cast<double>(number_of_holes());
     std::vector<double> history(m_uses.size(), 0);
     for(int round = 1; round <= most && !budget.is_exhausted(); ++round)
     {
@@ -338,10 +246,10 @@ private:
         for(const Vertex v : m_mesh.vertices())
           if(m_uses[v] > 0)
             others.push_back(v);
-        const Shortest_paths_3 from_others(m_mesh, others, [this](const Halfedge h) { return length(h); });
+        const Shortest_paths_3 from_others(m_mesh, others, [this](const Halfedge h) { return length(m_mesh, h); });
         const auto factor = [&](const Vertex v)
         { return 1 + history[v] + (m_uses[v] > 0 ? 10 * round : std::pow(quarter / from_others.distance[v], 2)); };
-        if(!route(line, [&](const Halfedge h) { return length(h) * factor(m_mesh.target(h)); }))
+        if(!route(line, [&](const Halfedge h) { return length(m_mesh, h) * factor(m_mesh.target(h)); }))
           return false;
         use(line, 1);
       }
