@@ -5,6 +5,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Meridians_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
@@ -374,6 +375,31 @@ TEST_CASE("a body with handles that has no other polycube is mapped to a box wit
   CHECK(area[4] == Approx(size_of_box(0) * size_of_box(1) - size_of_hole(0) * size_of_hole(1)));
   CHECK(area[5] == Approx(area[4]));
   CHECK(volume == Approx(area[4] * size_of_box(2)));
+}
+
+TEST_CASE("bodies whose polycubes would touch are mapped side by side")
+{
+  VMP::Tetrahedron_soup_3 soup = bricks(size_of_frame, is_frame, tie);
+  const std::size_t number_of_points = soup.points.size(), number_of_cells = soup.cells.size();
+  for(std::size_t v = 0; v < number_of_points; ++v) // a second knot, whose bounding box meets that of the first one
+    soup.points.push_back({ soup.points[v][0] + 3.75, soup.points[v][1], soup.points[v][2] + 0.5 });
+  for(std::size_t c = 0; c < number_of_cells; ++c)
+  {
+    std::array<std::size_t, 4> cell = soup.cells[c];
+    for(std::size_t& v : cell)
+      v += number_of_points;
+    soup.cells.push_back(cell);
+    soup.cell_references.push_back(1);
+  }
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube().parameterize(soup.points, soup.cells, targets) == VMP::OK);
+  double right = -(std::numeric_limits<double>::infinity)(), left = (std::numeric_limits<double>::infinity)();
+  for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
+    if(v < number_of_points)
+      right = (std::max)(right, targets[v][0]);
+    else
+      left = (std::min)(left, targets[v][0]);
+  CHECK(left > right);
 }
 
 TEST_CASE("maps to boxes with holes can be ended anywhere, with nothing written")

@@ -81,6 +81,81 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
   return status;
 }
 
+// One of several bodies that share no point, and where its vertices are on the surface of all.
+struct Separate_body_3
+{
+  Numbered_surface_3 surface;
+  std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<std::size_t> vertices;
+};
+
+inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
+{
+  std::size_t number_of_points = 0;
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    number_of_points = (std::max)(number_of_points, *std::max_element(cell.begin(), cell.end()) + 1);
+  Disjoint_sets sets(number_of_points);
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    for(const std::size_t v : cell)
+      sets.unite(cell[0], v);
+  std::map<std::size_t, std::size_t> number_of_set;
+  const auto body_of = [&](const std::size_t point)
+  { return number_of_set.emplace(sets.find(point), number_of_set.size()).first->second; };
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    body_of(cell[0]);
+
+  std::vector<Separate_body_3> bodies(number_of_set.size());
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    bodies[body_of(cell[0])].cells.push_back(cell);
+  std::vector<std::size_t> number(whole.vertices.size());
+  for(std::size_t v = 0; v < number.size(); ++v)
+  {
+    Separate_body_3& body = bodies[body_of(whole.vertices[v])];
+    number[v] = body.vertices.size();
+    body.vertices.push_back(v);
+    body.surface.points.push_back(whole.points[v]);
+    body.surface.vertices.push_back(whole.vertices[v]);
+  }
+  for(const auto& [a, b, c] : whole.facets)
+    bodies[body_of(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+  return bodies;
+}
+
+// Maps several bodies, each for itself. Those whose polycubes would touch earlier ones are moved to the right of these, as linked
+// rings must be. There is no answer for a body with cavities.
+inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
+                                     std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
+  if(bodies.size() == 1)
+    return ERROR_NO_POLYCUBE;
+  std::vector<Eigen::Vector3d> result(whole.points.size());
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for(Separate_body_3& body : bodies)
+  {
+    body.surface.cells = &body.cells;
+    std::vector<Eigen::Vector3d> part;
+    if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, part, budget); status != OK)
+      return status;
+    Eigen::AlignedBox3d box, others;
+    for(const Eigen::Vector3d& p : part)
+      box.extend(p);
+    for(const Eigen::AlignedBox3d& other : boxes)
+      others.extend(other);
+    double shift = 0;
+    if(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
+    {
+      const double distance = (others.max)().x() - (box.min)().x();
+      shift = spacing > 0 ? spacing * std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8;
+    }
+    boxes.push_back(box.translate(shift * Eigen::Vector3d::UnitX()));
+    for(std::size_t v = 0; v < part.size(); ++v)
+      result[body.vertices[v]] = part[v] + shift * Eigen::Vector3d::UnitX();
+  }
+  images = result;
+  return OK;
+}
+
 inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numbered_surface_3& surface,
                                          const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
                                          const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
@@ -89,8 +164,10 @@ inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numb
   {
     const Error_code status = map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
     const Error_code kind = check_sphere(mesh);
-    if(status == OK || budget.is_exhausted() || kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+    if(status == OK || budget.is_exhausted())
       return status;
+    if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+      return map_bodies_apart_3(surface, spacing, images, budget);
     return kind == OK ? map_to_bounding_box_3(mesh, box, spacing, images, budget)
                       : map_to_box_with_holes_3(mesh, box, spacing, *surface.cells, surface.vertices, images, budget);
   }
