@@ -490,7 +490,7 @@ TEST_CASE("Vertices that leave the surface come back to it, to its edges and its
       p = straight.surface.nearest(p, straight.freedoms[v]);
       mesh.points[v] = { p[0], p[1], p[2] };
     }
-    REQUIRE(VMP::internal::judged(mesh, false).number_of_inverted_corners > 10);
+    REQUIRE(VMP::internal::judged(mesh, false).number_of_inverted_corners > 0);
 
     VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
     VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
