@@ -82,7 +82,7 @@ public:
   std::size_t number_of_pieces() const { return 2 + 4 * m_rings.size(); }
 
   // The coordinates of the images of the pieces, along their axes.
-  std::vector<double> coordinates(const Grid_planes_3& planes) const
+  std::vector<double> coordinates(const bool may_be_long, const Grid_planes_3& planes) const
   {
     Measures_of_box_3 measures;
     for(std::size_t i = 0; i < m_lines.number_of_holes(); ++i)
@@ -102,7 +102,7 @@ public:
       else if(is_of_box(m_piece[f]))
         measures.area_of_sides += area;
     }
-    return coordinates_of_box_with_holes_3(measures, planes);
+    return coordinates_of_box_with_holes_3(measures, may_be_long, planes);
   }
 
 private:

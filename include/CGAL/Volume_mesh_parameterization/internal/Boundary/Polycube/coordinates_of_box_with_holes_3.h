@@ -25,11 +25,28 @@ struct Measures_of_box_3
   std::vector<double> widths, middles; // of the holes: a quarter of their edges, and places in front of them, from 0 to 1
 };
 
+// Such a length of the front that the holes, with bars between them, have their middles in their places.
+inline double length_of_divided_front(const Measures_of_box_3& measures, const double bar)
+{
+  constexpr double least_part = 0.01;
+  double result = 0, place = 0, half = 0; // of the last hole
+  for(std::size_t i = 0; i <= measures.widths.size(); ++i)
+  {
+    const bool is_hole = i < measures.widths.size();
+    const double next_place = is_hole ? measures.middles[i] : 1, next_half = is_hole ? measures.widths[i] / 2 : 0;
+    result = (std::max)(result, (half + bar + next_half) / (std::max)(least_part, next_place - place));
+    place = next_place;
+    half = next_half;
+  }
+  return result;
+}
+
 // The coordinates of the top, the bottom, of four sides of each hole (left, back, right, front), and of the box (right,
-// back, left, front), along their axes. Bars are as thick as they are on the surface, and holes as wide, with middles where they
-// are in front of them, if there is place; the top has its area. The middle of the box is at the origin. With planes of a grid,
-// distances are rounded up.
-inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box_3& measures, const Grid_planes_3& planes)
+// back, left, front), along their axes. Bars are as thick as they are on the surface, and holes as wide. Their middles are where
+// they are in front of them, if the box may be so long, or else if there is place. The top has its area, and the middle
+// of the box is at the origin. With planes of a grid, distances are rounded up.
+inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box_3& measures, const bool may_be_long,
+                                                           const Grid_planes_3& planes)
 {
   const auto rounded = [&](const double x) { return planes.spacing > 0 ? planes.spacing * std::ceil(x / planes.spacing) : x; };
   const double bar = rounded(measures.bar);
@@ -43,7 +60,8 @@ inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box
     area += widths.back() * widths.back();
   }
   double spare = -x; // what is left for gaps that are wider than a bar
-  x = (std::max)(x, rounded((std::min)(measures.front, 2 * std::sqrt(area)))); // it must not be long and thin
+  x = (std::max)(x, rounded(may_be_long ? length_of_divided_front(measures, bar)
+                                        : (std::min)(measures.front, 2 * std::sqrt(area))));
   spare += x;
   const double y = 2 * bar + largest + rounded((std::max)(0., area / x - 2 * bar - largest));
   const double z = rounded((std::max)(bar, measures.area_of_sides / (2 * (x + y))));

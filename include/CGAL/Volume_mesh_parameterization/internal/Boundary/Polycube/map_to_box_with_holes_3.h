@@ -22,10 +22,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The coordinates of the charts of a box with holes, after some faces have been given to other ones; none if charts have been
 // divided, or edges are not along an axis.
 inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const Box_with_holes_3& box_with_holes,
-                                                 const Grid_planes_3& planes)
+                                                 const bool may_be_long, const Grid_planes_3& planes)
 {
   const std::vector<std::size_t>&pieces = box_with_holes.piece_of_face(), labels = box_with_holes.labels();
-  const std::vector<double> coordinates = box_with_holes.coordinates(planes);
+  const std::vector<double> coordinates = box_with_holes.coordinates(may_be_long, planes);
   std::vector<double> result(charts.number_of_charts(), (std::numeric_limits<double>::quiet_NaN)());
   for(std::size_t f = 0; f < pieces.size(); ++f)
     if(const std::size_t c = charts.chart_of_face()[f]; labels[f] == charts.labels()[c])
@@ -49,8 +49,8 @@ struct Map_to_box_with_holes_3
 // Faces for which there is no place between the edges are given to neighbouring charts.
 inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                                           const double spacing, const Lines_of_box_3& lines,
-                                                          const std::vector<int>& turns, const Normal_labels_3& costs,
-                                                          const Budget& budget)
+                                                          const std::vector<int>& turns, const bool may_be_long,
+                                                          const Normal_labels_3& costs, const Budget& budget)
 {
   constexpr int most_attempts = 10;
   const double size = box.sizes().maxCoeff();
@@ -64,7 +64,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
     Polycube_map_3 map(mesh, box, labels, spacing);
-    const auto coordinates = coordinates_of_charts(map.charts(), box_with_holes, { -box.center() / size, spacing / size });
+    const auto coordinates = coordinates_of_charts(map.charts(), box_with_holes, may_be_long, { -box.center() / size, spacing / size });
     if(coordinates.empty())
       return result;
     const Error_code status = map.start(coordinates, budget);
@@ -93,10 +93,11 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
 // the hole is turned, as long as that mends some of the faces that are flipped.
 inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                                    const double spacing, const Lines_of_box_3& lines,
-                                                   const Normal_labels_3& costs, const Budget& budget)
+                                                   const bool may_be_long, const Normal_labels_3& costs,
+                                                   const Budget& budget)
 {
   std::vector<int> turns(lines.number_of_holes(), 0);
-  Map_to_box_with_holes_3 best = map_to_box_between_lines_3(mesh, box, spacing, lines, turns, costs, budget);
+  Map_to_box_with_holes_3 best = map_to_box_between_lines_3(mesh, box, spacing, lines, turns, may_be_long, costs, budget);
   for(bool is_better = true; is_better && best.images.empty(); )
   {
     is_better = false;
@@ -106,7 +107,7 @@ inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, 
         {
           std::vector<int> candidate = turns;
           candidate[k] += turn;
-          Map_to_box_with_holes_3 map = map_to_box_between_lines_3(mesh, box, spacing, lines, candidate, costs, budget);
+          Map_to_box_with_holes_3 map = map_to_box_between_lines_3(mesh, box, spacing, lines, candidate, may_be_long, costs, budget);
           if(map.images.empty() && map.number_of_flipped_faces >= best.number_of_flipped_faces)
             continue;
           best = std::move(map);
@@ -148,7 +149,9 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const Eig
     Lines_of_box_3 lines(mesh, loops);
     if(!lines.run(budget))
       continue;
-    Map_to_box_with_holes_3 map = map_to_turned_box_3(mesh, box, spacing, lines, costs, budget);
+    Map_to_box_with_holes_3 map = map_to_turned_box_3(mesh, box, spacing, lines, false, costs, budget);
+    if(map.images.empty())
+      map = map_to_turned_box_3(mesh, box, spacing, lines, true, costs, budget);
     number_of_maps += !map.images.empty();
     if(map.distortion < best.distortion)
       best = std::move(map);
