@@ -6,7 +6,7 @@
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Meridians_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_box_with_holes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -375,6 +375,24 @@ TEST_CASE("a body with handles that has no other polycube is mapped to a box wit
   CHECK(area[4] == Approx(size_of_box(0) * size_of_box(1) - size_of_hole(0) * size_of_hole(1)));
   CHECK(area[5] == Approx(area[4]));
   CHECK(volume == Approx(area[4] * size_of_box(2)));
+}
+
+TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too coarse")
+{
+  using namespace VMP::internal;
+  const int holes = GENERATE(1, 2, 3, 4), width = GENERATE(1, 2);
+  const VMP::Tetrahedron_soup_3 soup = bricks({width * (2 * holes + 1), 3 * width, width}, [&](const int x, const int y, int)
+  { return (x / width) % 2 == 0 || y / width != 1; }, bend);
+  const Body_3 body = body_of(soup.points, soup.cells);
+  const Numbered_surface_3 surface = surface_of(body);
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
+  set_points(mesh, unit_points(mesh));
+  std::vector<Eigen::Vector3d> images;
+  const VMP::Error_code status = map_to_box_with_holes_3(mesh, box, 0, *surface.cells, surface.vertices, images, Budget());
+  CHECK((status == VMP::OK || status == VMP::ERROR_BOUNDARY_TOO_COARSE));
+  CHECK(images.size() == (status == VMP::OK ? surface.points.size() : 0));
 }
 
 TEST_CASE("bodies whose polycubes would touch are mapped side by side")

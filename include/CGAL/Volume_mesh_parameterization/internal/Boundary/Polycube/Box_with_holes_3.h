@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Lines_of_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/coordinates_of_box_with_holes_3.h>
 
+#include <optional>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Gives each face of the surface of a body with handles the label and the coordinate that its image has on a box with as
@@ -52,7 +54,10 @@ public:
       for(std::size_t& corner : m_rings[k].corners)
         corner = static_cast<std::size_t>(((static_cast<int>(corner) + turns[k]) % n + n) % n);
     }
-    m_rings.back().corners = corners_of_box();
+    const auto corners = corners_of_box();
+    if(!corners)
+      return false;
+    m_rings.back().corners = *corners;
     return std::all_of(m_rings.begin(), m_rings.end(), [this](const Ring& ring) { return draw_corners(ring); })
            && fill_pieces();
   }
@@ -157,8 +162,9 @@ private:
     return result;
   }
 
-  // Near those of the holes on both ends, behind the last meridian: right in front, right behind, left behind, left in front.
-  std::array<std::size_t, 4> corners_of_box() const
+  // Near those of the holes on both ends, behind the last meridian: right in front, right behind, left behind, left in front. None
+  // if there are not four vertices.
+  std::optional<std::array<std::size_t, 4> > corners_of_box() const
   {
     const Surface_line_3& line = m_rings.back().line;
     const Ring &left = m_rings.front(), &right = m_rings[m_rings.size() - 2];
@@ -187,6 +193,8 @@ private:
     }
     std::array<std::size_t, 4> result;
     result[3] = std::min_element(sum[3].begin(), sum[3].end()) - sum[3].begin();
+    if(sum[3][result[3]] == Shortest_paths_3::infinity)
+      return std::nullopt;
     for(std::size_t k = 3; k > 0; --k)
       result[k - 1] = previous[k][result[k]];
     return result;
