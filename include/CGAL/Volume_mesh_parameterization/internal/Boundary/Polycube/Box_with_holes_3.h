@@ -50,7 +50,7 @@ public:
     for(std::size_t k = 0; k + 1 < m_rings.size(); ++k)
     {
       const int n = static_cast<int>(m_rings[k].line.size());
-      m_rings[k].corners = quarters(m_rings[k].line);
+      m_rings[k].corners = quarters(m_mesh, m_rings[k].line, 0, 1 / 8.);
       for(std::size_t& corner : m_rings[k].corners)
         corner = static_cast<std::size_t>(((static_cast<int>(corner) + turns[k]) % n + n) % n);
     }
@@ -59,7 +59,7 @@ public:
       return false;
     m_rings.back().corners = *corners;
     return std::all_of(m_rings.begin(), m_rings.end(), [this](const Ring& ring) { return draw_corners(ring); })
-           && fill_pieces();
+           && find_pieces();
   }
 
   const std::vector<std::size_t>& piece_of_face() const { return m_piece; }
@@ -83,8 +83,6 @@ public:
       result.push_back(piece < 2 ? 4 + piece : (is_of_box(piece) ? sides_of_box : sides_of_hole)[(piece - 2) % 4]);
     return result;
   }
-
-  std::size_t number_of_pieces() const { return 2 + 4 * m_rings.size(); }
 
   // The coordinates of the images of the pieces, along their axes.
   std::vector<double> coordinates(const bool may_be_long, const Grid_planes_3& planes) const
@@ -147,21 +145,6 @@ private:
     return line;
   }
 
-  // Where the parts of a closed line are that divide it at each second eighth of its length.
-  std::array<std::size_t, 4> quarters(const Surface_line_3& line) const
-  {
-    std::array<std::size_t, 4> result;
-    const double whole = length(m_mesh, line);
-    double sum = 0;
-    for(std::size_t i = 0, k = 0; k < 4; ++k, sum += length(m_mesh, line[i]), ++i)
-    {
-      for(; i + 4 < line.size() + k && sum + length(m_mesh, line[i]) / 2 < whole * static_cast<double>(2 * k + 1) / 8; ++i)
-        sum += length(m_mesh, line[i]);
-      result[k] = i;
-    }
-    return result;
-  }
-
   // Near those of the holes on both ends, behind the last meridian: right in front, right behind, left behind, left in front. None
   // if there are not four vertices.
   std::optional<std::array<std::size_t, 4> > corners_of_box() const
@@ -213,10 +196,10 @@ private:
   std::vector<double> middles_of_holes() const
   {
     const Ring& box = m_rings.back();
-    const double before = length_of_part(box, box.corners[3], box.line.size());
+    const double before = length_of_part(box, box.corners[3], box.line.size()), front = length_of_front();
     std::vector<double> result;
     for(const double place : m_lines.crossings_along_box())
-      result.push_back((before + place * length(m_mesh, box.line)) / length_of_front());
+      result.push_back((before + place * length(m_mesh, box.line)) / front);
     return result;
   }
 
@@ -248,37 +231,25 @@ private:
     return true;
   }
 
-  bool fill_pieces()
+  // Pieces are what the lines separate. Returns whether each is one, and there are no others.
+  bool find_pieces()
   {
-    bool are_apart = fill(m_rings.back().line[0], 0) && fill(m_mesh.opposite(m_rings[0].line[0]), 1);
-    for(std::size_t k = 0; k < m_rings.size(); ++k)
-      for(std::size_t i = 0; i < 4; ++i)
-      {
-        const Halfedge h = m_rings[k].line[m_rings[k].corners[i]];
-        are_apart = are_apart && fill(m_rings[k].is_other_on_left ? h : m_mesh.opposite(h), 2 + 4 * k + i);
-      }
-    return are_apart && std::count(m_piece.begin(), m_piece.end(), none) == 0;
-  }
-
-  // From the face of a halfedge to the lines. Returns whether no other piece is in the way.
-  bool fill(const Halfedge start, const std::size_t piece)
-  {
-    std::vector<Face> faces(1, m_mesh.face(start));
-    if(m_piece[faces[0]] != none)
-      return false;
-    m_piece[faces[0]] = piece;
-    for(std::size_t i = 0; i < faces.size(); ++i)
-      for(const Halfedge h : CGAL::halfedges_around_face(m_mesh.halfedge(faces[i]), m_mesh))
-      {
-        const Face f = m_mesh.face(m_mesh.opposite(h));
-        if(m_is_line[m_mesh.edge(h)] || m_piece[f] == piece)
-          continue;
-        if(m_piece[f] != none)
-          return false;
-        m_piece[f] = piece;
-        faces.push_back(f);
-      }
-    return true;
+    std::vector<std::size_t> part(m_mesh.number_of_faces());
+    const auto is_line = boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
+      [this](const Boundary_mesh_3::Edge_index e) { return m_is_line[e]; });
+    const std::size_t n = Polygon_mesh_processing::connected_components(
+      m_mesh, boost::make_iterator_property_map(part.begin(), get(boost::face_index, m_mesh)),
+      parameters::edge_is_constrained_map(is_line));
+    std::vector<std::size_t> piece_of_part(n, none);
+    std::size_t number = 0;
+    const auto number_part_of = [&](const Halfedge h) { piece_of_part[part[m_mesh.face(h)]] = number++; };
+    number_part_of(m_rings.back().line[0]);
+    number_part_of(m_mesh.opposite(m_rings[0].line[0]));
+    for(const Ring& ring : m_rings)
+      for(const std::size_t corner : ring.corners)
+        number_part_of(ring.is_other_on_left ? ring.line[corner] : m_mesh.opposite(ring.line[corner]));
+    std::transform(part.begin(), part.end(), m_piece.begin(), [&](const std::size_t p) { return piece_of_part[p]; });
+    return n == number && std::count(piece_of_part.begin(), piece_of_part.end(), none) == 0;
   }
 
   const Boundary_mesh_3& m_mesh;

@@ -108,26 +108,6 @@ private:
 
   static Vertex vertex(const std::size_t v) { return Vertex(static_cast<Boundary_mesh_3::size_type>(v)); }
 
-  // Vertices that divide a meridian into quarters, beginning with one.
-  std::array<std::size_t, 4> quarters(const Surface_line_3& meridian, const std::size_t first) const
-  {
-    const std::size_t n = meridian.size();
-    std::array<std::size_t, 4> result = { first };
-    double sum = 0;
-    for(std::size_t i = 0, k = 1; k < 4; ++k)
-    {
-      const auto next = [&] { return length(m_mesh, meridian[(first + i) % n]); };
-      do
-      {
-        sum += next();
-        ++i;
-      }
-      while(i + 4 < n + k && sum + next() / 2 < length(m_mesh, meridian) * static_cast<double>(k) / 4);
-      result[k] = (first + i) % n;
-    }
-    return result;
-  }
-
   // Finds the path of a line for lengths of halfedges. Returns whether there is one.
   template <typename Length>
   bool route(Closed_line_3& line, const Length& length_of) const
@@ -179,7 +159,7 @@ private:
       const auto [length, crossing] = nearest(crossings_of_meridian(k), [](const Crossing_3& c) { return c; });
       if(length == infinity)
         return false;
-      places[k] = quarters(m_meridians[k], crossing.place);
+      places[k] = quarters(m_mesh, m_meridians[k], crossing.place, 0);
     }
     for(Crossing_3 crossing = { 0, places[0][2], true }; ; )
     {

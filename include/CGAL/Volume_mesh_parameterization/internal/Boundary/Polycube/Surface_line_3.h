@@ -17,6 +17,7 @@
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <queue>
@@ -43,6 +44,24 @@ inline Surface_line_3 leaving(const Boundary_mesh_3& mesh, const Surface_line_3&
   Surface_line_3 result;
   for(auto h = turn(is_left ? next : back); h != (is_left ? back : next); h = turn(h))
     result.push_back(h);
+  return result;
+}
+
+// Different vertices that divide a closed line into quarters. The first one is behind a given vertex by a part of its length.
+inline std::array<std::size_t, 4> quarters(const Boundary_mesh_3& mesh, const Surface_line_3& line, const std::size_t first,
+                                           const double part)
+{
+  const std::size_t n = line.size();
+  const double whole = length(mesh, line);
+  std::array<std::size_t, 4> result;
+  double sum = 0;
+  for(std::size_t i = 0, k = 0; k < 4; ++k, sum += length(mesh, line[(first + i) % n]), ++i)
+  {
+    const double wanted = whole * (part + static_cast<double>(k) / 4);
+    for(; i + 4 < n + k && sum + length(mesh, line[(first + i) % n]) / 2 < wanted; ++i)
+      sum += length(mesh, line[(first + i) % n]);
+    result[k] = (first + i) % n;
+  }
   return result;
 }
 

@@ -21,16 +21,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The coordinates of the charts of a box with holes, after some faces have been given to other ones; none if charts have been
 // divided, or edges are not along an axis.
-inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const Box_with_holes_3& box_with_holes,
-                                                 const bool may_be_long, const Grid_planes_3& planes)
+inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const std::vector<std::size_t>& pieces,
+                                                 const std::vector<std::size_t>& labels, const std::vector<double>& coordinates)
 {
-  const std::vector<std::size_t>&pieces = box_with_holes.piece_of_face(), labels = box_with_holes.labels();
-  const std::vector<double> coordinates = box_with_holes.coordinates(may_be_long, planes);
   std::vector<double> result(charts.number_of_charts(), (std::numeric_limits<double>::quiet_NaN)());
   for(std::size_t f = 0; f < pieces.size(); ++f)
     if(const std::size_t c = charts.chart_of_face()[f]; labels[f] == charts.labels()[c])
       result[c] = coordinates[pieces[f]];
-  const bool are_whole = result.size() == box_with_holes.number_of_pieces()
+  const bool are_whole = result.size() == coordinates.size()
     && std::all_of(result.begin(), result.end(), [](const double x) { return std::isfinite(x); });
   const bool have_axes = std::all_of(charts.chains().begin(), charts.chains().end(),
                                      [](const Polycube_chain_3& chain) { return chain.axis >= 0; });
@@ -58,13 +56,17 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
   Box_with_holes_3 box_with_holes(mesh, lines);
   if(!box_with_holes.run(turns))
     return result;
-  std::vector<std::size_t> labels = box_with_holes.labels();
+  const std::vector<std::size_t> labels_of_box = box_with_holes.labels();
+  const std::vector<double> coordinates_of_box
+    = box_with_holes.coordinates(may_be_long, { -box.center() / size, spacing / size });
+  std::vector<std::size_t> labels = labels_of_box;
   for(int attempt = 0; attempt < most_attempts && !budget.is_exhausted(); ++attempt)
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
     Polycube_map_3 map(mesh, box, labels, spacing);
-    const auto coordinates = coordinates_of_charts(map.charts(), box_with_holes, may_be_long, { -box.center() / size, spacing / size });
+    const std::vector<double> coordinates
+      = coordinates_of_charts(map.charts(), box_with_holes.piece_of_face(), labels_of_box, coordinates_of_box);
     if(coordinates.empty())
       return result;
     const Error_code status = map.start(coordinates, budget);

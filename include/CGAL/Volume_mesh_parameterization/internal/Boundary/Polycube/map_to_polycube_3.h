@@ -163,9 +163,9 @@ inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numb
   if(labels.empty())
   {
     const Error_code status = map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
-    const Error_code kind = check_sphere(mesh);
     if(status == OK || budget.is_exhausted())
       return status;
+    const Error_code kind = check_sphere(mesh);
     if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
       return map_bodies_apart_3(surface, spacing, images, budget);
     return kind == OK ? map_to_bounding_box_3(mesh, box, spacing, images, budget)
