@@ -79,10 +79,11 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
           for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
             result.has_flipped_face[k] = result.has_flipped_face[k] || box_with_holes.is_at_hole(v, k);
     }
+    const double distortion = status == OK ? map.distortion() : result.distortion; // before the images get their size
     if(status == OK && map.finish(budget) == OK)
     {
       result.images = map.images();
-      result.distortion = map.distortion();
+      result.distortion = distortion;
       return result;
     }
     if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
