@@ -950,3 +950,28 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   }
   CHECK(number_of_facets == mesh.facets.size());
 }
+
+TEST_CASE("what the boundary of hexahedra does not cover")
+{
+  // Two walls, x = 0 and x = 10; one point is a quarter in front of the first, two are 3 and 2 in front of the second.
+  Eigen::Matrix3Xd positions(3, 6);
+  positions << 0, 0, 0, 10, 10, 10,
+               0, 4, 0, 0, 4, 0,
+               0, 0, 4, 0, 0, 4;
+  const VMP::internal::Triangles_of_boundary walls = { { 0, 1, 2 }, { 3, 4, 5 } };
+  const std::vector<Vector3d> points = { { 0.25, 1, 1 }, { 7, 1, 1 }, { 12, 1, 1 } };
+  const auto covers = VMP::internal::covers_of_vertices_3(points, walls, positions);
+  REQUIRE(covers.size() == 6);
+  CHECK(covers[1].points == std::vector<Vector3d>{ points[0] });
+  CHECK(covers[5].points == std::vector<Vector3d>{ points[1], points[2] });
+  CHECK(VMP::internal::uncovered(positions, covers[0], 0.5) == 0);
+  CHECK(VMP::internal::uncovered(positions, covers[3], 0.5) == 2.5 * 2.5 + 1.5 * 1.5);
+
+  // The whole wall comes nearer to one point, and goes away from the other; distances beside a triangle are to its edges.
+  positions.row(0).tail(3).setConstant(11);
+  CHECK(VMP::internal::uncovered(positions, covers[3], 0.5) == 3.5 * 3.5 + 0.5 * 0.5);
+  positions.row(0).tail(3).setConstant(10);
+  positions.row(1).tail(3).array() += 5;
+  CHECK(std::abs(VMP::internal::uncovered(positions, covers[3], 0.5)
+                 - (std::pow(std::hypot(4, 3) - 0.5, 2) + std::pow(std::hypot(4, 2) - 0.5, 2))) < 1e-12);
+}

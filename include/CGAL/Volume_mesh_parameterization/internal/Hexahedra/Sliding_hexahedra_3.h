@@ -45,8 +45,15 @@ public:
     });
     m_order = set_numbered_mesh(corners, points, is_fixed, m_numbered);
     m_numbered.target = m_numbered.source;
-    for(const std::size_t v : m_order)
-      m_freedom.push_back(freedom[v]);
+    std::vector<int> places(m_order.size());
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+    {
+      m_freedom.push_back(freedom[m_order[i]]);
+      places[m_order[i]] = static_cast<int>(i);
+    }
+    for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
+      for(const std::size_t k : { 1, 2 })
+        m_boundary.push_back({ places[quadrangle[0]], places[quadrangle[k]], places[quadrangle[k + 1]] });
   }
 
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
@@ -97,7 +104,9 @@ public:
   // Moves vertices one after the other, those around corners whose scaled Jacobian is below the target.
   void smooth(const double target)
   {
-    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surface, target, m_budget, m_numbered.target);
+    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surface,
+                       covers_of_vertices_3(m_surface.vertices(), m_boundary, m_numbered.target), target, m_budget,
+                       m_numbered.target);
     write_points();
   }
 
@@ -182,41 +191,23 @@ private:
   {
     constexpr double far = 0.2, most = 1; // relative to the mean edge
     const double factor = std::sqrt(200.); // of the residual
-    using Kernel = Exact_predicates_inexact_constructions_kernel;
-    using Triangles = std::vector<Kernel::Triangle_3>;
-    std::vector<int> places(m_order.size());
-    for(std::size_t i = 0; i < m_order.size(); ++i)
-      places[m_order[i]] = static_cast<int>(i);
-    std::vector<std::array<int, 3> > vertices;
-    Triangles triangles;
-    for(const std::array<std::size_t, 4>& quadrangle : m_mesh.facets)
-      for(const std::size_t k : { 1, 2 })
-      {
-        vertices.push_back({ places[quadrangle[0]], places[quadrangle[k]], places[quadrangle[k + 1]] });
-        triangles.emplace_back(exact_point(m_mesh.points[quadrangle[0]]), exact_point(m_mesh.points[quadrangle[k]]),
-                               exact_point(m_mesh.points[quadrangle[k + 1]]));
-      }
-    AABB_tree<AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangles::const_iterator> > >
-      tree(triangles.begin(), triangles.end());
-    tree.accelerate_distance_queries();
-    for(const Eigen::Vector3d& p : m_surface.vertices())
+    for_each_nearest(m_surface.vertices(), m_boundary, m_numbered.target,
+                     [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
     {
-      const auto& [nearest, triangle] = tree.closest_point_and_primitive(exact_point(p));
-      const Eigen::Vector3d q = to_vector(nearest);
       const double distance = (p - q).norm();
       if(distance < far * goals.mean_edge)
-        continue;
-      const auto& [a, b, c] = vertices[triangle - triangles.cbegin()];
+        return;
+      const auto& [a, b, c] = triangle;
       Eigen::Matrix<double, 3, 2> sides;
       sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
       const Eigen::Matrix2d products = sides.transpose() * sides;
       if(!(products.determinant() > 0))
-        continue;
+        return;
       const Eigen::Vector2d st = products.inverse() * (sides.transpose() * (q - m_numbered.target.col(a)));
       const Eigen::Vector3d way = factor * (p - q) / distance;
       goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
                                     way.dot(q) + factor * (std::min)(distance, most * goals.mean_edge) });
-    }
+    });
   }
 
   // Takes positions, put back onto the boundary. Where this inverts a corner, or makes it almost flat, which would take all
@@ -269,6 +260,7 @@ private:
   Numbered_mesh_3 m_numbered; // the corners; the source is where vertices were at first, the target where they are
   std::vector<std::size_t> m_order;
   std::vector<Freedom_3> m_freedom; // in this order
+  Triangles_of_boundary m_boundary; // two of each quadrangle, in this order
   Linear_solver_3& m_solver;
   const Budget& m_budget;
 };

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/cover_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
@@ -40,25 +41,32 @@ inline double mean_length_of_edges(const Eigen::Matrix3Xd& positions, const Corn
 
 // Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
 // scaled Jacobians of the corners around them come nearer to the target: local optimization (Freitag and Ollivier-Gooch
-// 1997) by pattern search (Hooke and Jeeves 1961).
+// 1997) by pattern search (Hooke and Jeeves 1961). It counts, too, what they cover, or vertices would leave tips.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
-                               const Body_surface_3& surface, const double target, const Budget& budget,
-                               Eigen::Matrix3Xd& positions)
+                               const Body_surface_3& surface, const std::vector<Cover_of_vertex_3>& covers,
+                               const double target, const Budget& budget, Eigen::Matrix3Xd& positions)
 {
   constexpr int number_of_sweeps = 10;
   constexpr double first_width = 0.25, smallest_width = 0.004; // relative to the edges
+  constexpr double far = 0.3, price = 0.1; // of points: relative to the mean edge, and of one that is an edge farther
   std::vector<Corners_of_vertex> corners_of_vertex(freedom.size());
   for(const std::array<int, 4>& corner : corners)
     for(const int v : corner)
       corners_of_vertex[v].push_back(corner);
+  const double edge = mean_length_of_edges(positions, corners);
+  const auto cost = [&](const std::size_t v)
+  {
+    return shortage(positions, corners_of_vertex[v], target)
+           + price * uncovered(positions, covers[v], far * edge) / (edge * edge);
+  };
   std::vector<double> widths(freedom.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(std::size_t v = 0; v < freedom.size() && !budget.is_exhausted(); ++v)
     {
-      double least = freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
-                     ? 0 : shortage(positions, corners_of_vertex[v], target);
-      if(least == 0)
+      if(freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
+         || shortage(positions, corners_of_vertex[v], target) == 0)
         continue;
+      double least = cost(v);
       const Eigen::Vector3d here = positions.col(v);
       Eigen::Vector3d best = here;
       const double step = widths[v] * mean_length_of_edges(positions, corners_of_vertex[v]);
@@ -66,7 +74,7 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       {
         positions.col(v)
           = surface.nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
-        if(const double next = shortage(positions, corners_of_vertex[v], target); next < least)
+        if(const double next = cost(v); next < least)
         {
           least = next;
           best = positions.col(v);
