@@ -18,16 +18,19 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
 
+#include <limits>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Corners_of_vertex = std::vector<std::array<int, 4> >; // those to which it belongs
 
-// The sum of squares of what the scaled Jacobians lack.
-inline double shortage(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners, const double target)
+// The sum of squares of what the scaled Jacobians lack, or a part of it that reaches the bound.
+inline double shortage(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners, const double target,
+                       const double bound = (std::numeric_limits<double>::infinity)())
 {
   double sum = 0;
-  for(const std::array<int, 4>& corner : corners)
-    sum += std::pow((std::max)(0., target - scaled_jacobian(edge_matrix(positions, corner))), 2);
+  for(auto corner = corners.begin(); corner != corners.end() && sum < bound; ++corner)
+    sum += std::pow((std::max)(0., target - scaled_jacobian(edge_matrix(positions, *corner))), 2);
   return sum;
 }
 
@@ -54,10 +57,10 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
     for(const int v : corner)
       corners_of_vertex[v].push_back(corner);
   const double edge = mean_length_of_edges(positions, corners);
-  const auto cost = [&](const std::size_t v)
+  const auto cost = [&](const std::size_t v, const double bound)
   {
-    return shortage(positions, corners_of_vertex[v], target)
-           + price * uncovered(positions, covers[v], far * edge) / (edge * edge);
+    const double lacking = shortage(positions, corners_of_vertex[v], target, bound);
+    return lacking < bound ? lacking + price * uncovered(positions, covers[v], far * edge) / (edge * edge) : lacking;
   };
   std::vector<double> widths(freedom.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
@@ -66,7 +69,7 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       if(freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
          || shortage(positions, corners_of_vertex[v], target) == 0)
         continue;
-      double least = cost(v);
+      double least = cost(v, (std::numeric_limits<double>::infinity)());
       const Eigen::Vector3d here = positions.col(v);
       Eigen::Vector3d best = here;
       const double step = widths[v] * mean_length_of_edges(positions, corners_of_vertex[v]);
@@ -74,7 +77,7 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       {
         positions.col(v)
           = surface.nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
-        if(const double next = cost(v); next < least)
+        if(const double next = cost(v, least); next < least)
         {
           least = next;
           best = positions.col(v);
