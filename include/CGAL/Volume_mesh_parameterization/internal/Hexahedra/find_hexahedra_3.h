@@ -62,25 +62,21 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
   const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(map, boxes, is_parallel, budget)).layers();
   const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
-  struct Attempt
+  for(const std::vector<Layer_3>& layers : { chosen, other })
   {
-    const std::vector<Layer_3>& layers;
-    bool may_leave_surface;
-  };
-  for(const auto& [layers, may_leave_surface]
-      : { Attempt{ chosen, false }, Attempt{ other, false }, Attempt{ chosen, true }, Attempt{ other, true } })
-  {
-    if(budget.is_exhausted() || (may_leave_surface ? best.result.status == OK
-                                                   : best.result.minimal_scaled_jacobian >= poor_scaled_jacobian))
+    if(budget.is_exhausted() || best.result.minimal_scaled_jacobian >= poor_scaled_jacobian)
       break;
     Hexahedron_soup_3 candidate = boxes;
     for(const Layer_3& layer : layers)
       candidate = padded(candidate, layer);
     candidate = pulled_back(map, candidate, is_parallel, budget);
-    if(budget.is_exhausted())
-      break;
-    Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
-    improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
+    for(const bool may_leave_surface : { false, true })
+    {
+      if(budget.is_exhausted() || (may_leave_surface && best.result.status == OK))
+        break;
+      Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
+      improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
+    }
   }
   Hexahedral_mesh_result result = best.result;
   result.is_interrupted = budget.is_exhausted();

@@ -172,7 +172,8 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 
 // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the
 // mean gains little. Where corners are inverted or almost flat in between, or poor in the end, vertices around them move one
-// after the other; if that is in vain, those on lines may leave them. Where vertices may leave the surface, that comes first.
+// after the other; if that is in vain, as it does not halve the number of inverted corners, those on lines may leave them.
+// Where vertices may leave the surface, that comes first.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
@@ -208,8 +209,7 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
     const double mean = result.mean_scaled_jacobian;
     hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
     result = judge();
-    in_vain = result.number_of_inverted_corners == 0 || result.number_of_inverted_corners < fewest_inverted_corners
-              ? 0 : in_vain + 1;
+    in_vain = result.number_of_inverted_corners <= fewest_inverted_corners / 2 ? 0 : in_vain + 1;
     fewest_inverted_corners = (std::min)(fewest_inverted_corners, result.number_of_inverted_corners);
     if(round >= number_of_first_rounds && result.number_of_inverted_corners == 0
        && result.mean_scaled_jacobian < mean + least_gain)
