@@ -59,7 +59,7 @@ struct Soft_boundary_parameters
   /// ends if the energy changes by less than this times the diameter of the bounding box of the source,
   /// \f$\varepsilon_f\f$
   double energy_tolerance = 1e-8;
-  /// ends if the energy changes by less than this times the energy without the penalty; not in the paper
+  /// ends if the energy changes by less than this times the energy, both with the penalty; not in the paper
   double relative_energy_tolerance = 0;
   /// ends if no vertex moves by this times that diameter
   double step_tolerance = 1e-8;
@@ -102,7 +102,7 @@ inline Soft_boundary_parameters approaching_soft_boundary_parameters()
   Soft_boundary_parameters parameters;
   parameters.maximal_number_of_raises = 12;
   parameters.residual_tolerance = 0;
-  parameters.relative_energy_tolerance = 1e-4;
+  parameters.relative_energy_tolerance = 3e-3;
   parameters.maximal_number_of_relaxations = 0;
   return parameters;
 }

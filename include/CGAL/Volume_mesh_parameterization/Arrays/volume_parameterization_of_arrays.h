@@ -43,11 +43,11 @@ Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Tar
                 "boundary_map must not be passed for arrays: the targets are an argument.");
   constexpr bool may_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
   require(targets.size() == soup.points.size(), "There are as many targets as points.");
-  Body_3 body = body_of(std::move(soup), is_parallel<ConcurrencyTag>());
   const auto target_map
     = boost::make_function_property_map<std::size_t>([&](const std::size_t v) { return coordinates(targets[v]); });
   return run_problem<ConcurrencyTag>(np, [&](const Map_problem_3& problem)
   {
+    Body_3 body = body_of(std::move(soup), problem.is_parallel);
     std::vector<Insertion_3> insertions;
     std::vector<std::array<double, 3> > images_of_points;
     const Parameterization_result result = parameterize_body_3<std::size_t, may_refine>(

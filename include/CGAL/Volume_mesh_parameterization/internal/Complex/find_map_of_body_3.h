@@ -79,6 +79,20 @@ inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Prescrip
   return find_map_3(numbered.mesh, body.check, problem.energy, problem.solver, options, problem.progress);
 }
 
+// Counts what the user has given.
+inline Parameterization_result counted(Parameterization_result result, const Body_3& body)
+{
+  const auto number = [](const std::vector<bool>& is_point) { return std::count(is_point.begin(), is_point.end(), true); };
+  result.number_of_vertices = number(used_points(body.soup.cells, body.soup.points.size()));
+  result.number_of_cells = body.soup.cells.size();
+  result.number_of_boundary_vertices = number(prescribed_points(body));
+  return result;
+}
+
+// The result where the time was over before the numbering, which takes about as long as a step.
+inline Parameterization_result interrupted_result(const Body_3& body, const Progress_3& progress)
+{ return counted(refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)), progress), body); }
+
 // The result of a search, if there was one; writes the images of the points if they are a map.
 inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
                                               const Map_problem_3& problem, const std::optional<Found_map_3>& found,
@@ -88,10 +102,6 @@ inline Parameterization_result written_result(const Body_3& body, const Checked_
   Parameterization_result result
     = found ? make_result_3(numbered.mesh, check, *found, problem.energy, problem.solver, problem.progress)
             : refused_result(check, problem.progress);
-  result.number_of_vertices = numbered.points.size();
-  result.number_of_cells = numbered.mesh.cells.size();
-  const std::vector<bool> is_on_boundary = prescribed_points(body);
-  result.number_of_boundary_vertices = std::count(is_on_boundary.begin(), is_on_boundary.end(), true);
   if(result.has_valid_map)
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -99,13 +109,15 @@ inline Parameterization_result written_result(const Body_3& body, const Checked_
     for(std::size_t v = 0; v < numbered.points.size(); ++v)
       images[numbered.points[v]] = coordinates(found->map.positions.col(v));
   }
-  return result;
+  return counted(std::move(result), body);
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
                                             const Map_problem_3& problem, std::vector<std::array<double, 3> >& images)
 {
+  if(problem.progress.is_interrupted())
+    return interrupted_result(body, problem.progress);
   const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
   Approach_start_3 approach;
   approach.patience = 2; // where nothing can be refined, larger weights get a chance
@@ -123,6 +135,8 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
                                                        std::vector<std::array<double, 3> >& images)
 {
+  if(problem.progress.is_interrupted())
+    return interrupted_result(body, problem.progress);
   const Budget& budget = problem.progress.budget();
   std::size_t number_of_splits = 0;
   Carried_search_3 carried;

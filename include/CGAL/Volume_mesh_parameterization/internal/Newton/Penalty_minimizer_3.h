@@ -41,16 +41,15 @@ public:
   {
     if(is_relaxing())
       return relax();
-    const bool relaxes = m_parameters.maximal_number_of_relaxations > 0;
-    bool has_moved = move_with_hessian(relaxes);
-    if(relaxes && !has_moved && m_can_relax && !m_iterate.direction.has_solver_failed())
+    bool has_moved = move_with_hessian(relaxes());
+    if(relaxes() && !has_moved && m_can_relax && !m_iterate.direction.has_solver_failed())
     {
       begin_relaxation();
       return relax();
     }
-    if(!has_moved && (relaxes || m_parameters.use_full_hessian))
+    if(!has_moved && (relaxes() || m_parameters.use_full_hessian))
       has_moved = move(0, false);
-    if(relaxes) // a relaxation has to pay off before there is another one
+    if(relaxes()) // a relaxation has to pay off before there is another one
     {
       m_can_relax = m_iterate.evaluation.energy < m_lowest_energy;
       m_lowest_energy = (std::min)(m_lowest_energy, m_iterate.evaluation.energy);
@@ -59,6 +58,8 @@ public:
   }
 
 private:
+  bool relaxes() const { return m_parameters.maximal_number_of_relaxations > 0; } // as in the paper
+
   // A Newton step with the full Hessian, or with as much of its negative curvature as serves.
   bool move_with_hessian(const bool must_decrease_gradient)
   {
@@ -73,6 +74,8 @@ private:
   {
     return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance()), [&]
     {
+      if(!relaxes())
+        return far_line_search_3(m_system, m_energy, m_iterate);
       return safe_line_search_3(m_system, m_energy, m_iterate, must_decrease_gradient
                                 ? m_iterate.direction.gradient_norm : std::numeric_limits<double>::infinity());
     });
@@ -122,7 +125,7 @@ private:
     m_last_energy = m_iterate.evaluation.energy;
     const double largest_move = m_iterate.step_length * m_iterate.direction.vectors.colwise().norm().maxCoeff();
     return change < m_parameters.energy_tolerance * m_diameter
-        || change < m_parameters.relative_energy_tolerance * distortion()
+        || change < m_parameters.relative_energy_tolerance * m_iterate.evaluation.energy
         || largest_move < m_parameters.step_tolerance * m_diameter
         || is_gradient_small();
   }

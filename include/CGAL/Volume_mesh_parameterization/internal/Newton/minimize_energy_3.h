@@ -68,16 +68,7 @@ private:
   bool move(const double negative_curvature, const Budget& budget)
   {
     return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget),
-                          [this] { return search(); });
-  }
-
-  Line_search_step_3 search() const
-  {
-    Line_search_step_3 step = safe_line_search_3(m_system, m_energy, m_iterate);
-    // A gain above half of the slope shows less curvature than the Hessian had.
-    if(step.length == 1 && step.evaluation.energy < m_iterate.evaluation.energy + 0.6 * m_iterate.direction.slope)
-      return extrapolated(m_system, m_energy, m_iterate, std::move(step));
-    return step;
+                          [this] { return far_line_search_3(m_system, m_energy, m_iterate); });
   }
 
   // The squared Newton decrement, which bounds what a step can gain, relative to the energy.

@@ -105,6 +105,17 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
   }
 }
 
+// The same, and beyond a full step where that has gained more than the Hessian promised.
+inline Line_search_step_3 far_line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
+                                            const Newton_iterate_3& iterate)
+{
+  Line_search_step_3 step = safe_line_search_3(system, energy, iterate);
+  // a gain above half of the slope shows less curvature than the Hessian had
+  if(step.length == 1 && step.evaluation.energy < iterate.evaluation.energy + 0.6 * iterate.direction.slope)
+    return extrapolated(system, energy, iterate, std::move(step));
+  return step;
+}
+
 // The part of the negative curvature that a Hessian keeps: between 0, which makes it positive
 // semi-definite and serves far from the optimum, and 1, which makes it the full one and converges
 // quadratically near it. Raised after a full step; lowered where the Hessian proves indefinite.
