@@ -102,6 +102,7 @@ inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::P
         .add("energy_value", result.energy)
         .add("distortion", json(result.distortion))
         .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
+        .add("boundary_distortion", result.boundary_distortion)
         .add("unavoidable_angle_distortion", result.unavoidable_angle_distortion)
         .add("missed_angle_distortion", result.missed_angle_distortion);
 }

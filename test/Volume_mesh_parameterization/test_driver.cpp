@@ -263,7 +263,7 @@ const std::vector<std::string> report_keys = {
   "seconds_total", "seconds_to_flip_free", "seconds_numbering", "seconds_start", "seconds_untangling",
   "seconds_minimization", "seconds_check", "energy_value",
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
-  "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max",
+  "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max", "boundary_distortion",
   "unavoidable_angle_distortion", "missed_angle_distortion",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 

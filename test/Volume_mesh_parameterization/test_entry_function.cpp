@@ -233,7 +233,19 @@ TEST_CASE("Distortions of a similarity")
   CHECK(result.distortion.volume_mean == Approx(8 + 1. / 8));
   CHECK(result.distortion.volume_max == Approx(8 + 1. / 8));
   CHECK(result.distortion_at_source_volume.volume_max == Approx(2));
+  CHECK(result.boundary_distortion == Approx(0).margin(1e-12));
   CHECK(result.energy == Approx(3));
+}
+
+TEST_CASE("The distortion of the boundary of a stretched cube, by closed form")
+{
+  // to lengths 4, 1, 1: of areas 1 and 4, two and four faces of the six
+  Complex complex(mapped_cube(3, 0, [](const Vector3d& p) { return Vector3d(4 * p[0], p[1], p[2]); }));
+  const Parameterization_result result = parameterize(complex);
+  REQUIRE(result.has_valid_map);
+  const double scale = std::sqrt(6. / 18);
+  CHECK(result.boundary_distortion == Approx((2 * std::hypot(std::log(scale), std::log(scale))
+                                              + 4 * std::hypot(std::log(4 * scale), std::log(scale))) / 6));
 }
 
 TEST_CASE("The distortions of any map are measured: those of the result, and of a stretch by closed form")

@@ -79,6 +79,11 @@ struct Parameterization_result
   double energy = std::numeric_limits<double>::quiet_NaN();
   Distortion_3 distortion;                  ///< of the map as it is; not numbers without a valid one
   Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
+  /// how far the boundary is from its image, which is given: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$,
+  /// with the singular values \f$s\f$ and \f$t\f$ of its map, scaled to its area. A similarity has 0, a polycube that is close
+  /// to the boundary 0.1 to 0.5, a box to which a branching body is mapped 1 or more. Not a number without a valid map, and
+  /// for meshes that several processes share
+  double boundary_distortion = std::numeric_limits<double>::quiet_NaN();
 
   /// lower bound of the largest distortion of angles of all maps with this boundary, which the prescribed vertices force;
   /// 0 unless `minimize_maximal_angle_distortion(true)` was passed

@@ -108,6 +108,8 @@ inline Parameterization_result written_result(const Body_3& body, const Checked_
     images.assign(numbered.vertices.size(), { nan, nan, nan });
     for(std::size_t v = 0; v < numbered.points.size(); ++v)
       images[numbered.points[v]] = coordinates(found->map.positions.col(v));
+    result.boundary_distortion = facet_distortion_3(body.boundary, [&](const std::size_t p) { return to_vector(body.soup.points[p]); },
+                                                    [&](const std::size_t p) { return to_vector(images[p]); });
   }
   return counted(std::move(result), body);
 }

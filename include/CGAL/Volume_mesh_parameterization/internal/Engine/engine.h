@@ -67,8 +67,9 @@ std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> 
   mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
   mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers, mesh.is_parallel);
   mesh.source.resize(3, points.cols());
-  for(std::size_t i = 0; i < order.size(); ++i)
-    mesh.source.col(i) = points.col(order[i]);
+  constexpr int vertices_per_range = 4096;
+  for_each_in_ranges(mesh.is_parallel, order.size(), vertices_per_range,
+                     [&](const std::size_t i) { mesh.source.col(i) = points.col(order[i]); });
   return order;
 }
 

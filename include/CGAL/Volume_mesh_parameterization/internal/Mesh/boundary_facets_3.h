@@ -14,9 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -170,6 +172,46 @@ std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::arr
       result.push_back(facet_of_side(side));
   std::sort(result.begin(), result.end(), [](const Facet& f, const Facet& g) { return sorted(f) < sorted(g); });
   return result;
+}
+
+// The squared singular values of the map between two triangles with edges X and U, the larger one first: the eigenvalues of
+// U^T U relative to X^T X, from half of a trace and a determinant.
+inline Eigen::Array2d squared_singular_values_of_facet(const Eigen::Matrix<double, 3, 2>& X,
+                                                       const Eigen::Matrix<double, 3, 2>& U)
+{
+  const Eigen::Matrix2d source = X.transpose() * X, image = U.transpose() * U;
+  const Eigen::Matrix2d relative = source.inverse() * image;
+  const double half = relative.trace() / 2, determinant = relative.determinant();
+  const double largest = half + std::sqrt((std::max)(half * half - determinant, 0.));
+  return { largest, (std::max)(determinant / largest, 0.) };
+}
+
+// How far the images of facets are from the facets, by shape and size up to a common scale: the mean over the area of the
+// root of log(s)^2 + log(t)^2, with the singular values s and t.
+template <typename Facet, typename Point, typename Image>
+double facet_distortion_3(const std::vector<Facet>& facets, const Point& point, const Image& image)
+{
+  const auto edges = [](const Facet& facet, const auto& position)
+  {
+    const Eigen::Vector3d origin = position(facet[0]);
+    Eigen::Matrix<double, 3, 2> result;
+    result << position(facet[1]) - origin, position(facet[2]) - origin;
+    return result;
+  };
+  const auto area = [](const Eigen::Matrix<double, 3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; };
+  double area_of_facets = 0, area_of_images = 0, result = 0;
+  for(const Facet& facet : facets)
+  {
+    area_of_facets += area(edges(facet, point));
+    area_of_images += area(edges(facet, image));
+  }
+  for(const Facet& facet : facets)
+  {
+    const Eigen::Matrix<double, 3, 2> X = edges(facet, point);
+    const Eigen::Array2d squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, edges(facet, image));
+    result += area(X) / area_of_facets * squares.log().matrix().norm() / 2;
+  }
+  return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
 // The vertices at an edge that has not two facets, and those whose corners of facets are not all joined by such edges.

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -98,17 +99,10 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
-// The squared singular values of the map between two triangles with edges X and U are the eigenvalues of
-// U^T U relative to X^T X.
 inline double angle_distortion_of_facet(const Eigen::Matrix<double, 3, 2>& X, const Eigen::Matrix<double, 3, 2>& U)
 {
-  const Eigen::Matrix2d source = X.transpose() * X, image = U.transpose() * U;
-  // of a 2x2 matrix, from half of its trace and its determinant
-  const Eigen::Matrix2d relative = source.inverse() * image;
-  const double half = relative.trace() / 2;
-  const double root = std::sqrt((std::max)(half * half - relative.determinant(), 0.));
-  const double largest = half + root;
-  return angle_distortion(std::sqrt(largest), std::sqrt((std::max)(relative.determinant() / largest, 0.)));
+  const Eigen::Array2d s = squared_singular_values_of_facet(X, U).sqrt();
+  return angle_distortion(s[0], s[1]);
 }
 
 // The largest distortion of angles that the prescribed vertices force alone: that of a cell with four of

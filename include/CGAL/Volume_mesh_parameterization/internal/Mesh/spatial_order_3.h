@@ -73,7 +73,7 @@ inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::
     const auto& [i, j, k, l] = cells[c];
     f((std::min)({ places[i], places[j], places[k], places[l] }));
   }, is_parallel);
-  user_numbers.assign(rows.items.data(), rows.items.data() + rows.items.size());
+  user_numbers = values_of_indices(is_parallel, cells.size(), [&](const std::size_t i) { return rows.items[i]; });
   return values_of_indices(is_parallel, cells.size(), [&](const std::size_t i)
   {
     std::array<int, 4> cell = cells[user_numbers[i]];

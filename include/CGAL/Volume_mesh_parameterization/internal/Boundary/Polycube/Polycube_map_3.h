@@ -107,11 +107,8 @@ public:
       Eigen::Matrix<double, 3, 2> from, to;
       from << eigen_point(m_mesh, b) - eigen_point(m_mesh, a), eigen_point(m_mesh, c) - eigen_point(m_mesh, a);
       to << m_images[b] - m_images[a], m_images[c] - m_images[a];
-      const Eigen::Matrix2d metric = from.transpose() * from, ratio = metric.inverse() * (to.transpose() * to);
-      const double mean = ratio.trace() / 2, determinant = ratio.determinant(); // of the squared singular values
-      const double larger = mean + std::sqrt((std::max)(0., mean * mean - determinant));
-      sum += std::sqrt(metric.determinant()) / 8
-             * (std::pow(std::log(larger), 2) + std::pow(std::log(determinant / larger), 2));
+      const double area = from.col(0).cross(from.col(1)).norm() / 2;
+      sum += area * squared_singular_values_of_facet(from, to).log().square().sum() / 4;
     }
     return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
   }
