@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -375,6 +376,43 @@ TEST_CASE("a body with handles that has no other polycube is mapped to a box wit
   CHECK(area[4] == Approx(size_of_box(0) * size_of_box(1) - size_of_hole(0) * size_of_hole(1)));
   CHECK(area[5] == Approx(area[4]));
   CHECK(volume == Approx(area[4] * size_of_box(2)));
+}
+
+TEST_CASE("lines of a box run apart from each other along a thin tube, where they have crossed each other")
+{
+  using namespace VMP::internal;
+  constexpr int around = 6, along = 48;
+  std::mt19937 engine(GENERATE(range(0, 6)));
+  Boundary_mesh_3 mesh;
+  std::vector<Boundary_mesh_3::Vertex_index> vertices;
+  for(int i = 0; i < along; ++i) // rings of different widths, turned a little
+  {
+    const double turn = 3e-4 * (engine() % 1000), width = 0.3 + 7e-4 * (engine() % 1000), a = 2 * CGAL_PI * i / along;
+    for(int j = 0; j < around; ++j)
+    {
+      const double b = 2 * CGAL_PI * (j + turn) / around, radius = 5 + width * std::cos(b);
+      vertices.push_back(mesh.add_vertex({radius * std::cos(a), radius * std::sin(a), width * std::sin(b)}));
+    }
+  }
+  const auto at = [&](const int i, const int j) { return vertices[(i % along) * around + j % around]; };
+  for(int i = 0; i < along; ++i)
+    for(int j = 0; j < around; ++j)
+    {
+      const int k = engine() % 2; // which diagonal
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + k, j + 1));
+      mesh.add_face(at(i + 1 - k, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  REQUIRE(CGAL::is_closed(mesh));
+
+  Lines_of_box_3 lines(mesh, {{0, 1, 2, 3, 4, 5}});
+  REQUIRE(lines.run(Budget()));
+  std::set<Boundary_mesh_3::Vertex_index> used;
+  for(const Surface_line_3& line : {lines.box(true), lines.box(false), lines.hole(0, true), lines.hole(0, false)})
+    for(std::size_t i = 0; i < line.size(); ++i)
+    {
+      CHECK(used.insert(mesh.source(line[i])).second);
+      CHECK(mesh.target(line[i]) == mesh.source(line[(i + 1) % line.size()]));
+    }
 }
 
 TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too coarse")

@@ -210,9 +210,29 @@ private:
         m_uses[m_mesh.source(h)] += times;
   }
 
+  // Exchanges what two parts of lines have between the vertices where they meet. If they cross each other there, where a
+  // narrow place keeps both on the wrong sides of each other, they touch then, and can be parted.
+  void exchange_between_meetings(Surface_line_3& a, Surface_line_3& b) const
+  {
+    std::vector<std::pair<std::size_t, std::size_t> > meetings;
+    for(std::size_t i = 1; i < a.size(); ++i)
+      for(std::size_t j = 1; j < b.size(); ++j)
+        if(m_mesh.source(a[i]) == m_mesh.source(b[j]) && (meetings.empty() || meetings.back().second < j))
+          meetings.emplace_back(i, j);
+    if(meetings.size() < 2)
+      return;
+    const auto [i, j] = meetings.front();
+    const auto [i_end, j_end] = meetings.back();
+    const Surface_line_3 between(a.begin() + i, a.begin() + i_end);
+    a.erase(a.begin() + i, a.begin() + i_end);
+    a.insert(a.begin() + i, b.begin() + j, b.begin() + j_end);
+    b.erase(b.begin() + j, b.begin() + j_end);
+    b.insert(b.begin() + j, between.begin(), between.end());
+  }
+
   bool separate(const Budget& budget)
   {
-    constexpr int least_number_of_rounds = 4, most = 40;
+    constexpr int least_number_of_rounds = 4, rounds_between_exchanges = 4, most = 40;
     double quarter = 0; // of a meridian, in the mean
     for(const Surface_line_3& meridian : m_meridians)
       quarter += length(m_mesh, meridian) / 4 / static_cast<double>(number_of_holes());
@@ -242,6 +262,12 @@ private:
         }
       if(is_separate && round >= least_number_of_rounds)
         return true;
+      if(!is_separate && round % rounds_between_exchanges == 0)
+        for(std::size_t k = 0; k < m_lines.size(); ++k)
+          for(std::size_t l = 0; l < k; ++l)
+            for(Surface_line_3& a : m_lines[k].parts)
+              for(Surface_line_3& b : m_lines[l].parts)
+                exchange_between_meetings(a, b);
     }
     return false;
   }
