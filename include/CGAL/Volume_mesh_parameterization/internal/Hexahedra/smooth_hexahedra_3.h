@@ -57,19 +57,17 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
     for(const int v : corner)
       corners_of_vertex[v].push_back(corner);
   const double edge = mean_length_of_edges(positions, corners);
-  const auto cost = [&](const std::size_t v, const double bound)
-  {
-    const double lacking = shortage(positions, corners_of_vertex[v], target, bound);
-    return lacking < bound ? lacking + price * uncovered(positions, covers[v], far * edge) / (edge * edge) : lacking;
-  };
+  const auto price_of_uncovered = [&](const std::size_t v)
+  { return price * uncovered(positions, covers[v], far * edge) / (edge * edge); };
   std::vector<double> widths(freedom.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(std::size_t v = 0; v < freedom.size() && !budget.is_exhausted(); ++v)
     {
-      if(freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
-         || shortage(positions, corners_of_vertex[v], target) == 0)
+      double least = freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
+                     ? 0 : shortage(positions, corners_of_vertex[v], target);
+      if(least == 0)
         continue;
-      double least = cost(v, (std::numeric_limits<double>::infinity)());
+      least += price_of_uncovered(v);
       const Eigen::Vector3d here = positions.col(v);
       Eigen::Vector3d best = here;
       const double step = widths[v] * mean_length_of_edges(positions, corners_of_vertex[v]);
@@ -77,7 +75,10 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       {
         positions.col(v)
           = surface.nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
-        if(const double next = cost(v, least); next < least)
+        double next = shortage(positions, corners_of_vertex[v], target, least);
+        if(next < least)
+          next += price_of_uncovered(v);
+        if(next < least)
         {
           least = next;
           best = positions.col(v);

@@ -174,6 +174,18 @@ std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::arr
   return result;
 }
 
+// Two edges of a facet, and its area by these; `position(v)` is that of a vertex.
+template <typename Facet, typename Position>
+Eigen::Matrix<double, 3, 2> edges_of_facet(const Facet& facet, const Position& position)
+{
+  const Eigen::Vector3d origin = position(facet[0]);
+  Eigen::Matrix<double, 3, 2> result;
+  result << position(facet[1]) - origin, position(facet[2]) - origin;
+  return result;
+}
+
+inline double area_of_facet(const Eigen::Matrix<double, 3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; }
+
 // The squared singular values of the map between two triangles with edges X and U, the larger one first: the eigenvalues of
 // U^T U relative to X^T X, from half of a trace and a determinant.
 inline Eigen::Array2d squared_singular_values_of_facet(const Eigen::Matrix<double, 3, 2>& X,
@@ -191,25 +203,17 @@ inline Eigen::Array2d squared_singular_values_of_facet(const Eigen::Matrix<doubl
 template <typename Facet, typename Point, typename Image>
 double facet_distortion_3(const std::vector<Facet>& facets, const Point& point, const Image& image)
 {
-  const auto edges = [](const Facet& facet, const auto& position)
-  {
-    const Eigen::Vector3d origin = position(facet[0]);
-    Eigen::Matrix<double, 3, 2> result;
-    result << position(facet[1]) - origin, position(facet[2]) - origin;
-    return result;
-  };
-  const auto area = [](const Eigen::Matrix<double, 3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; };
   double area_of_facets = 0, area_of_images = 0, result = 0;
   for(const Facet& facet : facets)
   {
-    area_of_facets += area(edges(facet, point));
-    area_of_images += area(edges(facet, image));
+    area_of_facets += area_of_facet(edges_of_facet(facet, point));
+    area_of_images += area_of_facet(edges_of_facet(facet, image));
   }
   for(const Facet& facet : facets)
   {
-    const Eigen::Matrix<double, 3, 2> X = edges(facet, point);
-    const Eigen::Array2d squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, edges(facet, image));
-    result += area(X) / area_of_facets * squares.log().matrix().norm() / 2;
+    const Eigen::Matrix<double, 3, 2> X = edges_of_facet(facet, point), U = edges_of_facet(facet, image);
+    const Eigen::Array2d squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, U);
+    result += area_of_facet(X) / area_of_facets * squares.log().matrix().norm() / 2;
   }
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }

@@ -210,6 +210,15 @@ private:
         m_uses[m_mesh.source(h)] += times;
   }
 
+  void exchange_between_meetings()
+  {
+    for(std::size_t k = 0; k < m_lines.size(); ++k)
+      for(std::size_t l = 0; l < k; ++l)
+        for(Surface_line_3& a : m_lines[k].parts)
+          for(Surface_line_3& b : m_lines[l].parts)
+            exchange_between_meetings(a, b);
+  }
+
   // Exchanges what two parts of lines have between the vertices where they meet. If they cross each other there, where a
   // narrow place keeps both on the wrong sides of each other, they touch then, and can be parted.
   void exchange_between_meetings(Surface_line_3& a, Surface_line_3& b) const
@@ -263,11 +272,7 @@ private:
       if(is_separate && round >= least_number_of_rounds)
         return true;
       if(!is_separate && round % rounds_between_exchanges == 0)
-        for(std::size_t k = 0; k < m_lines.size(); ++k)
-          for(std::size_t l = 0; l < k; ++l)
-            for(Surface_line_3& a : m_lines[k].parts)
-              for(Surface_line_3& b : m_lines[l].parts)
-                exchange_between_meetings(a, b);
+        exchange_between_meetings();
     }
     return false;
   }

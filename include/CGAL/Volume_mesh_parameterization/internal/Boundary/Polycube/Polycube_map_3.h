@@ -103,12 +103,10 @@ public:
     for(const Face f : m_mesh.faces())
     {
       const auto h = m_mesh.halfedge(f);
-      const auto a = m_mesh.source(h), b = m_mesh.target(h), c = m_mesh.target(m_mesh.next(h));
-      Eigen::Matrix<double, 3, 2> from, to;
-      from << eigen_point(m_mesh, b) - eigen_point(m_mesh, a), eigen_point(m_mesh, c) - eigen_point(m_mesh, a);
-      to << m_images[b] - m_images[a], m_images[c] - m_images[a];
-      const double area = from.col(0).cross(from.col(1)).norm() / 2;
-      sum += area * squared_singular_values_of_facet(from, to).log().square().sum() / 4;
+      const std::array facet = { m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)) };
+      const auto X = edges_of_facet(facet, [this](const auto v) { return eigen_point(m_mesh, v); });
+      const auto U = edges_of_facet(facet, [this](const auto v) { return m_images[v]; });
+      sum += area_of_facet(X) * squared_singular_values_of_facet(X, U).log().square().sum() / 4;
     }
     return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
   }
