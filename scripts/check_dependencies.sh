@@ -25,6 +25,7 @@ package_of()
     property_map.h) echo Property_map ;;
     boost/graph/*) echo BGL ;;
     Eigen_solver_traits.h) echo Solver_interface ;;
+    Polygon_2_algorithms.h) echo Polygon ;;
     QP_functions.h | QP_models.h) echo QP_solver ;;
     Random.h) echo Random_numbers ;;
     Real_timer.h) echo Profiling_tools ;;

@@ -518,6 +518,39 @@ TEST_CASE("meridians bound discs, and cut all handles")
   CHECK(reached.size() == facets.size());
 }
 
+namespace {
+
+// The boundary of a soup, with points of its own.
+struct Soup_surface
+{
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<std::size_t, 3> > facets;
+
+  explicit Soup_surface(const VMP::Tetrahedron_soup_3& soup)
+  {
+    std::map<std::size_t, std::size_t> number;
+    for(std::array<std::size_t, 3> facet : VMP::internal::boundary_facets_3(soup.cells))
+    {
+      for(std::size_t& v : facet)
+      {
+        const auto inserted = number.emplace(v, points.size());
+        if(inserted.second)
+          points.emplace_back(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
+        v = inserted.first->second;
+      }
+      facets.push_back(facet);
+    }
+  }
+
+  Eigen::Vector3d center(const std::size_t facet) const
+  {
+    const auto& [a, b, c] = facets[facet];
+    return (points[a] + points[b] + points[c]) / 3;
+  }
+};
+
+} // namespace
+
 TEST_CASE("labels are proposed for a cylinder")
 {
   Labelled_complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>
@@ -544,20 +577,7 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
 {
   using namespace VMP::internal;
   // the cube [0, 4]^3, whose top will be so steep that it is low at y = 0
-  const VMP::Tetrahedron_soup_3 soup = bricks({4, 4, 4}, is_box, in_place);
-  struct { std::vector<Eigen::Vector3d> points; std::vector<std::array<std::size_t, 3> > facets; } surface;
-  std::map<std::size_t, std::size_t> number;
-  for(std::array<std::size_t, 3> facet : boundary_facets_3(soup.cells))
-  {
-    for(std::size_t& v : facet)
-    {
-      const auto inserted = number.emplace(v, surface.points.size());
-      if(inserted.second)
-        surface.points.emplace_back(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
-      v = inserted.first->second;
-    }
-    surface.facets.push_back(facet);
-  }
+  Soup_surface surface(bricks({4, 4, 4}, is_box, in_place));
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const Budget budget;
@@ -565,9 +585,7 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
   std::vector<std::size_t> folded = labels; // on the top, a part has the label of the face y = 4
   for(const auto f : mesh.faces())
   {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for(const std::size_t v : surface.facets[f])
-      center += surface.points[v] / 3;
+    const Eigen::Vector3d center = surface.center(f);
     if(labels[f] == 4 && center[0] > 3 && center[1] > 2)
       folded[f] = 2;
   }
@@ -623,6 +641,43 @@ TEST_CASE("labels that no polycube has are named")
     return label == 4 && std::abs(p.x() - 3) < 1 && std::abs(p.y() - 3) < 1 ? 0 : label;
   };
   CHECK(status(island) == VMP::ERROR_NO_POLYCUBE);
+}
+
+TEST_CASE("a face of a polycube has no handle, although a cube on it would turn its border by the right angles")
+{
+  // a frame with a cube on it, all around which there is one label
+  Labelled_complex complex(bricks({8, 8, 2}, [](const int x, const int y, const int z)
+  {
+    return z == 0 ? x / 2 != 2 || y / 2 != 2 : x == 1 && y == 1;
+  }, in_place));
+  copy_labels(complex, complex);
+  CHECK(complex.parameterize_with_labels() == VMP::OK);
+  for(auto& [facet, label] : complex.labels)
+  {
+    const std::array<Point_3, 3> t = complex.source_triangle(facet);
+    if(CGAL::centroid(t[0], t[1], t[2]).z() <= 1)
+      label = 4;
+  }
+  CHECK(complex.parameterize_with_labels() == VMP::ERROR_NO_POLYCUBE);
+}
+
+TEST_CASE("a face of a polycube whose hole would be beside it is impossible")
+{
+  using namespace VMP::internal;
+  Soup_surface surface(bricks({8, 8, 1}, [](const int x, const int y, int) { return x / 2 != 2 || y / 2 != 2; }, in_place));
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Budget budget;
+  const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, budget).closest());
+  const Grid_planes_3 any_planes;
+  Polycube_coordinates_3 inside(mesh, charts, any_planes, budget);
+  CHECK(inside.run());
+  for(Eigen::Vector3d& p : surface.points)
+    if((p - Eigen::Vector3d(5, 5, 0)).head<2>().lpNorm<Eigen::Infinity>() <= 1)
+      p[0] += 20;
+  set_points(mesh, surface.points);
+  Polycube_coordinates_3 beside(mesh, charts, any_planes, budget);
+  CHECK_FALSE(beside.run());
 }
 
 TEST_CASE("a facet between two lines of the same edge is named")

@@ -77,7 +77,8 @@ public:
   Chart_defects_3(const Chart_borders_3& borders, const Labels& labels)
     : m_borders(borders), m_labels(labels), m_sides(borders.sides), m_union(labels.size()),
       m_is_corner(borders.sides_to_corner.size(), false), m_is_followed(m_sides.size(), false),
-      m_last(m_sides.size()), m_direction(m_sides.size()), m_defects(labels.size(), 0), m_turning(labels.size(), 0)
+      m_last(m_sides.size()), m_direction(m_sides.size()), m_defects(labels.size(), 0), m_characteristic(labels.size(), 0),
+      m_turnings(labels.size())
   {
     std::iota(m_union.begin(), m_union.end(), 0);
     for(std::size_t s = 0; s < m_sides.size(); s += 2)
@@ -90,19 +91,25 @@ public:
   std::vector<int> count()
   {
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
-      for(const std::size_t c : charts)
-        m_defects[m_union[c]] += m_labels[charts[0]] != m_labels[charts[1]];
-    subtract_characteristics();
+      if(m_labels[charts[0]] != m_labels[charts[1]])
+        for(const std::size_t c : charts)
+          add_closed_line(m_union[c]);
+    find_characteristics();
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
       visit_corner(sides);
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(separates(s) && m_is_corner[m_sides[s].first])
         follow_chain(s);
+    std::vector<bool> is_visited(m_sides.size(), false);
     for(std::size_t s = 0; s < m_sides.size(); ++s)
-      if(separates(s))
-        add_turn(s);
+      if(separates(s) && m_is_corner[m_sides[s].first] && !is_visited[s])
+        follow_border(s, is_visited);
+    for(std::size_t s = 0; s < m_sides.size(); ++s)
+      if(separates(s) && !m_is_followed[s])
+        follow_closed_line(s);
     for(std::size_t c = 0; c < m_defects.size(); ++c)
-      m_defects[c] += std::abs(m_turning[c]);
+      if(m_union[c] == c)
+        m_defects[c] += distance_from_polygon(m_turnings[c], m_characteristic[c]);
     return m_defects;
   }
 
@@ -128,14 +135,14 @@ private:
     return side;
   }
 
-  // Four times those of Euler. Borders belong to the charts on both sides, and corners once to each of theirs.
-  void subtract_characteristics()
+  // Borders belong to the charts on both sides, and corners once to each of theirs.
+  void find_characteristics()
   {
     for(std::size_t c = 0; c < m_union.size(); ++c)
-      m_turning[m_union[c]] -= 4 * m_borders.inner_characteristic[c];
+      m_characteristic[m_union[c]] += m_borders.inner_characteristic[c];
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(s % 2 == 0 || separates(s))
-        m_turning[chart(s)] += 4;
+        --m_characteristic[chart(s)];
     std::vector<std::size_t> charts;
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
     {
@@ -144,7 +151,7 @@ private:
         charts.push_back(chart(s));
       std::sort(charts.begin(), charts.end());
       for(auto end = std::unique(charts.begin(), charts.end()), it = charts.begin(); it != end; ++it)
-        m_turning[*it] -= 4;
+        ++m_characteristic[*it];
     }
   }
 
@@ -179,16 +186,49 @@ private:
                                           m_borders.corners[m_sides[s].last]);
   }
 
-  // To the left by right angles, where a chain ends.
-  void add_turn(const std::size_t side)
+  // From chain to chain, by how many right angles it turns left.
+  void follow_border(const std::size_t side, std::vector<bool>& is_visited)
   {
-    if(!m_is_followed[side]) // closed, without a corner
-      ++m_defects[chart(side)];
-    if(!m_is_followed[side] || !m_is_corner[m_sides[side].first])
-      return;
-    const Eigen::Vector3i d = m_direction[side], e = m_direction[next(m_last[side])];
-    m_defects[chart(side)] += d.isZero() || e == -d;
-    m_turning[chart(side)] += d.cross(e)[axis_of_direction(label(side))] * sign_of_direction(label(side));
+    int turning = 0;
+    for(std::size_t s = side; !is_visited[s]; s = next(m_last[s]))
+    {
+      is_visited[s] = true;
+      const Eigen::Vector3i d = m_direction[s], e = m_direction[next(m_last[s])];
+      m_defects[chart(side)] += d.isZero() || e == -d;
+      turning += d.cross(e)[axis_of_direction(label(side))] * sign_of_direction(label(side));
+    }
+    m_turnings[chart(side)].push_back(turning);
+  }
+
+  void follow_closed_line(const std::size_t side)
+  {
+    add_closed_line(chart(side));
+    for(std::size_t s = side; !m_is_followed[s]; s = next(s))
+      m_is_followed[s] = true;
+  }
+
+  // A border without a corner.
+  void add_closed_line(const std::size_t chart)
+  {
+    ++m_defects[chart];
+    m_turnings[chart].push_back(0);
+  }
+
+  // How much must be changed for one border that turns left by four right angles, around others that turn right, without
+  // handles between them?
+  static int distance_from_polygon(const std::vector<int>& turnings, const int characteristic)
+  {
+    constexpr int full_turn = 4;
+    const int b = static_cast<int>(turnings.size());
+    int result = full_turn * std::abs(2 - b - characteristic);
+    for(const int turning : turnings)
+      result += std::abs(turning + full_turn);
+    if(b > 0)
+    {
+      const int outer = *std::max_element(turnings.begin(), turnings.end());
+      result += std::abs(outer - full_turn) - std::abs(outer + full_turn);
+    }
+    return result;
   }
 
   const Chart_borders_3& m_borders;
@@ -198,7 +238,8 @@ private:
   std::vector<bool> m_is_corner, m_is_followed;
   std::vector<std::size_t> m_last;          // side of the chain that begins with a side
   std::vector<Eigen::Vector3i> m_direction; // of the chain that begins with a side
-  std::vector<int> m_defects, m_turning;
+  std::vector<int> m_defects, m_characteristic;
+  std::vector<std::vector<int> > m_turnings; // of borders, for each chart
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

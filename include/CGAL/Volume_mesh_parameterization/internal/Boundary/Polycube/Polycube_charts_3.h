@@ -117,6 +117,32 @@ public:
     return result;
   }
 
+  // The axes of the plane of a chart, in the order that makes its image positive.
+  std::array<int, 2> plane_axes(const std::size_t chart) const
+  {
+    const int u = (axis(chart) + 1) % 3, v = (axis(chart) + 2) % 3;
+    return (sign_of_direction(m_labels[chart]) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
+  }
+
+  // The corners of each border of each chart, counterclockwise around it.
+  std::vector<std::vector<std::vector<Vertex> > > borders() const
+  {
+    std::vector<std::vector<std::vector<Vertex> > > result(number_of_charts());
+    std::vector<bool> is_visited(m_borders.sides.size(), false);
+    for(std::size_t s = 0; s < is_visited.size(); ++s)
+    {
+      std::vector<Vertex> border;
+      for(std::size_t t = s; !is_visited[t]; t = m_borders.sides[t].next)
+      {
+        is_visited[t] = true;
+        border.push_back(m_corners[m_borders.sides[t].first]);
+      }
+      if(!border.empty())
+        result[m_borders.sides[s].chart].push_back(border);
+    }
+    return result;
+  }
+
 private:
   bool separates(const Halfedge h) const
   {

@@ -17,10 +17,14 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -31,11 +35,38 @@ struct Grid_planes_3
   double spacing = 0;
 };
 
+// Which of some elements come before others, or before themselves if there are cycles.
+class Order_of_elements
+{
+public:
+  explicit Order_of_elements(const std::size_t n) : m_precedes(n, std::vector<bool>(n, false)) {}
+
+  void add(const std::size_t first, const std::size_t second)
+  {
+    if(precedes(first, second))
+      return;
+    for(std::size_t i = 0; i < m_precedes.size(); ++i)
+      if(i == first || precedes(i, first))
+        for(std::size_t k = 0; k < m_precedes.size(); ++k)
+          if(k == second || precedes(second, k))
+            m_precedes[i][k] = true;
+  }
+
+  bool precedes(const std::size_t first, const std::size_t second) const { return m_precedes[first][second]; }
+
+  // Can the first one still be put before the second one?
+  bool may_precede(const std::size_t first, const std::size_t second) const
+  { return first != second && !precedes(second, first); }
+
+private:
+  std::vector<std::vector<bool> > m_precedes;
+};
+
 // Finds the coordinates of the faces of a polycube for valid charts, along their axes: those that minimize
 //   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
 // such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis
 // that meet in a corner have the same coordinate. The axes are independent of each other, and small quadratic programs.
-// If edges of a face intersect then, they get the order that they have on the surface, too.
+// If edges of a face intersect then, they get the order that they have on the surface, too, if the others allow it.
 //
 // With planes of a grid, in units of its spacing, distances are rounded up to integers and the solution to the nearest
 // ones. As floor(x + 1/2) is monotone and commutes with adding integers, this keeps all distances.
@@ -45,7 +76,8 @@ public:
   Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes,
                         const Budget& budget)
     : m_mesh(mesh), m_charts(charts), m_planes(planes), m_budget(budget),
-      m_coordinate(charts.number_of_charts()), m_group(charts.number_of_charts())
+      m_coordinate(charts.number_of_charts()), m_group(charts.number_of_charts()),
+      m_order(charts.number_of_charts())
   {}
 
   // Returns whether there are such coordinates.
@@ -56,14 +88,14 @@ public:
     for(const Polycube_chain_3& chain : m_charts.chains())
       m_edges.emplace_back(chain, *this);
     for(const Edge& edge : m_edges)
-      m_orders.push_back({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
+      add_order({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
     do
       for(int axis = 0; axis < 3; ++axis)
         if(m_budget.is_exhausted() || !solve(axis))
           return false;
     while(separate_intersecting_edges());
     join_equal_coordinates();
-    return true;
+    return m_are_separable && are_faces_whole();
   }
 
   std::vector<double> of_charts() const
@@ -220,16 +252,22 @@ private:
     return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
   }
 
+  void add_order(const Order& order)
+  {
+    m_orders.push_back(order);
+    m_order.add(order.first, order.second);
+  }
+
   // Returns whether there were any.
   bool separate_intersecting_edges()
   {
     const std::size_t n = m_orders.size();
     for(std::size_t i = 0; i < m_edges.size(); ++i)
-      for(std::size_t k = 0; k < i; ++k)
+      for(std::size_t k = 0; k < i && m_are_separable; ++k)
         for(const std::size_t c : m_edges[i].charts)
           if((c == m_edges[k].charts[0] || c == m_edges[k].charts[1]) && intersect(m_edges[i], m_edges[k]))
-            separate(m_edges[i], m_edges[k], m_charts.axis(c));
-    return m_orders.size() > n;
+            separate(m_edges[i], m_edges[k], c);
+    return m_are_separable && m_orders.size() > n;
   }
 
   bool intersect(const Edge& a, const Edge& b) const
@@ -241,19 +279,68 @@ private:
     return !a.has_corner_with(b);
   }
 
-  // Along the axis of the face along which their chains are farthest from each other.
-  void separate(const Edge& a, const Edge& b, const int normal_axis)
+  // Along the axis of the face along which their chains are farthest from each other, of those that other orders leave.
+  void separate(const Edge& a, const Edge& b, const std::size_t chart)
   {
-    Order order = {};
-    double largest_gap = -(std::numeric_limits<double>::infinity)();
-    for(const int axis : { (normal_axis + 1) % 3, (normal_axis + 2) % 3 })
-      for(const auto& [low, high] : { std::pair(a, b), std::pair(b, a) })
-        if((high.box.min)()[axis] - (low.box.max)()[axis] > largest_gap)
-        {
-          largest_gap = (high.box.min)()[axis] - (low.box.max)()[axis];
-          order = { low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) };
-        }
-    m_orders.push_back(order);
+    std::multimap<double, Order> orders; // by how far the chains overlap
+    for(const int axis : m_charts.plane_axes(chart))
+      for(const auto& [low, high] : { std::tie(a, b), std::tie(b, a) })
+        if(m_order.may_precede(low.highest[axis], high.lowest[axis]))
+          orders.emplace((low.box.max)()[axis] - (high.box.min)()[axis],
+                         Order{ low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) });
+    m_are_separable = !orders.empty();
+    if(m_are_separable)
+      add_order(orders.begin()->second);
+  }
+
+  // Is there for each face one outer polygon, with the others in it?
+  bool are_faces_whole() const
+  {
+    const std::vector<std::vector<std::vector<Polycube_charts_3::Vertex> > > borders = m_charts.borders();
+    for(std::size_t c = 0; c < borders.size(); ++c)
+    {
+      std::vector<Polygon> polygons;
+      for(const std::vector<Polycube_charts_3::Vertex>& border : borders[c])
+        polygons.push_back(image(border, m_charts.plane_axes(c)));
+      if(!are_nested(polygons))
+        return false;
+    }
+    return true;
+  }
+
+  using Polygon = std::vector<Exact_predicates_inexact_constructions_kernel::Point_2>;
+
+  Polygon image(const std::vector<Polycube_charts_3::Vertex>& border, const std::array<int, 2>& axes) const
+  {
+    Polygon result;
+    for(const auto v : border)
+    {
+      const std::array<std::size_t, 3> groups = groups_at(v);
+      result.emplace_back(m_coordinate[groups[axes[0]]], m_coordinate[groups[axes[1]]]);
+    }
+    return result;
+  }
+
+  // Polygons that do not meet: are the others, which lead clockwise, inside of one, and outside of each other?
+  static bool are_nested(std::vector<Polygon>& polygons)
+  {
+    const auto is_inside = [](const Polygon& inner, const Polygon& outer)
+    {
+      return CGAL::bounded_side_2(outer.begin(), outer.end(), inner.front()) == ON_BOUNDED_SIDE;
+    };
+    const auto is_outer = [](const Polygon& p)
+    {
+      return CGAL::polygon_area_2(p.begin(), p.end(), Exact_predicates_inexact_constructions_kernel()) > 0;
+    };
+    const auto first_inner = std::partition(polygons.begin(), polygons.end(), is_outer);
+    if(first_inner - polygons.begin() != 1)
+      return false;
+    for(auto inner = first_inner; inner != polygons.end(); ++inner)
+      if(!is_inside(*inner, polygons.front())
+         || std::any_of(first_inner, polygons.end(), [&](const Polygon& other)
+                        { return &other != &*inner && is_inside(*inner, other); }))
+        return false;
+    return true;
   }
 
   static constexpr double smallest_part = 0.2;
@@ -267,6 +354,8 @@ private:
   std::vector<std::size_t> m_group;
   std::vector<Edge> m_edges;
   std::vector<Order> m_orders;
+  Order_of_elements m_order;
+  bool m_are_separable = true;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

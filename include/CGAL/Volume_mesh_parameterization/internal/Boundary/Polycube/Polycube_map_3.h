@@ -134,21 +134,14 @@ private:
     }
     for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
     {
-      const auto [u, v] = plane_axes(c);
+      const auto [u, v] = m_charts.plane_axes(c);
       m_patches.emplace_back(m_mesh, faces[c], is_on_edge, u, v, m_images);
     }
   }
 
-  // The axes of the plane of a chart, in the order that makes its image positive.
-  std::array<int, 2> plane_axes(const std::size_t c) const
-  {
-    const int axis = m_charts.axis(c), u = (axis + 1) % 3, v = (axis + 2) % 3;
-    return (sign_of_direction(m_charts.labels()[c]) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
-  }
-
   bool is_positive(const Face f) const
   {
-    const auto [u, v] = plane_axes(m_charts.chart_of_face()[f]);
+    const auto [u, v] = m_charts.plane_axes(m_charts.chart_of_face()[f]);
     const auto point = [this, u = u, v = v](const Boundary_mesh_3::Vertex_index w)
     {
       return Boundary_point_2(m_images[w][u], m_images[w][v]);
