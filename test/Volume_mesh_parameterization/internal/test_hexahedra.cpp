@@ -521,6 +521,34 @@ TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertic
   CHECK(distance(tip, boundary_facets(sliding.hexahedra.mesh())) < 0.95 * before); // for their corners alone they would leave it
 }
 
+TEST_CASE("Quadrangles that span a waist of the body, and their edges, come nearer to its surface")
+{
+  const Body body(8, 0, [](const Vector3d& p) -> Vector3d // the waist is in the middle of quadrangles
+  {
+    const double width = 1 - 0.5 * (std::max)(0., 1 - std::abs(p[0] - 4) / 3);
+    return Vector3d(p[0], (p[1] - 4) * width, (p[2] - 4) * width);
+  });
+  const std::vector<K::Triangle_3> facets = body.boundary_facets();
+  const auto farthest = [&](const Hexahedron_soup_3& mesh)
+  {
+    double result = 0;
+    for(const K::Triangle_3& facet : boundary_facets(mesh))
+      for(const int i : { 0, 1, 2 })
+      {
+        const K::Point_3 middle = CGAL::midpoint(facet[i], facet[i + 1]);
+        result = (std::max)(result, distance({ middle.x(), middle.y(), middle.z() }, facets));
+      }
+    return result;
+  };
+  Sliding_hexahedra sliding(body, 8 / 3.);
+  const double before = farthest(sliding.start);
+  REQUIRE(before > 0.9);
+  for(int round = 0; round < 5; ++round)
+    sliding.hexahedra.improve(3, true, 1);
+  CHECK(farthest(sliding.hexahedra.mesh()) < 0.45 * before); // without this pull, 0.55
+  CHECK(smallest_determinant(sliding.hexahedra.mesh()) > 0);
+}
+
 TEST_CASE("A better worst hexahedron does not make up for a mean that loses more")
 {
   const auto result = [](const std::size_t number_of_inverted_corners, const double minimum, const double mean)

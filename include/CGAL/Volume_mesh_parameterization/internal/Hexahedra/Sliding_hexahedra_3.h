@@ -59,8 +59,8 @@ public:
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
 
   // Some steps of Newton's method for all vertices at once, or for those inside. Those on the boundary move in its tangent
-  // planes, or along lines, are put back, and are pulled such that the boundary is covered. Hexahedra whose corners are
-  // positive keep them so.
+  // planes, or along lines, are put back, and are pulled such that the boundary is covered; once all corners are positive,
+  // as it hinders untangling, also such that nothing is far from it. Hexahedra whose corners are positive keep them so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent)
   {
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
@@ -74,6 +74,8 @@ public:
     {
       hold_boundary(goals);
       cover_boundary(goals);
+      if(inverted_cells(m_numbered, m_numbered.target).number == 0)
+        approach_surface(goals);
     }
     put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget));
     write_points();
@@ -184,30 +186,47 @@ private:
     }
   }
 
-  // Pulls quadrangles to vertices of the body's surface that are far from all of them, along the shortest way only, so that
-  // they may slide across it (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
+  // Pulls a point of a triangle to one on the body's surface that is far from it, along the way between them only, so that
+  // it may slide across this (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
   // multiple range images, 1992).
-  void cover_boundary(Corner_goals_3& goals) const
+  void pull_point(const Eigen::Vector3d& q, const std::array<int, 3>& triangle, const Eigen::Vector3d& p,
+                  Corner_goals_3& goals) const
   {
     constexpr double far = 0.2, most = 1; // relative to the mean edge
     const double factor = std::sqrt(200.); // of the residual
+    const double distance = (p - q).norm();
+    if(distance < far * goals.mean_edge)
+      return;
+    const auto& [a, b, c] = triangle;
+    Eigen::Matrix<double, 3, 2> sides;
+    sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
+    const Eigen::Matrix2d products = sides.transpose() * sides;
+    if(!(products.determinant() > 0))
+      return;
+    const Eigen::Vector2d st = products.inverse() * (sides.transpose() * (q - m_numbered.target.col(a)));
+    const Eigen::Vector3d way = factor * (p - q) / distance;
+    goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
+                                  way.dot(q) + factor * (std::min)(distance, most * goals.mean_edge) });
+  }
+
+  // Pulls quadrangles to the vertices of the body's surface.
+  void cover_boundary(Corner_goals_3& goals) const
+  {
     for_each_nearest(m_surface.vertices(), m_boundary, m_numbered.target,
                      [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
-    {
-      const double distance = (p - q).norm();
-      if(distance < far * goals.mean_edge)
-        return;
-      const auto& [a, b, c] = triangle;
-      Eigen::Matrix<double, 3, 2> sides;
-      sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
-      const Eigen::Matrix2d products = sides.transpose() * sides;
-      if(!(products.determinant() > 0))
-        return;
-      const Eigen::Vector2d st = products.inverse() * (sides.transpose() * (q - m_numbered.target.col(a)));
-      const Eigen::Vector3d way = factor * (p - q) / distance;
-      goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
-                                    way.dot(q) + factor * (std::min)(distance, most * goals.mean_edge) });
-    });
+                     { pull_point(q, triangle, p, goals); });
+  }
+
+  // Pulls the middles of quadrangles and of their edges to the body's surface, from which those are far that span a
+  // valley.
+  void approach_surface(Corner_goals_3& goals) const
+  {
+    for(const std::array<int, 3>& triangle : m_boundary)
+      for(const auto& [a, b] : { std::make_pair(0, 1), std::make_pair(1, 2), std::make_pair(2, 0) })
+      {
+        const Eigen::Vector3d q = (m_numbered.target.col(triangle[a]) + m_numbered.target.col(triangle[b])) / 2;
+        pull_point(q, triangle, m_surface.nearest(q, Freedom_3::SURFACE), goals);
+      }
   }
 
   // Takes positions, put back onto the boundary. Where this inverts a corner, or makes it almost flat, which would take all
