@@ -29,7 +29,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-using Boundary_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+using Boundary_kernel = Exact_predicates_inexact_constructions_kernel;
+using Boundary_point_2 = Boundary_kernel::Point_2;
+using Boundary_point_3 = Boundary_kernel::Point_3;
 using Boundary_mesh_3 = Surface_mesh<Boundary_point_3>;
 
 // The surface with its neighbourhoods; the mesh is complete only if it is a closed manifold.

@@ -32,7 +32,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-using Boundary_point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
 
 // A border parameterizer for CGAL's Surface_mesh_parameterization: the border keeps the coordinates it has.
 class Prescribed_border_parameterizer_3

@@ -70,14 +70,15 @@ public:
       goals.projectors.push_back(m_surface.projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
     }
     set_edges(goals);
+    const bool is_valid = inverted_cells(m_numbered, m_numbered.target).number == 0;
     if(do_slide)
     {
       hold_boundary(goals);
       cover_boundary(goals);
-      if(inverted_cells(m_numbered, m_numbered.target).number == 0)
+      if(is_valid)
         approach_surface(goals);
     }
-    put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget));
+    put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget), is_valid);
     write_points();
   }
 
@@ -232,12 +233,11 @@ private:
   // Takes positions, put back onto the boundary. Where this inverts a corner, or makes it almost flat, which would take all
   // of the next steps, vertices go a part of their way only, and in the end none of it; while corners are inverted anyway,
   // that is left to the next steps.
-  void put_back(const Eigen::Matrix3Xd& moved)
+  void put_back(const Eigen::Matrix3Xd& moved, const bool was_valid)
   {
     constexpr int number_of_attempts = 5;
     constexpr double most_lost = 0.9; // of a scaled Jacobian
     const Eigen::Matrix3Xd before = m_numbered.target;
-    const bool was_valid = inverted_cells(m_numbered, before).number == 0;
     const bool may_shorten = was_valid || inverted_cells(m_numbered, moved).number == 0;
     const auto quality = [&](const Eigen::Matrix3Xd& positions, const std::size_t c)
     {

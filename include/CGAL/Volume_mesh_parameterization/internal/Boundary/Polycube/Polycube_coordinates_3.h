@@ -23,7 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <tuple>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -282,15 +282,19 @@ private:
   // Along the axis of the face along which their chains are farthest from each other, of those that other orders leave.
   void separate(const Edge& a, const Edge& b, const std::size_t chart)
   {
-    std::multimap<double, Order> orders; // by how far the chains overlap
+    Order order = {};
+    double largest_gap = -(std::numeric_limits<double>::infinity)();
     for(const int axis : m_charts.plane_axes(chart))
       for(const auto& [low, high] : { std::tie(a, b), std::tie(b, a) })
-        if(m_order.may_precede(low.highest[axis], high.lowest[axis]))
-          orders.emplace((low.box.max)()[axis] - (high.box.min)()[axis],
-                         Order{ low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) });
-    m_are_separable = !orders.empty();
+        if(const double gap = (high.box.min)()[axis] - (low.box.max)()[axis];
+           gap > largest_gap && m_order.may_precede(low.highest[axis], high.lowest[axis]))
+        {
+          largest_gap = gap;
+          order = { low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) };
+        }
+    m_are_separable = std::isfinite(largest_gap);
     if(m_are_separable)
-      add_order(orders.begin()->second);
+      add_order(order);
   }
 
   // Is there for each face one outer polygon, with the others in it?
@@ -308,7 +312,7 @@ private:
     return true;
   }
 
-  using Polygon = std::vector<Exact_predicates_inexact_constructions_kernel::Point_2>;
+  using Polygon = std::vector<Boundary_point_2>;
 
   Polygon image(const std::vector<Polycube_charts_3::Vertex>& border, const std::array<int, 2>& axes) const
   {
@@ -330,7 +334,7 @@ private:
     };
     const auto is_outer = [](const Polygon& p)
     {
-      return CGAL::polygon_area_2(p.begin(), p.end(), Exact_predicates_inexact_constructions_kernel()) > 0;
+      return CGAL::polygon_area_2(p.begin(), p.end(), Boundary_kernel()) > 0;
     };
     const auto first_inner = std::partition(polygons.begin(), polygons.end(), is_outer);
     if(first_inner - polygons.begin() != 1)
