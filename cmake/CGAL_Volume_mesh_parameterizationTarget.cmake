@@ -28,8 +28,8 @@ if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 namespace CGAL::Volume_mesh_parameterization {
 template class internal::Conjugate_gradient_3<float>;
@@ -40,7 +40,7 @@ template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Par
 }
 ]] @ONLY)
   file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h> // engine.cpp has its definition
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h> // engine.cpp has its definition
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>

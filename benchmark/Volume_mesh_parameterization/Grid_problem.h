@@ -4,10 +4,10 @@
 #include "jittered_grid.h"
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
 
 #include <Eigen/Core>
 

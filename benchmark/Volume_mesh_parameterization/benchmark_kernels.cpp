@@ -4,11 +4,11 @@
 #include "machine_peak.h"
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 
 #include <Eigen/Core>
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>

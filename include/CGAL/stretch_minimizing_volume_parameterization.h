@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Arrays/volume_parameterization_of_arrays.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Vertex_insertion_3.h>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."

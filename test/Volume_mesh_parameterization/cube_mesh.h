@@ -3,7 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_CUBE_MESH_H
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 
 #include <Eigen/Dense>
 

@@ -6,7 +6,7 @@
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_box_with_holes_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 

@@ -3,7 +3,7 @@
 
 #include "Jacobian_system_3.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 
 #include <Eigen/Dense>
 

@@ -1,7 +1,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_JACOBIAN_SYSTEM_3_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_JACOBIAN_SYSTEM_3_H
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 
 #include <Eigen/CholmodSupport>
 #include <Eigen/Dense>

@@ -4,7 +4,7 @@
 #include "Shifted_newton_3.h"
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
 
 #include <Eigen/Dense>
 

@@ -3,11 +3,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 
 #include <Eigen/Dense>
 

@@ -6,9 +6,9 @@
 #include "Map_problem.h"
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 
 #include <Eigen/Dense>
 

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 

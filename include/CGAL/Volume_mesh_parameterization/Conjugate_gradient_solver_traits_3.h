@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Solver/Conjugate_gradient_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Solvers/Conjugate_gradient_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 

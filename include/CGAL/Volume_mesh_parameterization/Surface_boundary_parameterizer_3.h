@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_boundary_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
 
 #include <map>
 #include <set>

@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #include <Eigen/Dense>

@@ -13,12 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 #endif
 
 #include <limits>

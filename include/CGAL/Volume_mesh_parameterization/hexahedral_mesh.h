@@ -17,11 +17,11 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
-#include <CGAL/Volume_mesh_parameterization/internal/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <CGAL/Named_function_parameters.h>
 

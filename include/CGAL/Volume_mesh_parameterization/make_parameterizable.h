@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Vertex_insertion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Vertex_insertion_3.h>
 
 #include <CGAL/iterator.h>
 

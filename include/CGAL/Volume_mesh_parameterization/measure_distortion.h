@@ -16,8 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Complex/Numbered_body_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 #endif
 
 namespace CGAL::Volume_mesh_parameterization {

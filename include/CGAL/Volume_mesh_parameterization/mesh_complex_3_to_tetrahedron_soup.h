@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {

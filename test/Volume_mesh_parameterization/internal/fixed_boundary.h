@@ -4,16 +4,16 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/Progress_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/minimize_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Newton_iterate_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <Eigen/Core>
 

@@ -11,8 +11,8 @@
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/patches_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

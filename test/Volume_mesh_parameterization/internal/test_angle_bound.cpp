@@ -9,11 +9,11 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/check_input_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
 
 #include <Eigen/Dense>
 

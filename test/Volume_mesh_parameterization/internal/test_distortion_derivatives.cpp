@@ -10,8 +10,8 @@
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
 
 #include <Eigen/Dense>
 

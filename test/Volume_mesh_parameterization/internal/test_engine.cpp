@@ -7,17 +7,17 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/measure_distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/newton_step_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/find_splits_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Untangling/untangle_patches_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/minimize_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Newton_iterate_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif

@@ -9,8 +9,8 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
 
 #include <Eigen/Dense>
 

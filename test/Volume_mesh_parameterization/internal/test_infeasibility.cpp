@@ -1,8 +1,8 @@
 // Proofs that no map exists, on small complexes for which it is known by construction whether there is one.
 #include "catch.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/diagnose_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Infeasibility/prove_infeasibility_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/prove_infeasibility_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>

@@ -7,10 +7,10 @@
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
 
 #include <Eigen/Dense>
 

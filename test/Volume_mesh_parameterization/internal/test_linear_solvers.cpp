@@ -4,7 +4,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif

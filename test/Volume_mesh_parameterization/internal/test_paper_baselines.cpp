@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
 
 #include <CGAL/tags.h>
 

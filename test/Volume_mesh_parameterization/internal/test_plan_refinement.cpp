@@ -2,9 +2,9 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/Carried_search_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Refinement/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Carried_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 
 #include <Eigen/Core>
 

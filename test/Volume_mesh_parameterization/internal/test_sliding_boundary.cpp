@@ -5,7 +5,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/Sliding_boundary_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Sliding_boundary_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

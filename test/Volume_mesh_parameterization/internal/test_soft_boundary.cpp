@@ -4,8 +4,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/Boundary_approach_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Stages/plan_refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Geometry>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
 

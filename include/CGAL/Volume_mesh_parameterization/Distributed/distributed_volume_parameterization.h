@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Complex/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 
 #include <iostream>
 

@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/Binary.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Files/MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {

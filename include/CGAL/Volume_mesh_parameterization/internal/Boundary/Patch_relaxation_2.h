@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Cells/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <Eigen/Sparse>
 

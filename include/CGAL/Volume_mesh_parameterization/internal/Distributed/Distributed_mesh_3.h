@@ -13,11 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Body/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Body/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Engine/engine.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
 
 #include <petscsystypes.h>
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

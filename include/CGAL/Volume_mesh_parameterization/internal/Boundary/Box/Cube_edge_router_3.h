@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Mesh/boundary_facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <CGAL/Random.h>
 #include <CGAL/algorithm.h>

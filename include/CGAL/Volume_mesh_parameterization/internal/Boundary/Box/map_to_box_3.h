@@ -14,15 +14,15 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 #  include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #  include <CGAL/number_utils.h>
 #  include <boost/property_map/function_property_map.hpp>

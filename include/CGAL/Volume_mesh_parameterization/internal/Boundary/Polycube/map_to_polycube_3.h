@@ -14,13 +14,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_box_with_holes_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
 #endif
 
 #include <cmath>

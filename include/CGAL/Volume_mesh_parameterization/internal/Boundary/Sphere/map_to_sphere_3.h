@@ -14,12 +14,12 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/parallel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Cells/Cell_arithmetic_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 #  include <CGAL/number_utils.h>
 #endif
 

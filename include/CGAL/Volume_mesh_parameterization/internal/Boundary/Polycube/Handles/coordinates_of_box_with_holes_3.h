@@ -1,0 +1,90 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_HANDLES_COORDINATES_OF_BOX_WITH_HOLES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_HANDLES_COORDINATES_OF_BOX_WITH_HOLES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What is measured on a surface for a box with holes in a row from left to right.
+struct Measures_of_box_3
+{
+  double bar = 0;                      // a quarter of a meridian, in the mean
+  double front = 0;                    // the length of the edge in front
+  double area_of_top = 0, area_of_sides = 0;
+  std::vector<double> widths, middles; // of the holes: a quarter of their edges, and places in front of them, from 0 to 1
+};
+
+// Such a length of the front that the holes, with bars between them, have their middles in their places.
+inline double length_of_divided_front(const Measures_of_box_3& measures, const double bar)
+{
+  constexpr double least_part = 0.01;
+  double result = 0, place = 0, half = 0; // of the last hole
+  for(std::size_t i = 0; i <= measures.widths.size(); ++i)
+  {
+    const bool is_hole = i < measures.widths.size();
+    const double next_place = is_hole ? measures.middles[i] : 1, next_half = is_hole ? measures.widths[i] / 2 : 0;
+    result = (std::max)(result, (half + bar + next_half) / (std::max)(least_part, next_place - place));
+    place = next_place;
+    half = next_half;
+  }
+  return result;
+}
+
+// The coordinates of the top, the bottom, of four sides of each hole (left, back, right, front), and of the box (right,
+// back, left, front), along their axes. Bars are as thick as they are on the surface, and holes as wide. Their middles are where
+// they are in front of them, if the box may be so long, or else if there is place. The top has its area, and the middle
+// of the box is at the origin. With planes of a grid, distances are rounded up.
+inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box_3& measures, const bool may_be_long,
+                                                           const Grid_planes_3& planes)
+{
+  const auto rounded = [&](const double x) { return planes.spacing > 0 ? planes.spacing * std::ceil(x / planes.spacing) : x; };
+  const double bar = rounded(measures.bar);
+  double x = bar, largest = 0, area = measures.area_of_top;
+  std::vector<double> widths;
+  for(const double width : measures.widths)
+  {
+    widths.push_back(rounded(width));
+    x += widths.back() + bar;
+    largest = (std::max)(largest, widths.back());
+    area += widths.back() * widths.back();
+  }
+  double spare = -x; // what is left for gaps that are wider than a bar
+  x = (std::max)(x, rounded(may_be_long ? length_of_divided_front(measures, bar)
+                                        : (std::min)(measures.front, 2 * std::sqrt(area))));
+  spare += x;
+  const double y = 2 * bar + largest + rounded((std::max)(0., area / x - 2 * bar - largest));
+  const double z = rounded((std::max)(bar, measures.area_of_sides / (2 * (x + y))));
+
+  Eigen::Array3d corner = -Eigen::Array3d(x, y, z) / 2;
+  if(planes.spacing > 0)
+    corner = planes.origin.array() + planes.spacing * ((corner - planes.origin.array()) / planes.spacing).round();
+  std::vector<double> result = { corner.z() + z, corner.z() };
+  double left = bar;
+  for(std::size_t i = 0; i < widths.size(); ++i)
+  {
+    const double gap = (std::max)(0., (std::min)(spare, rounded(x * measures.middles[i] - widths[i] / 2 - left)));
+    spare -= gap;
+    left += gap;
+    for(const double c : { corner.x() + left, corner.y() + bar + widths[i], corner.x() + left + widths[i], corner.y() + bar })
+      result.push_back(c);
+    left += widths[i] + bar;
+  }
+  for(const double c : { corner.x() + x, corner.y() + y, corner.x(), corner.y() })
+    result.push_back(c);
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_HANDLES_COORDINATES_OF_BOX_WITH_HOLES_3_H

@@ -1,0 +1,82 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_IMPROVE_CORNERS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_IMPROVE_CORNERS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/untangle_cells_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The reference of each cell is the corner of a box.
+inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals)
+{
+  const double unit = std::exp2(-std::round(std::log2(goals.mean_edge)));
+  Scaled_cells_3 result = { unit, {}, cell_weights(mesh) };
+  for(const Eigen::Vector3d& edges : goals.edges)
+    result.inverse_sources.push_back((unit * edges).cwiseInverse().asDiagonal());
+  return result;
+}
+
+// The penalty of the constraints on vertices that move, in a sum over corners where each has the energy 1.
+inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
+                                              const Unknowns_3& unknowns, const double unit)
+{
+  std::vector<Linear_constraint_3<int> > result;
+  for(const Linear_constraint_3<int>& constraint : goals.constraints)
+  {
+    Linear_constraint_3<int> of_rows;
+    double value = constraint.value;
+    for(const auto& [v, coefficient] : constraint.terms)
+      if(unknowns.contains(v))
+        of_rows.terms.push_back({ unknowns.row(v), coefficient });
+      else
+        value -= coefficient.dot(mesh.target.col(v));
+    of_rows.value = unit * value;
+    if(!of_rows.terms.empty())
+      result.push_back(std::move(of_rows));
+  }
+  return Quadratic_penalty_3(std::move(result), goals.weight / static_cast<double>(mesh.cells.size()));
+}
+
+// Moves the vertices of hexahedra, whose corners are the cells and overlap, from their targets on: untangles corners,
+// and if none is inverted then, brings them nearer to those of boxes, all alike or the worst ones first. An exhausted
+// budget ends it at the next step. Vertices that are not free stay where they are.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
+                                   Linear_solver_3& solver, const Budget& budget)
+{
+  constexpr double theta = 0.5; // how much volumes count
+  Unknowns_3 unknowns(goals.projectors);
+  if(unknowns.size() == 0 || budget.is_exhausted())
+    return mesh.target;
+  const Scaled_cells_3 boxes = box_corners_3(mesh, goals);
+  const Quadratic_penalty_3 penalty = penalty_of_goals_3(mesh, goals, unknowns, boxes.unit);
+  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, &penalty);
+  Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
+  Eigen::Matrix3Xd positions = mesh.target;
+  if(inverted_cells(mesh, positions).number > 0)
+    positions = untangle_cells_3(system, positions, theta, untangling).positions;
+  if(inverted_cells(mesh, positions).number > 0)
+    return positions;
+  const Untangling_energy_3 energy(0, theta); // of corners that are positive
+  return goals.exponent > 1
+    ? minimize_energy_3(system, Cell_energy_of<Power_energy_3<Untangling_energy_3> >(Power_energy_3(goals.exponent, energy)),
+                        positions, progress).positions
+    : minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(energy), positions, progress).positions;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_IMPROVE_CORNERS_3_H

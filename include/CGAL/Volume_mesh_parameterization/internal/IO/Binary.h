@@ -1,0 +1,213 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_BINARY_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_BINARY_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+
+#include <cstdint>
+#include <cstring>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+#ifdef CGAL_LITTLE_ENDIAN
+constexpr bool is_little_endian_machine = true;
+#else
+constexpr bool is_little_endian_machine = false;
+#endif
+
+// Numbers in a row of bytes, in the order of bytes of this machine or in the other one.
+class Binary_scanner
+{
+public:
+  Binary_scanner(const std::string_view bytes, const bool is_swapped) : m_bytes(bytes), m_is_swapped(is_swapped) {}
+
+  std::size_t position() const { return m_position; }
+  std::size_t rest() const { return m_bytes.size() - m_position; }
+  void go_to(const std::size_t position) { m_position = position; }
+
+  template <typename Number>
+  Number next()
+  {
+    std::array<char, sizeof(Number)> bytes;
+    if(rest() < bytes.size())
+      throw Input_error("the file ends too early, after " + std::to_string(m_bytes.size()) + " bytes");
+    std::copy_n(m_bytes.begin() + m_position, bytes.size(), bytes.begin());
+    m_position += bytes.size();
+    if(m_is_swapped)
+      std::reverse(bytes.begin(), bytes.end());
+    Number result;
+    std::memcpy(&result, bytes.data(), sizeof(result));
+    return result;
+  }
+
+private:
+  std::string_view m_bytes;
+  bool m_is_swapped;
+  std::size_t m_position = 0;
+};
+
+// Numbers that a file may tell, as they are needed.
+inline double checked_coordinate(const double x)
+{
+  if(!std::isfinite(x))
+    throw Input_error("a coordinate is not finite");
+  return x;
+}
+
+inline std::size_t checked_vertex(const std::int64_t v, const std::int64_t first, const std::size_t number_of_points)
+{
+  if(v < first || static_cast<std::uint64_t>(v - first) >= number_of_points)
+    throw Input_error("vertex " + std::to_string(v) + " does not exist, there are " + std::to_string(number_of_points)
+                      + ", counted from " + std::to_string(first));
+  return static_cast<std::size_t>(v - first);
+}
+
+inline int checked_reference(const std::int64_t reference)
+{
+  if(reference != static_cast<int>(reference))
+    throw Input_error("the reference " + std::to_string(reference) + " is too large");
+  return static_cast<int>(reference);
+}
+
+// Reads a binary MEDIT file (.meshb), of the layout of libMeshb: the number 1, which tells the order of bytes, the version,
+// and sections of a keyword, the position of the next one, and a number of elements. The version tells what has 8 bytes:
+// from 2 on coordinates, from 3 on positions, and in 4 all integers but keywords.
+class Binary_MEDIT_reader
+{
+public:
+  Binary_MEDIT_reader(const std::string_view bytes, const Budget& budget)
+    : m_scanner(bytes, first_number(bytes) != 1), m_budget(budget)
+  {}
+
+  static bool is_binary(const std::string_view bytes)
+  { return first_number(bytes) == 1 || first_number(bytes) == std::int32_t(1) << 24; }
+
+  Tetrahedron_soup_3 read()
+  {
+    m_scanner.next<std::int32_t>();
+    m_version = m_scanner.next<std::int32_t>();
+    if(m_version < 1 || m_version > 4)
+      throw Input_error("the version of the format is " + std::to_string(m_version) + " instead of 1 to 4");
+    Tetrahedron_soup_3 soup;
+    while(m_scanner.rest() > 0 && read_section(soup))
+      go_on(m_budget);
+    for(const auto& cell : soup.cells)
+      for(const std::size_t v : cell)
+        checked_vertex(static_cast<std::int64_t>(v) + 1, 1, soup.points.size());
+    for(const auto& facet : soup.facets)
+      for(const std::size_t v : facet)
+        checked_vertex(static_cast<std::int64_t>(v) + 1, 1, soup.points.size());
+    if(soup.cells.empty())
+      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    return soup;
+  }
+
+private:
+  enum Keyword { DIMENSION = 3, VERTICES = 4, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10, PYRAMIDS = 49, END = 54 };
+
+  static std::int32_t first_number(const std::string_view bytes)
+  { return bytes.size() < 4 ? 0 : Binary_scanner(bytes, false).next<std::int32_t>(); }
+
+  std::int64_t next_integer(const int first_version_of_8_bytes = 4)
+  { return m_version >= first_version_of_8_bytes ? m_scanner.next<std::int64_t>() : m_scanner.next<std::int32_t>(); }
+
+  double next_coordinate()
+  { return checked_coordinate(m_version == 1 ? static_cast<double>(m_scanner.next<float>()) : m_scanner.next<double>()); }
+
+  // False if this was the last one.
+  bool read_section(Tetrahedron_soup_3& soup)
+  {
+    const std::int32_t keyword = m_scanner.next<std::int32_t>();
+    if(keyword == END)
+      return false;
+    const std::int64_t end = next_integer(3);
+    const std::size_t end_of_file = m_scanner.position() + m_scanner.rest();
+    if(end != 0 && (end <= static_cast<std::int64_t>(m_scanner.position())
+                    || static_cast<std::uint64_t>(end) > end_of_file))
+      throw Input_error("the section " + std::to_string(keyword) + " ends at byte " + std::to_string(end) + " of "
+                        + std::to_string(end_of_file));
+    switch(keyword)
+    {
+      case DIMENSION:
+        if(m_scanner.next<std::int32_t>() != 3)
+          throw Input_error("the dimension is not 3");
+        break;
+      case VERTICES:
+        require_first(soup.points.empty(), "Vertices");
+        read_elements(3 * (m_version == 1 ? 4 : 8) + size_of_integer(), [&]
+        {
+          const double x = next_coordinate(), y = next_coordinate(), z = next_coordinate();
+          soup.points.push_back({ x, y, z });
+          next_integer();
+        });
+        break;
+      case TRIANGLES:
+        require_first(soup.facets.empty(), "Triangles");
+        read_simplices(soup.facets, soup.facet_references);
+        break;
+      case TETRAHEDRA:
+        require_first(soup.cells.empty(), "Tetrahedra");
+        read_simplices(soup.cells, soup.cell_references);
+        break;
+      case PRISMS: case HEXAHEDRA: case PYRAMIDS:
+        if(next_integer() != 0)
+          throw Input_error("the mesh is not tetrahedral, it has prisms, hexahedra or pyramids");
+    }
+    if(end != 0)
+      m_scanner.go_to(static_cast<std::size_t>(end));
+    return end != 0;
+  }
+
+  static void require_first(const bool is_first, const char* name)
+  {
+    if(!is_first)
+      throw Input_error(std::string("a second section '") + name + "'");
+  }
+
+  std::size_t size_of_integer() const { return m_version == 4 ? 8 : 4; }
+
+  template <typename Read>
+  void read_elements(const std::size_t size_of_element, const Read& read)
+  {
+    const std::int64_t number = next_integer();
+    if(number < 0 || static_cast<std::uint64_t>(number) > m_scanner.rest() / size_of_element)
+      throw Input_error("the file ends too early, it has not " + std::to_string(number) + " elements of a section");
+    for(std::int64_t i = 0; i < number; ++i)
+    {
+      if(i % 4096 == 0)
+        go_on(m_budget);
+      read();
+    }
+  }
+
+  template <std::size_t N>
+  void read_simplices(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references)
+  {
+    read_elements((N + 1) * size_of_integer(), [&]
+    {
+      simplices.emplace_back();
+      for(std::size_t& v : simplices.back())
+        v = checked_vertex(next_integer(), 1, (std::numeric_limits<std::int64_t>::max)()); // vertices may come later
+      references.push_back(checked_reference(next_integer()));
+    });
+  }
+
+  Binary_scanner m_scanner;
+  const Budget& m_budget;
+  std::int32_t m_version = 0;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_BINARY_H

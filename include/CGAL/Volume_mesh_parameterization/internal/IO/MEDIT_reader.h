@@ -1,0 +1,212 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MEDIT_READER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MEDIT_READER_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
+
+#include <optional>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+inline std::array<double, 3> next_point(Text_scanner& scanner)
+{
+  std::array<double, 3> point;
+  for(double& x : point)
+    x = scanner.next_number<double>("a finite coordinate");
+  return point;
+}
+
+// Reads an ASCII MEDIT file, or the lines of it that this process has. A first pass only finds the keywords that have a
+// meaning here, so that their order is free. A section goes on until the next keyword, in whichever slice that is.
+class MEDIT_reader
+{
+public:
+  // If the text is a slice of a file, each element must have a line of its own, and no slice may end behind a keyword that
+  // a number belongs to.
+  MEDIT_reader(const Communicator_3& communicator, const Text_scanner& text, const bool is_slice)
+    : m_communicator(communicator), m_is_slice(is_slice)
+  {
+    if(communicator.rank() == 0 && Text_scanner(text).next_word() != m_keywords[VERSION])
+      text.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
+    find_sections(text);
+    share_sections(text);
+  }
+
+  // Does a number belong to this word?
+  static bool is_before_number(const std::string_view word) { return keyword(word) < END; }
+
+  // What this slice has of the elements of the file.
+  Tetrahedron_soup_3 read() const
+  {
+    Tetrahedron_soup_3 soup;
+    read_section(VERTICES, [&](Text_scanner& scanner)
+    {
+      soup.points.push_back(next_point(scanner));
+      next_reference(scanner);
+    });
+    const std::size_t number_of_points = sum(soup.points.size());
+    read_simplices(TRIANGLES, number_of_points, soup.facets, soup.facet_references);
+    read_simplices(TETRAHEDRA, number_of_points, soup.cells, soup.cell_references);
+    if(sum(soup.cells.size()) == 0)
+      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    return soup;
+  }
+
+private:
+  enum { VERSION, DIMENSION, VERTICES, TRIANGLES, TETRAHEDRA, END = 10, OTHER, NONE };
+  static constexpr std::array<std::string_view, OTHER> m_keywords
+    = { "MeshVersionFormatted", "Dimension", "Vertices", "Triangles", "Tetrahedra",
+        "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
+
+  struct Section
+  {
+    std::size_t line;     // of the keyword
+    double count;         // of elements in the whole file
+    Text_scanner begin;   // of what this slice has of them
+  };
+
+  // The next keyword does, or the end of the text.
+  static bool ends_section(const std::string_view text)
+  { return text.empty() || ('A' <= text[0] && text[0] <= 'Z') || ('a' <= text[0] && text[0] <= 'z'); }
+
+  static std::size_t keyword(const std::string_view word)
+  { return static_cast<std::size_t>(std::find(m_keywords.begin(), m_keywords.end(), word) - m_keywords.begin()); }
+
+  std::size_t sum(const std::size_t x) const
+  { return static_cast<std::size_t>(m_communicator.sum(static_cast<double>(x))); }
+
+  void find_sections(Text_scanner scanner)
+  {
+    for(std::string_view word = scanner.next_word(); !word.empty(); word = scanner.next_word())
+    {
+      if(!ends_section(word))
+        continue;
+      m_last = keyword(word);
+      if(m_last == END)
+        scanner.expect_end("the keyword 'End'");
+      if(m_last >= END)
+        continue;
+      const std::size_t line = scanner.line();
+      if(m_sections[m_last])
+        fail_of_second(line, m_last);
+      const std::size_t count
+        = scanner.next_number<std::size_t>(m_last < VERTICES ? "a version or dimension" : "a number of elements");
+      if(m_last == VERSION && (count < 1 || count > 4)) // which differ in the binary format alone
+        scanner.fail("the version of the format is " + std::to_string(count) + " instead of 1 to 4");
+      if(m_last == DIMENSION && count != 3)
+        scanner.fail("the dimension is not 3");
+      if(m_last > TETRAHEDRA && count != 0)
+        scanner.fail("the mesh is not tetrahedral, it has " + std::string(word));
+      m_sections[m_last] = { line, static_cast<double>(count), scanner };
+    }
+  }
+
+  [[noreturn]] static void fail_of_second(const std::size_t line, const std::size_t k)
+  { Text_scanner::fail(line, "a second section '" + std::string(m_keywords[k]) + "'"); }
+
+  // Finds in which section of the slices before the text of this one begins.
+  void share_sections(Text_scanner text)
+  {
+    std::vector<double> mine(END + 1, -1);
+    for(std::size_t k = 0; k < END; ++k)
+      if(m_sections[k])
+        mine[k] = m_sections[k]->count;
+    mine[END] = static_cast<double>(m_last);
+    const std::vector<double> all = m_communicator.concatenated(mine);
+    const std::size_t size_of_all_before = static_cast<std::size_t>(m_communicator.rank()) * mine.size();
+    m_is_last = size_of_all_before + mine.size() == all.size();
+    std::size_t open = NONE;
+    double count = 0;
+    for(std::size_t i = 0; i < size_of_all_before; i += mine.size())
+    {
+      for(std::size_t k = 0; k < END; ++k)
+        if(all[i + k] >= 0 && m_sections[k])
+          fail_of_second(m_sections[k]->line, k);
+      if(all[i + END] == NONE)
+        continue;
+      open = static_cast<std::size_t>(all[i + END]);
+      count = all[i + (std::min)(open, std::size_t(END))];
+    }
+    if(open == END)
+      text.expect_end("the keyword 'End'");
+    if(open < END)
+      m_sections[open] = { text.line(), count, text };
+  }
+
+  // Calls `read_element(scanner)` for each element that this slice has of a section, which may be missing.
+  template <typename ReadElement>
+  void read_section(const std::size_t k, const ReadElement& read_element) const
+  {
+    std::size_t number = 0;
+    std::optional<Text_scanner> scanner;
+    if(m_sections[k])
+      scanner = m_sections[k]->begin;
+    for(; scanner && !ends_section(scanner->rest()); ++number)
+    {
+      if(!m_is_slice)
+      {
+        read_element(*scanner);
+        continue;
+      }
+      Text_scanner line = scanner->next_line();
+      read_element(line);
+      line.expect_end("the element, which must have a line of its own");
+    }
+
+    const double total = m_communicator.sum(static_cast<double>(number));
+    if(!scanner || total == m_sections[k]->count)
+      return;
+    const std::string_view word = scanner->next_word();
+    if(!word.empty() || m_is_last) // otherwise the section goes on in the next slice
+      scanner->fail((word.empty() ? "the end of the file" : Text_scanner::quote(word)) + " follows "
+                    + std::to_string(static_cast<std::size_t>(total)) + " instead of "
+                    + std::to_string(static_cast<std::size_t>(m_sections[k]->count)) + " elements of the section '"
+                    + std::string(m_keywords[k]) + "'");
+  }
+
+  template <std::size_t N>
+  void read_simplices(const std::size_t k, const std::size_t number_of_points,
+                      std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references) const
+  {
+    read_section(k, [&](Text_scanner& scanner)
+    {
+      std::array<std::size_t, N> simplex;
+      for(std::size_t& v : simplex)
+        v = next_vertex(scanner, number_of_points);
+      simplices.push_back(simplex);
+      references.push_back(next_reference(scanner));
+    });
+  }
+
+  static std::size_t next_vertex(Text_scanner& scanner, const std::size_t number_of_points)
+  {
+    const long long v = scanner.next_number<long long>("the number of a vertex");
+    if(v < 1 || static_cast<unsigned long long>(v) > number_of_points)
+      scanner.fail("vertex " + std::to_string(v) + " does not exist, the vertices are numbered from 1 to "
+                   + std::to_string(number_of_points));
+    return static_cast<std::size_t>(v - 1);
+  }
+
+  static int next_reference(Text_scanner& scanner) { return scanner.next_number<int>("an integral reference"); }
+
+  const Communicator_3& m_communicator;
+  bool m_is_slice, m_is_last;
+  std::array<std::optional<Section>, END> m_sections;
+  std::size_t m_last = NONE; // keyword of this slice
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MEDIT_READER_H

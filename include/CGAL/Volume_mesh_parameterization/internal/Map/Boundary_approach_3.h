@@ -1,0 +1,200 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_BOUNDARY_APPROACH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_BOUNDARY_APPROACH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The source, rotated, scaled and translated such that the sum of the squared distances of its
+// prescribed vertices to their targets is minimal. Keeps every orientation: the rotation is proper
+// and the scale positive. (Jin et al. minimize the same sum over 13 variables with a penalty that makes
+// the matrix nearly a scaled rotation, and round the result; the closed form is due to Umeyama 1991.)
+inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
+{
+  const Eigen::Index n = mesh.number_of_prescribed_vertices();
+  if(n == 0)
+    return mesh.source;
+  const auto source = mesh.source.rightCols(n), target = mesh.target.rightCols(n);
+  const Eigen::Vector3d source_mean = source.rowwise().mean(), target_mean = target.rowwise().mean();
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double variance = 0;
+  for(Eigen::Index i = 0; i < n; ++i)
+  {
+    const Eigen::Vector3d x = source.col(i) - source_mean;
+    covariance += (target.col(i) - target_mean) * x.transpose();
+    variance += x.squaredNorm();
+  }
+  const Rotation_and_stretch_3 polar = rotation_and_stretch_3(covariance);
+  const double scale = polar.stretch / variance;
+  // without a correlation of source and target the best scale would be zero
+  if(!(scale > 0))
+    return mesh.source;
+  const Eigen::Matrix3d scaled_rotation = scale * polar.rotation;
+  Eigen::Matrix3Xd result(3, mesh.source.cols());
+  for(Eigen::Index v = 0; v < result.cols(); ++v)
+    result.col(v) = scaled_rotation * (mesh.source.col(v) - source_mean) + target_mean;
+  return result;
+}
+
+// The map with soft boundary (Jin et al., section 4): starts from the source aligned to the target,
+// and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
+// inverted at any time; the targets may be missed. Further constraints may be given, on any vertices.
+class Boundary_approach_3
+{
+public:
+  using Constraints = std::vector<Linear_constraint_3<int> >;
+
+  Boundary_approach_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+                      const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
+                      const Constraints& constraints = Constraints(), const Approach_start_3& start = Approach_start_3())
+    : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
+      m_patience(start.patience), m_number_of_raises(start.number_of_raises),
+      m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
+      m_scaled(cells_scaled_to_length(mesh, m_length)),
+      m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
+      m_system(mesh, m_scaled, all_vertices(mesh), solver, &m_penalty)
+  {
+    minimize(m_scaled.unit * (start.positions.cols() == 0 ? m_aligned_source : start.positions));
+    if(!m_minimizer->iterate().evaluation.is_flip_free())
+      end(ERROR_INVERTED_SOURCE_CELL);
+  }
+
+  // To be called while it is running.
+  void step()
+  {
+    const std::optional<Error_code> status = m_minimizer->step();
+    const std::size_t number_of_steps = m_last_step.iteration + 1;
+    m_last_step = step_of(m_minimizer->iterate(), Phase::MINIMIZATION);
+    m_last_step.iteration = number_of_steps;
+    if(status == ERROR_LINEAR_SOLVER_FAILED)
+      end(*status, describe_failure(m_minimizer->iterate().direction));
+    else if(can_snap())
+      end(OK);
+    else if(status)
+    {
+      if(residual() <= m_parameters.residual_tolerance)
+        end(*status);
+      else if(is_blocked() || m_number_of_raises >= m_parameters.maximal_number_of_raises)
+        end(ERROR_BOUNDARY_NOT_REACHED);
+      else
+        raise_weight();
+    }
+  }
+
+  bool is_running() const { return !m_status; }
+  std::optional<Error_code> status() const { return m_status; } // once it has ended
+  const std::string& reason() const { return m_reason; } // for the status; empty if there is nothing to add
+  const Parameterization_step& last_step() const { return m_last_step; }
+
+  // The images of all vertices; those of the prescribed ones are near their targets.
+  Eigen::Matrix3Xd positions() const { return m_minimizer->iterate().positions(); }
+  Map_3 map() const { return judged(m_mesh, positions()); }
+
+  // The same with the prescribed vertices on their targets.
+  Eigen::Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
+
+  // May the minimization with fixed boundary take over from there?
+  bool can_snap() const
+  { return m_parameters.do_snap && !m_has_constraints && inverted_cells(m_mesh, snapped_positions()).number == 0; }
+
+  // of the energy with the penalty
+  double energy() const { return m_minimizer->iterate().evaluation.energy; }
+
+  // |P(u)|_2, where the target has volume 1
+  double residual() const { return m_penalty.residual(m_minimizer->iterate().u) / (m_scaled.unit * m_length); }
+  double weight() const
+  { return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises)); }
+  std::size_t number_of_raises() const { return m_number_of_raises; }
+  bool is_relaxing() const { return m_minimizer->is_relaxing(); }
+
+private:
+  void end(const Error_code status, const std::string& reason = std::string())
+  {
+    m_status = status;
+    m_reason = reason;
+  }
+
+  // The constraints, with three more for each prescribed vertex, for the scaled positions.
+  Constraints all_constraints(Constraints constraints) const
+  {
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+      for(int i = 0; i < 3; ++i)
+        constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
+    for(Linear_constraint_3<int>& constraint : constraints)
+      constraint.value *= m_scaled.unit;
+    return constraints;
+  }
+
+  // A weight is meant for lengths where the target has volume 1.
+  double penalty_factor(const double weight) const { return weight / std::pow(m_scaled.unit * m_length, 2); }
+
+  // of the bounding box of the source, where that has volume 1
+  double diameter() const
+  {
+    const Eigen::Vector3d box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
+    return box.norm() / std::cbrt(volume(m_mesh, m_mesh.source));
+  }
+
+  void minimize(const Eigen::Matrix3Xd& u)
+  {
+    m_penalty.set_weight(penalty_factor(weight()));
+    m_minimizer.emplace(m_system, m_penalty, m_energy, u, m_parameters, diameter());
+  }
+
+  void raise_weight()
+  {
+    ++m_number_of_raises;
+    minimize(Eigen::Matrix3Xd(m_minimizer->iterate().u));
+  }
+
+  // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
+  // for two raises as many cells as before keep vertices from their targets. The first raises only bring the boundary near.
+  bool is_blocked()
+  {
+    constexpr std::size_t number_of_first_raises = 3;
+    const Eigen::Matrix3Xd at_targets = snapped_positions();
+    m_distances.push_back((at_targets - positions()).colwise().norm().maxCoeff());
+    m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, at_targets).number);
+    const std::size_t n = m_distances.size();
+    const bool is_useless = m_number_of_raises >= number_of_first_raises
+      && ((n > 1 && m_distances[n - 1] > 0.9 * m_distances[n - 2])
+          || (n > 2 && m_numbers_of_blocking_cells[n - 1] >= m_numbers_of_blocking_cells[n - 3]));
+    m_number_of_useless_raises = is_useless ? m_number_of_useless_raises + 1 : 0;
+    return m_number_of_useless_raises >= m_patience;
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  const Cell_energy_3& m_energy;
+  Soft_boundary_parameters m_parameters;
+  bool m_has_constraints; // other than the targets
+  std::size_t m_patience;
+  std::size_t m_number_of_raises;
+  Eigen::Matrix3Xd m_aligned_source;
+  double m_length;        // cube root of the volume of the target
+  Scaled_cells_3 m_scaled;
+  Quadratic_penalty_3 m_penalty;
+  Newton_system_3 m_system;
+  std::optional<Penalty_minimizer_3> m_minimizer;
+  std::size_t m_number_of_useless_raises = 0;
+  std::vector<double> m_distances;                      // the largest one, for each weight
+  std::vector<std::size_t> m_numbers_of_blocking_cells; // for each weight
+  Parameterization_step m_last_step;
+  std::optional<Error_code> m_status;
+  std::string m_reason;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_BOUNDARY_APPROACH_3_H

@@ -1,0 +1,272 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_BODY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_BODY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#endif
+
+#include <CGAL/property_map.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <iterator>
+#include <unordered_map>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Which points are vertices of facets or cells?
+template <typename Simplices>
+std::vector<bool> used_points(const Simplices& simplices, const std::size_t number_of_points)
+{
+  std::vector<bool> result(number_of_points, false);
+  for(const auto& simplex : simplices)
+    for(const std::size_t v : simplex)
+      result[v] = true;
+  return result;
+}
+
+// An edge, facet or cell, given by its two, three or four points. Those of a cell are in its order.
+using Simplex_3 = boost::container::static_vector<std::size_t, 4>;
+
+// A body as arrays: what complexes, and ranges of any types, become on their way to all algorithms.
+struct Body_3
+{
+  Tetrahedron_soup_3 soup;
+  std::vector<std::array<std::size_t, 3> > boundary; // the facets of one cell only, which no refinement changes
+  std::vector<std::size_t> sides;                    // which sides these are, before any refinement
+};
+
+// A point that was made a vertex of an edge, facet or cell, and the cells around this, by their numbers then.
+struct Insertion_3
+{
+  std::size_t point;
+  Simplex_3 simplex;
+  std::vector<std::size_t> cells;
+};
+
+// The vertices of sides of cells, counterclockwise seen from outside. Side `4 * c + i` is opposite to vertex i of cell c.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
+                                                         const std::vector<std::size_t>& sides);
+
+// Throws `Input_error` if indices are wrong, or facets have more than two cells or two on the same side.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, bool is_parallel = false);
+
+// The points on the boundary, and those that are constrained as well.
+inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {})
+{
+  std::vector<bool> result = used_points(body.boundary, body.soup.points.size());
+  for(std::size_t v = 0; v < is_constrained.size(); ++v)
+    result[v] = result[v] || is_constrained[v];
+  return result;
+}
+
+// For overloads that take ranges.
+template <typename Range>
+using Iterator_of = decltype(std::declval<Range&>().begin());
+
+template <typename Soup>
+using If_soup = std::enable_if_t<std::is_same<std::remove_const_t<Soup>, Tetrahedron_soup_3>::value>;
+
+// Coordinates of a range of points of any type.
+template <typename PointRange>
+std::vector<std::array<double, 3> > coordinates_of(const PointRange& points)
+{
+  std::vector<std::array<double, 3> > result;
+  result.reserve(points.size());
+  for(const auto& p : points)
+    result.push_back(coordinates(p));
+  return result;
+}
+
+template <typename PointRange>
+void assign_coordinates(const std::vector<std::array<double, 3> >& coordinates, PointRange& points)
+{
+  points.resize(coordinates.size());
+  for(std::size_t v = 0; v < coordinates.size(); ++v)
+  {
+    const auto& [x, y, z] = coordinates[v];
+    points[v] = std::decay_t<decltype(points[v])>{ x, y, z };
+  }
+}
+
+template <typename CellRange>
+std::vector<std::array<std::size_t, 4> > indices_of(const CellRange& cells)
+{
+  const auto index = [](const auto& v) { return static_cast<std::size_t>(v); };
+  std::vector<std::array<std::size_t, 4> > result;
+  result.reserve(cells.size());
+  for(const auto& cell : cells)
+    result.push_back({ index(cell[0]), index(cell[1]), index(cell[2]), index(cell[3]) });
+  return result;
+}
+
+// Appends new points and cells; cells that were there may have become smaller.
+template <typename PointRange, typename CellRange>
+void assign_refined(const Tetrahedron_soup_3& refined, PointRange& points, CellRange& cells)
+{
+  static_assert(!std::is_const<PointRange>::value && !std::is_const<CellRange>::value,
+                "do_refine must not be passed for constant arrays, which cannot be refined.");
+  for(std::size_t v = points.size(); v < refined.points.size(); ++v)
+  {
+    const auto& [x, y, z] = refined.points[v];
+    points.push_back(typename PointRange::value_type{ x, y, z });
+  }
+  cells.resize(refined.cells.size(), cells[0]);
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    for(int i = 0; i < 4; ++i)
+      cells[c][i] = static_cast<std::decay_t<decltype(cells[c][i])> >(refined.cells[c][i]);
+}
+
+template <typename PointRange, typename CellRange>
+Tetrahedron_soup_3 soup_of(const PointRange& points, const CellRange& cells)
+{ return { coordinates_of(points), indices_of(cells), std::vector<int>(cells.size()), {}, {} }; }
+
+template <typename PointRange, typename CellRange>
+Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_of(soup_of(points, cells)); }
+
+// That of a complex, with references 0, and the way back.
+template <typename C3t3>
+struct Body_of_complex_3 : Body_3
+{
+  using Vertex_handle = typename C3t3::Vertex_handle;
+
+  std::vector<Vertex_handle> vertices; // of each point
+  std::vector<typename C3t3::Cell_handle> cells;
+
+  explicit Body_of_complex_3(const C3t3& c3t3)
+  {
+    std::unordered_map<Vertex_handle, std::size_t> indices;
+    indices.reserve(c3t3.triangulation().number_of_vertices());
+    for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+    {
+      cells.push_back(it);
+      soup.cells.emplace_back();
+      for(int i = 0; i < 4; ++i)
+      {
+        const Vertex_handle v = it->vertex(i);
+        const auto [entry, is_new] = indices.emplace(v, vertices.size());
+        soup.cells.back()[i] = entry->second;
+        if(is_new)
+        {
+          vertices.push_back(v);
+          soup.points.push_back(coordinates(point_of_vertex(c3t3.triangulation(), v)));
+        }
+        if(!c3t3.is_in_complex(it->neighbor(i)))
+          sides.push_back(4 * (cells.size() - 1) + i);
+      }
+    }
+    soup.cell_references.resize(cells.size());
+    boundary = facets_of_sides(soup.cells, sides);
+  }
+};
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
+                                                         const std::vector<std::size_t>& sides)
+{
+  std::vector<std::array<std::size_t, 3> > result;
+  result.reserve(sides.size());
+  for(const std::size_t side : sides)
+  {
+    const auto& [i, j, k] = facets_of_cell[side % 4];
+    const std::array<std::size_t, 4>& cell = cells[side / 4];
+    result.push_back({ cell[j], cell[k], cell[i] });
+  }
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
+{
+  check_simplices(soup);
+  const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
+  const auto boundary = facets_of_sides(soup.cells, sides);
+  return { std::move(soup), boundary, sides };
+}
+
+#endif
+
+// What the user tells of the points of a body. Without a target or an initial image, a point has coordinates that are not
+// numbers.
+struct Prescription_3
+{
+  std::vector<std::array<double, 3> > targets;
+  std::vector<bool> is_constrained;            // inside, as those on the boundary are
+  std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
+  std::vector<Linear_constraint_3<std::size_t> > constraints;
+
+  // New points are told nothing of.
+  void extend_to(const std::size_t number_of_points)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    targets.resize(number_of_points, { nan, nan, nan });
+    is_constrained.resize(number_of_points, false);
+    if(!initial.empty())
+      initial.resize(number_of_points, { nan, nan, nan });
+  }
+};
+
+// Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
+template <typename Vertex, typename NamedParameters, typename BoundaryMap, typename VertexOfPoint>
+Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const BoundaryMap& boundary_map,
+                              const VertexOfPoint& vertex)
+{
+  const auto is_constrained = given(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
+  const auto constraints = given(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
+  const std::size_t number_of_points = body.soup.points.size();
+  const std::vector<bool> is_on_boundary = prescribed_points(body);
+  const std::vector<bool> has_cell = used_points(body.soup.cells, number_of_points);
+
+  Prescription_3 result;
+  result.extend_to(number_of_points);
+  std::unordered_map<Vertex, std::size_t> points;
+  for(std::size_t p = 0; p < number_of_points; ++p)
+    if(has_cell[p])
+    {
+      result.is_constrained[p] = get(is_constrained, vertex(p));
+      if(is_on_boundary[p] || result.is_constrained[p])
+        result.targets[p] = coordinates(get(boundary_map, vertex(p)));
+      if(!constraints.empty())
+        points.emplace(vertex(p), p);
+    }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
+  {
+    const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);
+    static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
+                  "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+    result.initial.resize(number_of_points);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.initial[p] = coordinates(get(initial_map, vertex(p)));
+  }
+  for(const Linear_constraint_3<Vertex>& constraint : constraints)
+  {
+    result.constraints.push_back({ {}, constraint.value });
+    for(const auto& term : constraint.terms)
+      result.constraints.back().terms.push_back({ points.at(term.vertex), term.coefficient });
+  }
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_BODY_3_H

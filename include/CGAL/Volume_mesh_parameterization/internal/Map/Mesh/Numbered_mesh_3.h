@@ -1,0 +1,254 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_NUMBERED_MESH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_NUMBERED_MESH_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A tetrahedral mesh as plain arrays, and where its prescribed vertices go, in the units of the user. The free vertices
+// come first: 0, ..., number_of_free_vertices - 1. Where several processes share a mesh, each has a part: the cells around
+// its own vertices. Its last cells and its last free vertices are copies of those that other processes own.
+struct Numbered_mesh_3
+{
+  Eigen::Matrix3Xd source;               // one column a vertex
+  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
+  Eigen::Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
+  std::vector<std::array<int, 4> > cells; // positively oriented in the source
+  int number_of_free_vertices = 0;
+  Eigen::Vector3d base_point = Eigen::Vector3d::Zero(); // the target of free vertices, near those of the others
+  bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
+  std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
+  const Communicator_3* communicator = &single_process();
+  bool is_parallel = false;              // may threads share the work on it?
+  std::size_t number_of_copied_cells = 0;
+  int number_of_copied_vertices = 0;     // free ones
+  std::vector<double> vertex_numbers;    // in the mesh of all processes; none if this process is alone
+
+  int number_of_vertices() const { return static_cast<int>(source.cols()); }
+  int number_of_prescribed_vertices() const { return number_of_vertices() - number_of_free_vertices; }
+  std::size_t number_of_own_cells() const { return cells.size() - number_of_copied_cells; }
+  bool is_whole() const { return communicator->is_alone(); } // what needs all cells asks for it
+  double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
+  bool is_free(const int v) const { return v < number_of_free_vertices; }
+  std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
+};
+
+// The positions with the prescribed vertices on their targets.
+inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+{
+  const int n = mesh.number_of_prescribed_vertices();
+  positions.rightCols(n) = mesh.target.rightCols(n);
+  return positions;
+}
+
+// The bounding box of points of all processes.
+template <typename Points>
+Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Points& points)
+{
+  Eigen::AlignedBox3d box;
+  for(Eigen::Index i = 0; i < points.cols(); ++i)
+    box.extend(points.col(i));
+  for(int i = 0; i < 3; ++i)
+  {
+    (box.min)()[i] = communicator.minimum((box.min)()[i]);
+    (box.max)()[i] = communicator.maximum((box.max)()[i]);
+  }
+  return box;
+}
+
+inline Eigen::AlignedBox3d target_box(const Numbered_mesh_3& mesh)
+{
+  return bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_prescribed_vertices()));
+}
+
+inline double target_diagonal(const Numbered_mesh_3& mesh) { return target_box(mesh).diagonal().norm(); }
+
+// Puts the free vertices to the point of the bounding box of the targets that is nearest to the origin. The volume of the
+// target depends on its boundary only, but with free vertices far from it would be the difference of large numbers.
+inline void set_base_point(Numbered_mesh_3& mesh)
+{
+  const Eigen::AlignedBox3d box = target_box(mesh);
+  mesh.base_point = Eigen::Vector3d::Zero().cwiseMax((box.min)()).cwiseMin((box.max)());
+  mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
+}
+
+// The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
+template <typename Positions>
+Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>& cell)
+{
+  Eigen::Matrix3d edges;
+  for(int i = 0; i < 3; ++i)
+    edges.col(i) = positions.col(cell[i + 1]) - positions.col(cell[0]);
+  return edges;
+}
+
+// f(cell) of the first n cells.
+template <typename Function>
+auto values_of_cells(const Numbered_mesh_3& mesh, const std::size_t n, const Function& f)
+{
+  return values_of_indices(mesh.is_parallel, n, [&](const std::size_t c) { return f(mesh.cells[c]); });
+}
+
+// The inverse edge matrices X^{-1} of the cells in the source, times a factor.
+inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
+{
+  return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
+  { return edge_matrix(mesh.source, cell).inverse() * factor; });
+}
+
+template <typename Positions>
+double volume(const Numbered_mesh_3& mesh, const Positions& positions)
+{
+  const std::vector<double> volumes = values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell)
+  { return edge_matrix(positions, cell).determinant() / 6; });
+  return mesh.communicator->sum(std::accumulate(volumes.begin(), volumes.end(), 0.));
+}
+
+// How much each cell counts; the sum is 1.
+inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
+{
+  std::vector<double> result(mesh.cells.size(), 1. / mesh.global_number_of_cells());
+  if(mesh.has_volume_weights)
+  {
+    const double total = volume(mesh, mesh.source);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      result[c] = edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / total;
+  }
+  return result;
+}
+
+// The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
+// one volume. The unit is a power of two, so that scaling is exact.
+struct Scaled_cells_3
+{
+  double unit;
+  std::vector<Eigen::Matrix3d> inverse_sources; // X^{-1} of each cell
+  std::vector<double> weights;                  // how much each cell counts; the sum is 1
+};
+
+// Gives cells with this mean volume a volume near 1.
+inline double unit_of_cells(const double mean_volume) { return std::exp2(-std::round(std::log2(mean_volume) / 3)); }
+
+// The unit gives the cells of the target a volume near 1.
+inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
+{
+  const double target_volume = volume(mesh, mesh.target);
+  const double unit = unit_of_cells(target_volume / mesh.global_number_of_cells());
+  const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
+  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+}
+
+// The same, with regular cells of one size in place of the source: where only some map without inverted cells is looked
+// for, slivers of the source must not stiffen it.
+inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
+{
+  const double mean_volume = volume(mesh, mesh.target) / mesh.global_number_of_cells();
+  const double unit = unit_of_cells(mean_volume);
+  Eigen::Matrix3d edges; // of a cell with volume 1/3
+  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
+  const Eigen::Matrix3d inverse = edges.inverse() / (std::cbrt(3 * mean_volume) * unit);
+  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+}
+
+// The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
+inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
+{
+  const double unit = std::exp2(-std::round(std::log2(length)));
+  const double factor = std::cbrt(volume(mesh, mesh.source)) / (unit * length);
+  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+}
+
+// How many cells there are with some property, which of them this process owns, and the first of all in the order of the
+// user, if that is one of these.
+struct Found_cells
+{
+  std::size_t number = 0;
+  std::vector<std::size_t> cells;
+  std::optional<std::size_t> first;
+};
+
+template <typename Condition>
+Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
+{
+  const std::vector<char> is_found = values_of_cells(mesh, mesh.number_of_own_cells(),
+    [&](const std::array<int, 4>& cell) { return static_cast<char>(condition(cell)); });
+  Found_cells result;
+  double first = std::numeric_limits<double>::infinity();
+  for(std::size_t c = 0; c < is_found.size(); ++c)
+    if(is_found[c])
+    {
+      result.cells.push_back(c);
+      if(const double number = static_cast<double>(mesh.user_number(c)); number < first)
+      {
+        first = number;
+        result.first = c;
+      }
+    }
+  if(mesh.communicator->minimum(first) != first)
+    result.first.reset();
+  result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.cells.size())));
+  return result;
+}
+
+inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
+}
+
+// The images of all vertices, with the verdict of exact predicates on them.
+struct Map_3
+{
+  Eigen::Matrix3Xd positions;
+  std::size_t number_of_inverted_cells = (std::numeric_limits<std::size_t>::max)(); // or flat ones
+  std::vector<std::size_t> inverted_cells; // those of this process
+  bool meets_boundary = false;
+  double distance_to_boundary = 0; // the largest one of a prescribed vertex; may be zero by underflow
+
+  bool is_valid() const { return number_of_inverted_cells == 0; }
+  bool is_solution() const { return is_valid() && meets_boundary; }
+};
+
+// With the prescribed vertices to be on their targets.
+inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+{
+  const int n = mesh.number_of_prescribed_vertices();
+  Found_cells inverted = inverted_cells(mesh, positions);
+  Map_3 map;
+  map.number_of_inverted_cells = inverted.number;
+  map.inverted_cells = std::move(inverted.cells);
+  map.meets_boundary = mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
+  map.distance_to_boundary
+    = mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
+  map.positions = std::move(positions);
+  return map;
+}
+
+// Why no map was found with fixed boundary.
+struct Diagnosis_3
+{
+  std::vector<std::size_t> inverted_cells;
+  std::size_t number_of_proofs = 0; // that there is none
+  std::string message;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_NUMBERED_MESH_3_H

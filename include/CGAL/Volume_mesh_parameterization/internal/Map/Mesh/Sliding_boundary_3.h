@@ -1,0 +1,248 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SLIDING_BOUNDARY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SLIDING_BOUNDARY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// A triangulated surface as patches of neighbouring facets that are coplanar: exactly, or nearly, as
+// where coordinates were rounded in a file. A patch is planar if its vertices are within `tolerance` of
+// its plane. A patch that almost coplanar facets have led around a bend is not.
+class Planar_patches_3
+{
+public:
+  using Facet = std::array<int, 3>;
+
+  Planar_patches_3(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
+    : m_patch(facets.size())
+  {
+    unite_coplanar_facets(points, facets);
+    fit_planes(points, facets, tolerance);
+  }
+
+  // The patch of a facet is named by one of its facets.
+  std::size_t patch(const std::size_t facet) const { return m_patch[facet]; }
+  bool is_planar(const std::size_t patch) const { return m_is_planar[patch]; }
+
+  // The unit normal; exactly an axis if a coordinate of all vertices is the same.
+  const Eigen::Vector3d& normal(const std::size_t patch) const { return m_normal[patch]; }
+
+private:
+  // twice the area, times the unit normal
+  static Eigen::Vector3d area_vector(const Eigen::Matrix3Xd& points, const Facet& facet)
+  {
+    const Eigen::Vector3d a = points.col(facet[1]) - points.col(facet[0]);
+    const Eigen::Vector3d b = points.col(facet[2]) - points.col(facet[0]);
+    return a.cross(b);
+  }
+
+  // Along an axis, it is so exactly: a division by the length may be a multiplication by its rounded reciprocal.
+  static Eigen::Vector3d unit_normal(const Eigen::Vector3d& n)
+  { return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized(); }
+
+  // Are two facets with a common edge coplanar, and on either side of it?
+  static bool are_coplanar(const Eigen::Matrix3Xd& points, const Facet& f, const Facet& g)
+  {
+    constexpr double small_angle = 1e-3; // a rounded coordinate turns a small facet much
+    const Eigen::Vector3d m = area_vector(points, f).stableNormalized(), n = area_vector(points, g).stableNormalized();
+    if(m.dot(n) > 0 && m.cross(n).norm() <= small_angle)
+      return true;
+    const int i = apex(f, g);
+    const auto point = [&](const int v) { return exact_point(points.col(v)); };
+    const Exact_point_3 p = point(f[(i + 1) % 3]), q = point(f[(i + 2) % 3]), r = point(f[i]), s = point(g[apex(g, f)]);
+    return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::NEGATIVE;
+  }
+
+  // The index of the vertex of f that is not in its neighbour g.
+  static int apex(const Facet& f, const Facet& g)
+  {
+    int i = 0;
+    while(std::find(g.begin(), g.end(), f[i]) != g.end())
+      ++i;
+    return i;
+  }
+
+  void unite_coplanar_facets(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets)
+  {
+    Disjoint_sets patches(facets.size());
+    for_each_edge(facets, [&](const auto begin, const auto end) // one of more than two facets joins none of them
+    {
+      if(end - begin != 2)
+        return;
+      const std::size_t f = begin->second[0] / 3, g = (begin + 1)->second[0] / 3;
+      if(are_coplanar(points, facets[f], facets[g]))
+        patches.unite(f, g);
+    });
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      m_patch[f] = patches.find(f);
+  }
+
+  void fit_planes(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
+  {
+    m_normal.assign(facets.size(), Eigen::Vector3d::Zero());
+    m_is_planar.assign(facets.size(), true);
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      m_normal[m_patch[f]] += area_vector(points, facets[f]);
+    for(Eigen::Vector3d& normal : m_normal)
+      normal = unit_normal(normal);
+    for(std::size_t f = 0; f < facets.size(); ++f)
+    {
+      const std::size_t patch = m_patch[f];
+      for(const int v : facets[f])
+        if(!(std::abs(m_normal[patch].dot(points.col(v) - points.col(facets[patch][0]))) <= tolerance))
+          m_is_planar[patch] = false;
+    }
+  }
+
+  std::vector<std::size_t> m_patch;      // of each facet
+  std::vector<Eigen::Vector3d> m_normal; // of each patch
+  std::vector<bool> m_is_planar;
+};
+
+// Where the vertices of a boundary may go if its planar patches are to cover the same polygons: a vertex inside a patch
+// moves parallel to its plane, one between two patches along their line, and every other vertex stays at its target.
+//
+// While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
+// its cell with it, in between. And patches of facets that are not turned over cover each point as often
+// as their outlines wind around it. Those keep their corners and run along the same lines. So patches
+// remain one to one, vertices keep their order along edges, and the image of the complex remains the same.
+class Sliding_boundary_3
+{
+public:
+  // Vertices that `is_constrained` tells stay at their targets too.
+  template <typename Predicate>
+  Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
+    : m_mesh(mesh), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
+      m_patches(mesh.target, m_facets, planarity * target_diagonal(mesh)),
+      m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
+  {
+    std::vector<std::vector<std::size_t> > patches(mesh.number_of_vertices());
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      for(const int v : m_facets[f])
+        if(std::find(patches[v].begin(), patches[v].end(), m_patches.patch(f)) == patches[v].end())
+          patches[v].push_back(m_patches.patch(f));
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      m_projectors.push_back(mesh.is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                             : is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero())
+                             : projector(patches[v]));
+  }
+
+  std::size_t number_of_sliding_vertices() const
+  {
+    return std::count_if(m_projectors.begin() + m_mesh.number_of_free_vertices, m_projectors.end(),
+                         [](const Eigen::Matrix3d& projector) { return !projector.isZero(0); });
+  }
+
+  // Of each vertex, onto the directions in which it may move: all for a free one, none for one that stays.
+  const std::vector<Eigen::Matrix3d>& projectors() const { return m_projectors; }
+
+  // The positions with the vertices of the boundary moved back to where they belong, which rounding or scaling made
+  // them leave. A coordinate that cannot change keeps its bits.
+  Eigen::Matrix3Xd restored(Eigen::Matrix3Xd positions) const
+  {
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+    {
+      positions.col(v) -= offset(positions, v);
+      for(int i = 0; i < 3; ++i)
+        if(m_projectors[v].row(i).isZero(0))
+          positions(i, v) = m_mesh.target(i, v);
+    }
+    return positions;
+  }
+
+  // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in
+  // directions along the axes there is none.
+  double residual(const Eigen::Matrix3Xd& positions) const
+  {
+    double result = 0;
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+    {
+      const double distance = offset(positions, v).stableNorm();
+      if(distance > (m_projectors[v].isDiagonal(0) ? 0 : m_rounding))
+        result = (std::max)(result, distance);
+    }
+    return result;
+  }
+
+  // Is each facet of a planar patch oriented as in the target? Decided by exact predicates on the
+  // coordinates, without the one in which the normal is the longest.
+  bool has_same_orientations(const Eigen::Matrix3Xd& positions) const
+  {
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      if(m_patches.is_planar(m_patches.patch(f))
+         && orientation(positions, f) != orientation(m_mesh.target, f))
+        return false;
+    return true;
+  }
+
+private:
+  static constexpr double planarity = 1e-7; // relative to the diagonal; more than eight digits in a file round
+
+  // onto the directions in which a vertex of these patches may move
+  Eigen::Matrix3d projector(const std::vector<std::size_t>& patches) const
+  {
+    constexpr double small_sine = 1e-3; // of the angle between planes
+    const bool is_planar = std::all_of(patches.begin(), patches.end(), [&](const std::size_t patch)
+                                       { return m_patches.is_planar(patch); });
+    if(is_planar && patches.size() == 1)
+    {
+      const Eigen::Vector3d& normal = m_patches.normal(patches[0]);
+      return Eigen::Matrix3d::Identity() - normal * normal.transpose();
+    }
+    if(is_planar && patches.size() == 2)
+    {
+      const Eigen::Vector3d line = m_patches.normal(patches[0]).cross(m_patches.normal(patches[1]));
+      if(line.norm() > small_sine)
+        return line.normalized() * line.normalized().transpose();
+    }
+    return Eigen::Matrix3d::Zero();
+  }
+
+  // from where it may be
+  Eigen::Vector3d offset(const Eigen::Matrix3Xd& positions, const int v) const
+  { return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v)); }
+
+  CGAL::Orientation orientation(const Eigen::Matrix3Xd& positions, const std::size_t facet) const
+  {
+    using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
+    int longest;
+    m_patches.normal(m_patches.patch(facet)).cwiseAbs().maxCoeff(&longest);
+    const auto point = [&](const int k)
+    {
+      const auto p = positions.col(m_facets[facet][k]);
+      return Point_2(p[(longest + 1) % 3], p[(longest + 2) % 3]);
+    };
+    return CGAL::orientation(point(0), point(1), point(2));
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  std::vector<std::array<int, 3> > m_facets;
+  Planar_patches_3 m_patches;
+  double m_rounding;
+  std::vector<Eigen::Matrix3d> m_projectors;
+};
+
+// With prescribed vertices that may slide.
+inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Eigen::Matrix3Xd positions)
+{
+  Map_3 map = judged(mesh, std::move(positions));
+  map.distance_to_boundary = boundary.residual(map.positions);
+  map.meets_boundary = map.distance_to_boundary == 0 && boundary.has_same_orientations(map.positions);
+  return map;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SLIDING_BOUNDARY_3_H

@@ -1,0 +1,253 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_FACETS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_FACETS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Sets of the indices from 0 to n - 1, united by size. Those of CGAL have a node of a list for each index, and those of Boost
+// do not compile after some headers of Boost's graphs.
+class Disjoint_sets
+{
+public:
+  explicit Disjoint_sets(const std::size_t n) : m_up(n), m_size(n, 1) { std::iota(m_up.begin(), m_up.end(), std::size_t(0)); }
+
+  void unite(std::size_t i, std::size_t j)
+  {
+    i = find(i);
+    j = find(j);
+    if(i == j)
+      return;
+    if(m_size[i] > m_size[j])
+      std::swap(i, j);
+    m_up[i] = j;
+    m_size[j] += m_size[i];
+  }
+
+  // The index that stands for the set of i.
+  std::size_t find(std::size_t i)
+  {
+    while(m_up[i] != i)
+      i = m_up[i] = m_up[m_up[i]];
+    return i;
+  }
+
+private:
+  std::vector<std::size_t> m_up, m_size; // the size is that of the set which an index stands for
+};
+
+// Which items are in each row, in ascending order; `for_each_row_of(item, f)` calls f for the rows of an item. Threads share
+// the items, which they put into buckets of neighboring rows, and then the buckets.
+template <typename Item>
+struct Compressed_rows
+{
+  std::vector<std::size_t> begin; // of each row; while items are filled in, one place further
+  Eigen::Array<Item, Eigen::Dynamic, 1> items; // first written by the threads, which so share the clearing of its pages
+
+  template <typename For_each_row_of>
+  Compressed_rows(const std::size_t number_of_rows, const std::size_t number_of_items,
+                  const For_each_row_of& for_each_row_of, const bool is_parallel = false)
+    : begin(number_of_rows + 2, 0)
+  {
+    constexpr int rows_per_bucket = 2048, items_per_part = 1 << 16;
+    using Bucket = std::vector<std::pair<int, Item> >; // items with their rows
+    std::vector<std::vector<Bucket> > parts((number_of_items + items_per_part - 1) / items_per_part);
+    for_each_range(is_parallel, number_of_items, items_per_part,
+                   [&](const std::size_t part, const std::size_t first, const std::size_t last)
+    {
+      std::vector<Bucket>& buckets = parts[part];
+      buckets.resize(number_of_rows / rows_per_bucket + 1);
+      for(std::size_t i = first; i < last; ++i)
+        for_each_row_of(static_cast<Item>(i), [&](const std::size_t row)
+        { buckets[row / rows_per_bucket].emplace_back(static_cast<int>(row), static_cast<Item>(i)); });
+    });
+    const auto for_each_row_and_item = [&](const auto& f)
+    {
+      for_each_index(is_parallel, 0, number_of_rows / rows_per_bucket + 1, [&](const std::size_t bucket)
+      {
+        for(const std::vector<Bucket>& buckets : parts)
+          for(const auto& [row, item] : buckets[bucket])
+            f(row, item);
+      });
+    };
+    for_each_row_and_item([&](const int row, Item) { ++begin[row + 2]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    items.resize(begin.back());
+    for_each_row_and_item([&](const int row, const Item item) { items[begin[row + 1]++] = item; });
+  }
+};
+
+// Sorts the n pairs `pair_of(i)`, and calls `f(begin, end)` for all that have the same first element, an array of vertices:
+// one group after the other in ascending order, or in parallel if asked for. They are put into compressed rows by their
+// first vertex, which takes linear time, and the short rows are sorted.
+template <typename PairOf, typename Function>
+void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& f, const bool is_parallel = false)
+{
+  using Pair = std::decay_t<decltype(pair_of(0))>;
+  constexpr int rows_per_range = 1024, indices_per_range = 1 << 16;
+  const auto row_of = [&](const std::size_t i) { return static_cast<std::size_t>(pair_of(i).first[0]); };
+  std::vector<std::size_t> ends(n / indices_per_range + 1, 0);
+  for_each_in_ranges(is_parallel, n, indices_per_range, [&](const std::size_t i)
+  { ends[i / indices_per_range] = (std::max)(ends[i / indices_per_range], row_of(i) + 1); });
+  const std::size_t number_of_rows = *std::max_element(ends.begin(), ends.end());
+  const Compressed_rows<std::size_t> rows(number_of_rows, n, [&](const std::size_t i, const auto& g) { g(row_of(i)); },
+                                          is_parallel);
+  for_each_in_ranges(is_parallel, number_of_rows, rows_per_range, [&](const std::size_t row)
+  {
+    std::vector<Pair> pairs;
+    for(std::size_t k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+      pairs.push_back(pair_of(rows.items[k]));
+    std::sort(pairs.begin(), pairs.end());
+    for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
+    {
+      end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });
+      f(begin, end);
+    }
+  });
+}
+
+// An array of vertices in ascending order.
+template <typename Simplex>
+Simplex sorted(Simplex simplex)
+{
+  std::sort(simplex.begin(), simplex.end());
+  return simplex;
+}
+
+// Calls `f(begin, end)` for each edge, with a pair for each of its facets: its vertices, the smaller first, and the corners
+// there, where corner k of facet i is 3 i + k.
+template <typename Vertex, typename Function>
+void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Function& f)
+{
+  for_each_group(3 * facets.size(), [&](const std::size_t corner)
+  {
+    const std::array<Vertex, 3>& facet = facets[corner / 3];
+    const std::size_t k = corner % 3, l = (k + 1) % 3;
+    const std::size_t next = corner - k + l;
+    return facet[k] < facet[l] ? std::make_pair(std::array<Vertex, 2>{ facet[k], facet[l] }, std::array<std::size_t, 2>{ corner, next })
+                               : std::make_pair(std::array<Vertex, 2>{ facet[l], facet[k] }, std::array<std::size_t, 2>{ next, corner });
+  }, f);
+}
+
+// The vertices of the facets of a cell, each opposite to one vertex; they turn counterclockwise as seen from outside.
+constexpr int facets_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+// The facets that belong to one cell only, in the order of their sorted vertices; where the cells are positive, their normals
+// point outwards.
+template <typename Vertex>
+std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::array<Vertex, 4> >& cells,
+                                                      const bool is_parallel = false)
+{
+  using Facet = std::array<Vertex, 3>;
+  const auto facet_of_side = [&](const std::size_t side) -> Facet
+  {
+    const auto& [i, j, k] = facets_of_cell[side % 4];
+    const std::array<Vertex, 4>& cell = cells[side / 4];
+    return { cell[i], cell[j], cell[k] };
+  };
+  std::vector<char> is_on_boundary(4 * cells.size(), false);
+  for_each_group(is_on_boundary.size(), [&](const std::size_t side) { return std::make_pair(sorted(facet_of_side(side)), side); },
+                 [&](const auto begin, const auto end) { is_on_boundary[begin->second] = end - begin == 1; }, is_parallel);
+  std::vector<Facet> result;
+  for(std::size_t side = 0; side < is_on_boundary.size(); ++side)
+    if(is_on_boundary[side])
+      result.push_back(facet_of_side(side));
+  std::sort(result.begin(), result.end(), [](const Facet& f, const Facet& g) { return sorted(f) < sorted(g); });
+  return result;
+}
+
+// Two edges of a facet, and its area by these; `position(v)` is that of a vertex.
+template <typename Facet, typename Position>
+Eigen::Matrix<double, 3, 2> edges_of_facet(const Facet& facet, const Position& position)
+{
+  const Eigen::Vector3d origin = position(facet[0]);
+  Eigen::Matrix<double, 3, 2> result;
+  result << position(facet[1]) - origin, position(facet[2]) - origin;
+  return result;
+}
+
+inline double area_of_facet(const Eigen::Matrix<double, 3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; }
+
+// The squared singular values of the map between two triangles with edges X and U, the larger one first: the eigenvalues of
+// U^T U relative to X^T X, from half of a trace and a determinant.
+inline Eigen::Array2d squared_singular_values_of_facet(const Eigen::Matrix<double, 3, 2>& X,
+                                                       const Eigen::Matrix<double, 3, 2>& U)
+{
+  const Eigen::Matrix2d source = X.transpose() * X, image = U.transpose() * U;
+  const Eigen::Matrix2d relative = source.inverse() * image;
+  const double half = relative.trace() / 2, determinant = relative.determinant();
+  const double largest = half + std::sqrt((std::max)(half * half - determinant, 0.));
+  return { largest, (std::max)(determinant / largest, 0.) };
+}
+
+// How far the images of facets are from the facets, by shape and size up to a common scale: the mean over the area of the
+// root of log(s)^2 + log(t)^2, with the singular values s and t.
+template <typename Facet, typename Point, typename Image>
+double facet_distortion_3(const std::vector<Facet>& facets, const Point& point, const Image& image)
+{
+  double area_of_facets = 0, area_of_images = 0, result = 0;
+  for(const Facet& facet : facets)
+  {
+    area_of_facets += area_of_facet(edges_of_facet(facet, point));
+    area_of_images += area_of_facet(edges_of_facet(facet, image));
+  }
+  for(const Facet& facet : facets)
+  {
+    const Eigen::Matrix<double, 3, 2> X = edges_of_facet(facet, point), U = edges_of_facet(facet, image);
+    const Eigen::Array2d squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, U);
+    result += area_of_facet(X) / area_of_facets * squares.log().matrix().norm() / 2;
+  }
+  return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
+}
+
+// The vertices at an edge that has not two facets, and those whose corners of facets are not all joined by such edges.
+inline std::vector<std::size_t> non_manifold_vertices(const std::size_t number_of_vertices,
+                                                      const std::vector<std::array<std::size_t, 3> >& facets)
+{
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<bool> is_bad(number_of_vertices, false);
+  Disjoint_sets corners(3 * facets.size());
+  for_each_edge(facets, [&](const auto begin, const auto end)
+  {
+    for(std::size_t i = 0; i < 2; ++i)
+      if(end - begin == 2)
+        corners.unite(begin->second[i], (begin + 1)->second[i]);
+      else
+        is_bad[begin->first[i]] = true;
+  });
+
+  std::vector<std::size_t> umbrella(number_of_vertices, none);
+  for(std::size_t corner = 0; corner < 3 * facets.size(); ++corner)
+  {
+    const std::size_t v = facets[corner / 3][corner % 3], set = corners.find(corner);
+    is_bad[v] = is_bad[v] || (umbrella[v] != none && umbrella[v] != set);
+    umbrella[v] = set;
+  }
+  std::vector<std::size_t> result;
+  for(std::size_t v = 0; v < number_of_vertices; ++v)
+    if(is_bad[v])
+      result.push_back(v);
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_FACETS_3_H

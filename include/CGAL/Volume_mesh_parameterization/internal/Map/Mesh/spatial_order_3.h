@@ -1,0 +1,88 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SPATIAL_ORDER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SPATIAL_ORDER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Sorts indices of points such that neighbors in space follow each other.
+template <typename ConcurrencyTag, typename Iterator>
+void sort_in_space(const Iterator begin, const Iterator end, const std::vector<Exact_point_3>& points)
+{
+  using Point_map = Pointer_property_map<Exact_point_3>::const_type;
+  using Traits = Spatial_sort_traits_adapter_3<Exact_predicates_inexact_constructions_kernel, Point_map>;
+  hilbert_sort<ConcurrencyTag>(begin, end, Traits(make_property_map(points)));
+}
+
+// An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones
+// only, the others keep their order.
+inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed,
+                                                const bool is_parallel = false)
+{
+  const std::vector<Exact_point_3> points
+    = values_of_indices(is_parallel, source.cols(), [&](const std::size_t v) { return exact_point(source.col(v)); });
+
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto end_of_free
+    = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return !is_prescribed[v]; });
+#ifdef CGAL_LINKED_WITH_TBB
+  if(is_parallel)
+  {
+    sort_in_space<Parallel_tag>(order.begin(), end_of_free, points);
+    return order;
+  }
+#endif
+  static_cast<void>(is_parallel);
+  sort_in_space<Sequential_tag>(order.begin(), end_of_free, points);
+  return order;
+}
+
+// The place of each vertex in an order.
+inline std::vector<int> places_in(const std::vector<std::size_t>& order)
+{
+  std::vector<int> places(order.size());
+  for(std::size_t i = 0; i < order.size(); ++i)
+    places[order[i]] = static_cast<int>(i);
+  return places;
+}
+
+// The cells with their vertices renumbered, in the order of their first vertices; `user_numbers` receives their old places.
+inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::array<int, 4> >& cells,
+                                                         const std::vector<int>& places,
+                                                         std::vector<std::size_t>& user_numbers, const bool is_parallel)
+{
+  const Compressed_rows<std::size_t> rows(places.size(), cells.size(), [&](const std::size_t c, const auto& f)
+  {
+    const auto& [i, j, k, l] = cells[c];
+    f((std::min)({ places[i], places[j], places[k], places[l] }));
+  }, is_parallel);
+  user_numbers = values_of_indices(is_parallel, cells.size(), [&](const std::size_t i) { return rows.items[i]; });
+  return values_of_indices(is_parallel, cells.size(), [&](const std::size_t i)
+  {
+    std::array<int, 4> cell = cells[user_numbers[i]];
+    for(int& v : cell)
+      v = places[v];
+    return cell;
+  });
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SPATIAL_ORDER_3_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_PROGRESS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_PROGRESS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What the loops of a computation ask before each step and tell after it: may they go on, for the clock, the user and the
+// number of steps? Where several processes share a mesh, all ask and tell together, and are given one answer.
+class Progress_3
+{
+public:
+  using Visitor = std::function<bool(const Parameterization_step&)>; // returns false to end the computation
+
+  // The number of steps is limited for each stage, the budget is for all.
+  Progress_3(Budget budget, const std::size_t steps_of_stage,
+             Visitor visitor = [](const Parameterization_step&) { return true; },
+             const Communicator_3& communicator = single_process())
+    : m_budget(std::move(budget)), m_limit(steps_of_stage), m_visitor(std::move(visitor)), m_communicator(communicator)
+  {}
+
+  const Budget& budget() const { return m_budget; } // of this process, for loops that it runs alone
+  double seconds() const { return m_budget.seconds(); }
+  const Parameterization_result& effort() const { return m_effort; } // only with the numbers of steps, and the seconds
+  std::size_t number_of_steps() const { return m_number_of_steps; } // of this stage
+
+  void begin_stage() { m_number_of_steps = 0; }
+  void begin_attempt(std::string name) { m_attempt = std::move(name); } // for those who look on
+
+  bool is_interrupted()
+  {
+    if(!m_is_interrupted)
+      m_is_interrupted = !m_communicator.all(!m_budget.is_exhausted());
+    return m_is_interrupted;
+  }
+
+  bool goes_on() { return m_number_of_steps < m_limit && !is_interrupted(); }
+
+  // How a loop ends that does not go on.
+  Error_code status_of_end(const bool is_flip_free) const
+  { return m_is_interrupted ? ERROR_INTERRUPTED : is_flip_free ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE; }
+
+  void after_step(Parameterization_step step)
+  {
+    ++m_number_of_steps;
+    step.iteration = ++m_effort.number_of_iterations;
+    step.attempt = m_attempt;
+    if(step.phase == Phase::UNTANGLING)
+    {
+      ++m_effort.number_of_untangling_iterations;
+      add_lap(m_effort.seconds_untangling);
+      reach_flip_free();
+    }
+    else
+      add_lap(m_effort.seconds_minimization);
+    step.seconds = seconds();
+    if(!m_visitor(step))
+      m_budget.exhaust();
+  }
+
+  // The time since the last step, or the last call of one of these, was taken by something else.
+  void end_numbering() { add_lap(m_effort.seconds_numbering); }
+  void end_start() { add_lap(m_effort.seconds_start); }
+  void end_check() { m_lap = seconds(); }
+
+  // From now on, or from the next step that untangles on, no cell is inverted.
+  void reach_flip_free() { m_effort.seconds_to_flip_free = seconds(); }
+
+private:
+  void add_lap(double& sum)
+  {
+    sum += seconds() - m_lap;
+    m_lap = seconds();
+  }
+
+  Budget m_budget;
+  std::size_t m_limit, m_number_of_steps = 0;
+  Visitor m_visitor;
+  const Communicator_3& m_communicator;
+  std::string m_attempt;
+  Parameterization_result m_effort;
+  double m_lap = 0;
+  bool m_is_interrupted = false;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_PROGRESS_3_H

@@ -1,0 +1,187 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_LINEAR_SOLVER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_LINEAR_SOLVER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <boost/type_index.hpp>
+
+#include <variant>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Which blocks the Hessian has, in compressed rows as in `Block_sparse_matrix_3`.
+struct Sparsity_pattern_3
+{
+  std::vector<int> row_begin, columns;
+
+  int position(const int row, const int column) const
+  {
+    const auto begin = columns.begin();
+    return static_cast<int>(std::lower_bound(begin + row_begin[row], begin + row_begin[row + 1], column) - begin);
+  }
+};
+
+// The matrix of a Newton system, with the numbers that the solver wants.
+using Newton_matrix_3 = std::variant<Block_sparse_matrix_3<float>, Block_sparse_matrix_3<double> >;
+
+// The linear systems of one pattern: owns the matrix, and what its solver has made of the pattern.
+class Linear_system_3
+{
+public:
+  virtual ~Linear_system_3() = default;
+  virtual Newton_matrix_3& matrix() = 0;
+  virtual Linear_solver_status factorize() = 0; // the matrix as it is now
+  virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance,
+                                     const Budget& budget) = 0;
+};
+
+// A linear solver as the engine knows it: the seam between solvers of any type and an engine that is compiled once.
+class Linear_solver_3
+{
+public:
+  virtual ~Linear_solver_3() = default;
+  virtual std::string name() const = 0;
+  // The pattern is that of the rows of this process, if it is not alone.
+  virtual std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) = 0;
+  virtual std::size_t number_of_iterations() const { return 0; }      // in all systems; 0 if it does not iterate
+  virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
+};
+
+template <typename Solver>
+using Solution_that_asks = decltype(std::declval<Solver&>().solve(
+  std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>(), 0., std::declval<std::function<bool()> >()));
+
+template <typename Solver>
+using Number_of_iterations = decltype(std::declval<const Solver&>().number_of_iterations());
+
+// A model of `NewtonSolverTraits_3`, as such a solver. It knows one pattern at a time: a system analyzes its own when
+// another one has been at work in between.
+template <typename Solver>
+class Linear_solver_of final : public Linear_solver_3
+{
+  static_assert(Is_newton_solver<Solver>::value,
+                "solver_traits must be a model of NewtonSolverTraits_3, as neither solvers of Eigen nor traits of them are.");
+
+public:
+  explicit Linear_solver_of(Solver& solver) : m_solver(solver) {}
+
+  std::string name() const override { return boost::typeindex::type_id<Solver>().pretty_name(); }
+  std::size_t number_of_iterations() const override { return m_number_of_iterations; }
+  std::size_t number_of_cut_solutions() const override { return m_number_of_cut_solutions; }
+
+  std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3&) override
+  { return std::make_unique<System>(*this, std::move(pattern)); }
+
+private:
+  using Matrix = Block_sparse_matrix_3<typename Solver::NT>;
+
+  class System final : public Linear_system_3
+  {
+  public:
+    System(Linear_solver_of& owner, Sparsity_pattern_3 pattern)
+      : m_owner(owner), m_number(++owner.m_number_of_systems), m_matrix(Matrix())
+    { std::get<Matrix>(m_matrix).set_pattern(std::move(pattern.row_begin), std::move(pattern.columns)); }
+
+    Newton_matrix_3& matrix() override { return m_matrix; }
+
+    Linear_solver_status factorize() override
+    {
+      const Matrix& A = std::get<Matrix>(m_matrix);
+      if(m_owner.m_analyzed_system != m_number)
+        m_owner.m_solver.analyze_pattern(A);
+      m_owner.m_analyzed_system = m_number;
+      return m_owner.m_solver.factorize(A);
+    }
+
+    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+                               const Budget& budget) override
+    {
+      Linear_solver_status status;
+      if constexpr(boost::is_detected<Solution_that_asks, Solver>::value)
+        status = m_owner.m_solver.solve(b, x, tolerance, [&] { return !budget.is_exhausted(); });
+      else
+        status = m_owner.m_solver.solve(b, x, tolerance);
+      if constexpr(boost::is_detected<Number_of_iterations, Solver>::value)
+        m_owner.m_number_of_iterations += m_owner.m_solver.number_of_iterations();
+      m_owner.m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT && !budget.is_exhausted();
+      return status;
+    }
+
+  private:
+    Linear_solver_of& m_owner;
+    std::size_t m_number;
+    Newton_matrix_3 m_matrix;
+  };
+
+  Solver& m_solver;
+  std::size_t m_number_of_iterations = 0, m_number_of_cut_solutions = 0;
+  std::size_t m_number_of_systems = 0, m_analyzed_system = 0; // systems count from 1
+};
+
+// The solution of a Newton system, and what it is good for.
+struct Newton_direction_3
+{
+  Linear_solver_status status = Linear_solver_status::FAILED;
+  bool is_of_semidefinite_matrix = false;
+  Eigen::Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
+  double gradient_norm = 0;
+  double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
+  Eigen::VectorXd slopes;    // what each row has of it, of this process
+
+  double decrement() const { return std::sqrt((std::max)(0., -slope)); }
+
+  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
+  bool is_usable() const
+  {
+    return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::ITERATION_LIMIT
+        || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
+  }
+
+  // Only then the slope tells what is left to gain.
+  bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
+
+  // Has the solver failed for another reason than an indefinite matrix?
+  bool has_solver_failed() const
+  { return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED; }
+};
+
+// A sentence for the user about a direction that ended a computation.
+inline const char* describe_failure(const Newton_direction_3& direction)
+{
+  switch(direction.status)
+  {
+    case Linear_solver_status::OUT_OF_MEMORY:
+      return "There is not enough memory for the factorization; Conjugate_gradient_solver_traits_3 needs far less.";
+    case Linear_solver_status::NOT_POSITIVE_DEFINITE:
+      return "The matrix is not positive definite, although it should be up to rounding: cells are too flat for the "
+             "precision of the solver.";
+    default: return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
+  }
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+// The default solvers are compiled with the engine. Energies are not: they use the processor a unit is compiled for.
+namespace CGAL::Volume_mesh_parameterization {
+extern template class internal::Conjugate_gradient_3<float>;
+extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
+#  ifdef CGAL_LINKED_WITH_TBB
+extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
+#  endif
+}
+#endif
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_LINEAR_SOLVER_3_H

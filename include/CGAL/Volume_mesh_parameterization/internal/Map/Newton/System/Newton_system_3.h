@@ -1,0 +1,257 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_NEWTON_SYSTEM_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_NEWTON_SYSTEM_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_kernels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Quadratic_penalty_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
+// the cells: those that this process owns.
+inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  std::vector<Energy_evaluation> parts(packs.number_of_own_chunks());
+  for_each_index(packs.is_parallel(), 0, parts.size(), [&](const std::size_t chunk)
+  { kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]); });
+  Energy_evaluation result;
+  for(const Energy_evaluation& part : parts)
+    result.add(part);
+  return result;
+}
+
+// Calls f for each chunk of packs, such that its calls may add to the rows of the chunk.
+template <typename Function>
+void for_each_chunk_in_rounds(const Cell_packs_3& packs, const Function& f)
+{
+  for(std::size_t round = 0; round < packs.number_of_rounds(); ++round)
+    for_each_index(packs.is_parallel(), packs.round_begin(round), packs.round_begin(round + 1),
+                   [&](const std::size_t i) { f(packs.chunk_of_round(i)); });
+}
+
+// Adds the gradient by the unknown vertices, one column a row.
+inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
+                                Eigen::Matrix3Xd& gradient)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
+  { kernels.add_gradient(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, gradient.data()); });
+}
+
+// The gradient and the Hessian, of which the part `negative_curvature` of negative eigenvalues in each cell is kept.
+template <typename NT>
+void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
+                     const double negative_curvature, Eigen::Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
+{
+  const auto add_derivatives = std::get<Cell_kernels_3::Add_derivatives<NT> >(cell_kernels_3().add_derivatives);
+  gradient.setZero(3, hessian.size());
+  constexpr int rows_per_range = 1024;
+  for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range, [&](const int row) { hessian.set_zero(row); });
+  for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
+  {
+    add_derivatives(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
+                    gradient.data(), hessian.values(0));
+  });
+  for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range,
+                     [&](const int row) { hessian.complete_row(row); });
+}
+
+// The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
+inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& d)
+{
+  const Cell_kernels_3& kernels = cell_kernels_3();
+  std::vector<double> parts(packs.number_of_own_chunks(), 1.);
+  for_each_index(packs.is_parallel(), 0, parts.size(), [&](const std::size_t chunk)
+  { parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data()); });
+  return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
+}
+
+// An energy of the cells, plus perhaps a penalty, as a function of the unknown vertices: its value and gradient, and the
+// Newton direction, for any energy. Its positions `u` are images multiplied by a unit that gives cells a volume near 1;
+// only what is below Newton/ knows them.
+class Newton_system_3
+{
+public:
+  using Positions = Eigen::Matrix3Xd;
+
+  // With the cells of the source as reference.
+  Newton_system_3(const Numbered_mesh_3& mesh, Unknowns_3 unknowns, Linear_solver_3& solver)
+    : Newton_system_3(mesh, cells_scaled_to_target(mesh), std::move(unknowns), solver)
+  {}
+
+  Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
+                  Linear_solver_3& solver, const Quadratic_penalty_3* const penalty = nullptr)
+    : m_mesh(mesh), m_communicator(*mesh.communicator), m_solver(solver),
+      m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
+      m_penalty(penalty), m_unit(scaled.unit),
+      m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups())),
+      m_packs(mesh, scaled, m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator))
+  {}
+
+  // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
+  Newton_system_3(const Newton_system_3& whole, Unknowns_3 some, Linear_solver_3& solver)
+    : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_solver(solver), m_number_of_own_rows(some.size()),
+      m_unknowns(std::move(some)), m_penalty(nullptr), m_unit(whole.m_unit),
+      m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)), m_packs(whole.m_packs, m_unknowns, m_pattern),
+      m_system(solver.make_system(std::move(m_pattern), m_communicator))
+  {}
+
+  const Numbered_mesh_3& mesh() const { return m_mesh; }
+  Linear_solver_3& solver() const { return m_solver; }
+  const Unknowns_3& unknowns() const { return m_unknowns; }
+  bool has_penalty() const { return m_penalty != nullptr; }
+  double unit() const { return m_unit; } // by which positions are multiplied
+
+  // Takes regular cells as reference from now on, or those of the source again, with the same unit.
+  void set_references(const bool are_regular)
+  {
+    if(are_regular != m_has_regular_references)
+      m_packs.set_references(m_mesh, are_regular ? regular_cells_scaled_to_target(m_mesh) : cells_scaled_to_target(m_mesh));
+    m_has_regular_references = are_regular;
+  }
+
+  Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
+  {
+    const Energy_evaluation part = evaluate_energy(m_packs, energy, u);
+    const double number = m_communicator.sum(static_cast<double>(part.number_of_inverted_cells));
+    const double sum = m_communicator.sum(part.energy) + (m_penalty == nullptr ? 0 : m_penalty->value(u));
+    return { sum, m_communicator.minimum(part.smallest_determinant), static_cast<std::size_t>(number) };
+  }
+
+  // The smallest volume of a cell, with inverted ones below 0, relative to the mean one; of positions in the user's units.
+  double smallest_relative_volume(const Eigen::Matrix3Xd& positions) const
+  {
+    const Dirichlet_energy_3 any;
+    return evaluate(Cell_energy_of<Dirichlet_energy_3>(any), m_unit * positions).smallest_determinant;
+  }
+
+  // The energy of the cells that no unknown vertex belongs to.
+  double energy_of_other_cells(const Cell_energy_3& energy, const Positions& u) const
+  {
+    Energy_evaluation evaluation;
+    cell_kernels_3().evaluate(m_packs.others_begin(), m_packs.others_end(), u.data(), energy, evaluation);
+    return m_communicator.sum(evaluation.energy);
+  }
+
+  // One column a row.
+  Positions gradient(const Cell_energy_3& energy, const Positions& u) const
+  {
+    Positions result = Positions::Zero(3, m_unknowns.size());
+    add_energy_gradient(m_packs, energy, u, result);
+    if(m_penalty != nullptr)
+      m_penalty->add_gradient(u, result);
+    m_unknowns.project(result);
+    return result;
+  }
+
+  // Solves H d = -g, where H keeps the part `negative_curvature` of negative eigenvalues of each cell. An iterative solver
+  // may end early where the budget is exhausted.
+  Newton_direction_3 direction(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
+                               const double tolerance, const Budget& budget = Budget())
+  {
+    return std::visit([&](auto& hessian)
+    {
+      Positions gradient;
+      assemble(energy, u, negative_curvature, gradient, hessian);
+      Newton_direction_3 direction = solve(gradient, tolerance, budget);
+      // a semi-definite matrix may fail to be definite by rounding
+      for(double shift = 1e-8; shift < 1e-2 && negative_curvature == 0
+                               && direction.status == Linear_solver_status::NOT_POSITIVE_DEFINITE; shift *= 100)
+      {
+        hessian.scale_diagonal(static_cast<typename std::decay_t<decltype(hessian)>::NT>(shift));
+        direction = solve(gradient, tolerance, budget);
+      }
+      direction.is_of_semidefinite_matrix = negative_curvature == 0;
+      return direction;
+    }, m_system->matrix());
+  }
+
+  // The same with the matrix of the last direction, which a convex quadratic energy has everywhere.
+  Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance,
+                                    const Budget& budget)
+  {
+    Newton_direction_3 direction = solve(gradient(energy, u), tolerance, budget, true);
+    direction.is_of_semidefinite_matrix = true;
+    return direction;
+  }
+
+  // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
+  double largest_step(const Positions& u, const Positions& d) const
+  { return m_communicator.minimum(largest_step_3(m_packs, u, d)); }
+
+private:
+  template <typename NT>
+  void assemble(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
+                Positions& gradient, Block_sparse_matrix_3<NT>& hessian) const
+  {
+    assemble_energy(m_packs, energy, u, negative_curvature, gradient, hessian);
+    if(m_penalty != nullptr)
+    {
+      m_penalty->add_gradient(u, gradient);
+      m_penalty->add_hessian(hessian);
+    }
+    m_unknowns.project(gradient);
+    m_unknowns.project(hessian);
+  }
+
+  Newton_direction_3 solve(const Positions& columns, const double tolerance, const Budget& budget,
+                           const bool is_factorized = false)
+  {
+    const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
+    Newton_direction_3 result;
+    result.gradient_norm = std::sqrt(dot(gradient, gradient));
+    result.status = is_factorized ? Linear_solver_status::SUCCESS : m_system->factorize();
+    if(result.status != Linear_solver_status::SUCCESS)
+      return result;
+    Eigen::VectorXd solution;
+    result.status = m_system->solve(-gradient, solution, tolerance, budget);
+    if(result.is_exact() || result.status == Linear_solver_status::ITERATION_LIMIT)
+    {
+      result.slope = dot(gradient, solution);
+      if(!(result.slope < 0) && result.gradient_norm > 0) // otherwise it would pass for a minimum
+        result.status = Linear_solver_status::NOT_POSITIVE_DEFINITE;
+      Positions direction = Eigen::Map<const Positions>(solution.data(), 3, columns.cols());
+      m_unknowns.project(direction);
+      result.slopes = columns.cwiseProduct(direction).colwise().sum();
+      result.vectors = m_unknowns.to_vertices(direction);
+    }
+    return result;
+  }
+
+  // of all rows, each counted by the process that owns it
+  template <typename A, typename B>
+  double dot(const A& a, const B& b) const
+  {
+    const Eigen::Index n = 3 * Eigen::Index(m_number_of_own_rows);
+    return m_communicator.sum(a.head(n).dot(b.head(n)));
+  }
+
+  const Numbered_mesh_3& m_mesh;
+  const Communicator_3& m_communicator;
+  Linear_solver_3& m_solver;
+  int m_number_of_own_rows; // they come first; the others are copies
+  Unknowns_3 m_unknowns;
+  const Quadratic_penalty_3* m_penalty;
+  double m_unit;
+  bool m_has_regular_references = false;
+  Sparsity_pattern_3 m_pattern; // which the linear system takes over
+  Cell_packs_3 m_packs;
+  std::unique_ptr<Linear_system_3> m_system;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_NEWTON_SYSTEM_3_H

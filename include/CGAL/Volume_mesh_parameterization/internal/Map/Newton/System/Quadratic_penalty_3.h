@@ -1,0 +1,115 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_QUADRATIC_PENALTY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_QUADRATIC_PENALTY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The penalty w |C u - p|^2 of linear constraints on free vertices. The right side p can be replaced
+// for a while by the current values of C u.
+class Quadratic_penalty_3
+{
+public:
+  using Positions = Eigen::Matrix3Xd;
+
+  explicit Quadratic_penalty_3(std::vector<Linear_constraint_3<int> > constraints, const double weight)
+    : m_constraints(std::move(constraints)), m_weight(weight)
+  {
+    for(const Linear_constraint_3<int>& constraint : m_constraints)
+      m_values.push_back(constraint.value);
+    release();
+  }
+
+  void set_weight(const double weight) { m_weight = weight; }
+
+  // Takes the current positions as target.
+  void hold(const Positions& u)
+  {
+    for(std::size_t i = 0; i < m_constraints.size(); ++i)
+      m_targets[i] = left_side(m_constraints[i], u);
+  }
+
+  // Takes the constraints as target again.
+  void release() { m_targets = m_values; }
+
+  // |C u - p| for the constraints themselves
+  double residual(const Positions& u) const { return std::sqrt(squared_distance(u, m_values)); }
+
+  double value(const Positions& u) const { return m_weight * squared_distance(u, m_targets); }
+
+  void add_gradient(const Positions& u, Positions& gradient) const
+  {
+    for(std::size_t i = 0; i < m_constraints.size(); ++i)
+    {
+      const double factor = 2 * m_weight * (left_side(m_constraints[i], u) - m_targets[i]);
+      for(const auto& term : m_constraints[i].terms)
+        gradient.col(term.vertex) += factor * term.coefficient;
+    }
+  }
+
+  template <typename NT>
+  void add_hessian(Block_sparse_matrix_3<NT>& hessian) const
+  {
+    for(const Linear_constraint_3<int>& constraint : m_constraints)
+      for(const auto& a : constraint.terms)
+        for(const auto& b : constraint.terms)
+          hessian.block(hessian.position(a.vertex, b.vertex))
+            += (2 * m_weight * a.coefficient * b.coefficient.transpose()).template cast<NT>();
+  }
+
+  // The vertices that are coupled, for each constraint.
+  std::vector<std::vector<int> > groups() const
+  {
+    std::vector<std::vector<int> > result;
+    for(const Linear_constraint_3<int>& constraint : m_constraints)
+    {
+      result.emplace_back();
+      for(const auto& term : constraint.terms)
+        result.back().push_back(term.vertex);
+    }
+    return result;
+  }
+
+private:
+  double squared_distance(const Positions& u, const std::vector<double>& right_side) const
+  {
+    double sum = 0;
+    for(std::size_t i = 0; i < m_constraints.size(); ++i)
+      sum += square(left_side(m_constraints[i], u) - right_side[i]);
+    return sum;
+  }
+
+  static double square(const double x) { return x * x; }
+
+  static double left_side(const Linear_constraint_3<int>& constraint, const Positions& u)
+  {
+    double sum = 0;
+    for(const auto& term : constraint.terms)
+      sum += term.coefficient.dot(u.col(term.vertex));
+    return sum;
+  }
+
+  std::vector<Linear_constraint_3<int> > m_constraints;
+  std::vector<double> m_values, m_targets; // the right sides of the constraints, and those that count now
+  double m_weight;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_QUADRATIC_PENALTY_3_H

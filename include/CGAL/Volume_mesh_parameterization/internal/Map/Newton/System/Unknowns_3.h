@@ -1,0 +1,164 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_UNKNOWNS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_UNKNOWNS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Which vertices a stage may move, each with a row of the Newton system, and perhaps in some directions only. That is a
+// choice of the stage; which vertices are prescribed is a fact of the problem.
+class Unknowns_3
+{
+public:
+  // The vertices for which `is_unknown` is true, in their order.
+  template <typename Predicate>
+  Unknowns_3(const int number_of_vertices, const Predicate& is_unknown) : m_rows(number_of_vertices, -1)
+  {
+    for(int v = 0; v < number_of_vertices; ++v)
+      if(is_unknown(v))
+      {
+        m_rows[v] = size();
+        m_vertices.push_back(v);
+      }
+  }
+
+  // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line.
+  explicit Unknowns_3(const std::vector<Eigen::Matrix3d>& projectors)
+    : Unknowns_3(static_cast<int>(projectors.size()), [&](const int v) { return !projectors[v].isZero(0); })
+  {
+    for(const int v : m_vertices)
+      m_projectors.push_back(projectors[v]);
+  }
+
+  // These without some vertices.
+  template <typename Predicate>
+  Unknowns_3 without(const Predicate& is_known) const
+  {
+    Unknowns_3 result(number_of_vertices(), [&](const int v) { return contains(v) && !is_known(v); });
+    if(!m_projectors.empty())
+      for(const int v : result.m_vertices)
+        result.m_projectors.push_back(m_projectors[row(v)]);
+    return result;
+  }
+
+  int size() const { return static_cast<int>(m_vertices.size()); }
+  int number_of_vertices() const { return static_cast<int>(m_rows.size()); }
+  bool contains(const int v) const { return m_rows[v] >= 0; }
+  int row(const int v) const { return m_rows[v]; } // -1 if the vertex is not unknown
+  int vertex(const int row) const { return m_vertices[row]; }
+
+  // Puts the columns of the rows to their vertices; adding the result to positions leaves the others as they are.
+  Eigen::Matrix3Xd to_vertices(const Eigen::Matrix3Xd& columns) const
+  {
+    // adding 0. would turn -0. into 0.
+    Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, number_of_vertices(), -0.);
+    for(int row = 0; row < size(); ++row)
+      result.col(vertex(row)) = columns.col(row);
+    return result;
+  }
+
+  // Newton steps stay in the directions P if P H P d = -P g is solved in place of H d = -g.
+  void project(Eigen::Matrix3Xd& columns) const
+  {
+    for(std::size_t row = 0; row < m_projectors.size(); ++row)
+      columns.col(row) = m_projectors[row] * columns.col(row);
+  }
+
+  // P H P, made regular by a multiple of 1 - P that is as large as the block on the diagonal.
+  template <typename NT>
+  void project(Block_sparse_matrix_3<NT>& hessian) const
+  {
+    if(m_projectors.empty())
+      return;
+    for(int row = 0; row < hessian.size(); ++row)
+    {
+      const Eigen::Matrix3d& P = m_projectors[row];
+      for(int k = hessian.row_begin(row); k < hessian.row_end(row); ++k)
+      {
+        const int column = hessian.column(k);
+        const Eigen::Matrix3d H = hessian.block(k).template cast<double>();
+        Eigen::Matrix3d projected = P * H * m_projectors[column];
+        if(row == column)
+          projected += H.norm() * (Eigen::Matrix3d::Identity() - P);
+        hessian.block(k) = projected.template cast<NT>();
+      }
+    }
+  }
+
+private:
+  std::vector<int> m_rows;                   // of each vertex
+  std::vector<int> m_vertices;               // of each row
+  std::vector<Eigen::Matrix3d> m_projectors; // of each row; none if all directions are free
+};
+
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh)
+{
+  return Unknowns_3(mesh.number_of_vertices(), [&](const int v) { return mesh.is_free(v); });
+}
+
+inline Unknowns_3 all_vertices(const Numbered_mesh_3& mesh)
+{
+  return Unknowns_3(mesh.number_of_vertices(), [](int) { return true; });
+}
+
+using Groups_of_vertices = std::vector<std::vector<int> >;
+
+// The pattern of the Hessian: the pairs of unknown vertices that share a cell, or one of the groups.
+inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
+                                             const Groups_of_vertices& groups = {})
+{
+  constexpr int rows_per_part = 4096;
+  const int n = unknowns.size(), number_of_cells = static_cast<int>(mesh.cells.size());
+  const auto for_each_row_of = [&](const int item, const auto& f) // groups come after the cells
+  {
+    const auto for_each = [&](const auto& vertices)
+    {
+      for(const int v : vertices)
+        if(unknowns.contains(v))
+          f(unknowns.row(v));
+    };
+    item < number_of_cells ? for_each(mesh.cells[item]) : for_each(groups[item - number_of_cells]);
+  };
+  const Compressed_rows<int> at(n, number_of_cells + static_cast<int>(groups.size()), for_each_row_of, mesh.is_parallel);
+  Sparsity_pattern_3 result;
+  result.row_begin.assign(n + 1, 0);
+  std::vector<std::vector<int> > parts((n + rows_per_part - 1) / rows_per_part);
+  for_each_range(mesh.is_parallel, n, rows_per_part, [&](const std::size_t i, const int first, const int last)
+  {
+    std::vector<int>& columns = parts[i];
+    for(int row = first; row < last; ++row)
+    {
+      const std::size_t size = columns.size();
+      for(std::size_t k = at.begin[row]; k < at.begin[row + 1]; ++k)
+        for_each_row_of(at.items[k], [&](const int column) { columns.push_back(column); });
+      std::sort(columns.begin() + size, columns.end());
+      columns.erase(std::unique(columns.begin() + size, columns.end()), columns.end());
+      result.row_begin[row + 1] = static_cast<int>(columns.size() - size);
+    }
+  });
+  std::partial_sum(result.row_begin.begin(), result.row_begin.end(), result.row_begin.begin());
+  result.columns.reserve(result.row_begin[n]);
+  for(std::vector<int>& part : parts)
+  {
+    result.columns.insert(result.columns.end(), part.begin(), part.end());
+    part = std::vector<int>();
+  }
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_UNKNOWNS_3_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_MINIMIZE_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_MINIMIZE_ENERGY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Newton_iterate_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Below this energy, what is left to gain counts as it is, and not relative to the energy, which may have the minimum 0:
+// an eighteenth of the trace of the Hessian at the identity, 1 for the stretch. So factors of psi do not matter.
+inline double scale_of(const Cell_energy_3& energy)
+{
+  Packed_vector_3 s, g;
+  Packed_matrix_3 H;
+  for(Packed_number& x : s)
+    std::fill(std::begin(x), std::end(x), 1.);
+  energy.derivatives(s, g, H);
+  const double scale = (H[0][0] + H[4][0] + H[8][0]) / 18;
+  return std::isfinite(scale) && scale > 0 ? scale : 0;
+}
+
+// Minimizes an energy by Newton steps that never invert a cell.
+class Minimizer_3
+{
+public:
+  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
+              const Negative_curvature& negative_curvature)
+    : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.unit(), system.unit() * positions },
+      m_negative_curvature(negative_curvature)
+  {
+    m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
+    m_iterate.energy_of_other_cells = system.energy_of_other_cells(energy, m_iterate.u);
+  }
+
+  const Newton_iterate_3& iterate() const { return m_iterate; }
+  double slope() const { return m_iterate.direction.slope; }
+
+  // The full Hessian is tried, or a part of its negative curvature; less of it where that fails.
+  void step(const Budget& budget)
+  {
+    step_with_some_curvature(m_negative_curvature, m_iterate, [&](const double part) { return move(part, budget); });
+    // far from the minimum, the semi-definite Hessian does as well, and the full one mostly proves indefinite
+    if(m_iterate.step_length >= 1 && -m_iterate.direction.slope < 0.1 * m_iterate.evaluation.energy)
+      m_negative_curvature.raise();
+  }
+
+  // Takes what a minimization of a part of the energy found.
+  void take(const Newton_iterate_3& part)
+  {
+    m_iterate.u = part.u;
+    m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
+  }
+
+  bool is_converged(const double negligible_gain) const
+  { return m_iterate.direction.is_exact() && relative_gain() <= negligible_gain; }
+
+private:
+  bool move(const double negative_curvature, const Budget& budget)
+  {
+    return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget),
+                          [this] { return far_line_search_3(m_system, m_energy, m_iterate); });
+  }
+
+  // The squared Newton decrement, which bounds what a step can gain, relative to the energy.
+  double relative_gain() const { return -m_iterate.direction.slope / (std::max)(m_scale, m_iterate.evaluation.energy); }
+
+  // Tighter as the minimum is near, so that the last step meets it (Eisenstat and Walker, Choosing the forcing terms in an
+  // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
+  double solver_tolerance() const
+  {
+    constexpr double smallest = 1e-4, largest = 1e-2;
+    return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
+  }
+
+  Newton_system_3& m_system;
+  const Cell_energy_3& m_energy;
+  double m_scale;
+  Newton_iterate_3 m_iterate;
+  Negative_curvature m_negative_curvature;
+};
+
+// The unknowns that hold most of what a step gains, with rings of others that make room for them, if they are few.
+inline std::optional<Unknowns_3> few_with_most_of_slope_3(const Newton_system_3& system, const Newton_direction_3& direction)
+{
+  constexpr double most = 0.9, very_few = 0.01, few = 0.1;
+  constexpr int number_of_rings = 5;
+  const Unknowns_3& unknowns = system.unknowns();
+  std::vector<int> rows(unknowns.size());
+  std::iota(rows.begin(), rows.end(), 0);
+  const auto end = rows.begin() + static_cast<std::ptrdiff_t>(very_few * unknowns.size());
+  std::partial_sort(rows.begin(), end, rows.end(), [&](const int a, const int b)
+  { return std::make_pair(direction.slopes[a], a) < std::make_pair(direction.slopes[b], b); });
+  double slope = 0;
+  std::vector<bool> is_near(unknowns.number_of_vertices());
+  for(auto row = rows.begin(); row != end && slope > most * direction.slope; ++row)
+  {
+    slope += direction.slopes[*row];
+    is_near[unknowns.vertex(*row)] = true;
+  }
+  std::optional<Unknowns_3> result;
+  for(int ring = 0; ring < number_of_rings && slope <= most * direction.slope; ++ring)
+  {
+    const std::vector<bool> was_near = is_near;
+    for(const std::array<int, 4>& cell : system.mesh().cells)
+      if(std::any_of(cell.begin(), cell.end(), [&](const int v) { return was_near[v]; }))
+        for(const int v : cell)
+          is_near[v] = true;
+    Unknowns_3 near = unknowns.without([&](const int v) { return !is_near[v]; });
+    if(near.size() > few * unknowns.size())
+      break;
+    result = std::move(near);
+  }
+  return result;
+}
+
+// Where few unknowns hold most of what a step gains, they move alone until they hold a tenth of it, or have taken about as
+// long as the step: cells that are nearly flat need many steps, over the whole mesh, too, but steps of few cost little.
+inline void minimize_few_3(Newton_system_3& system, const Cell_energy_3& energy, Minimizer_3& minimizer, const Budget& budget)
+{
+  constexpr int most_steps = 30;
+  constexpr double enough = 0.1;
+  std::optional<Unknowns_3> few = few_with_most_of_slope_3(system, minimizer.iterate().direction);
+  if(!few)
+    return;
+  const int number_of_steps = (std::min)(most_steps, system.unknowns().size() / few->size());
+  Conjugate_gradient_solver_traits_3<Sequential_tag, double> traits;
+  Linear_solver_of solver(traits);
+  Newton_system_3 part(system, std::move(*few), solver);
+  Minimizer_3 moves(part, energy, minimizer.iterate().positions(), Negative_curvature());
+  for(int step = 0; step < number_of_steps && !budget.is_exhausted(); ++step)
+  {
+    moves.step(budget);
+    if(moves.iterate().step_length == 0 || moves.slope() > enough * minimizer.slope())
+      break;
+  }
+  minimizer.take(moves.iterate());
+}
+
+// With what status is it to end after this step, although it is no minimum?
+using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&)>;
+
+// Minimizes from images on that invert no cell; vertices that are not unknown stay where they are. The first step that
+// promises no more than the negligible part of the energy is the last one: the next one would gain about its square.
+inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
+                                         const Eigen::Matrix3Xd& positions, Progress_3& progress,
+                                         const Negative_curvature& negative_curvature = Negative_curvature(),
+                                         const Ends_here& ends_here = nullptr, const double negligible_gain = 1e-8)
+{
+  Minimizer_3 minimizer(system, energy, positions, negative_curvature);
+  const Newton_iterate_3& iterate = minimizer.iterate();
+  const auto result = [&](const Error_code status, const char* const reason = "")
+  { return Newton_result_3{ iterate.positions(), iterate.energy(), status, reason }; };
+  progress.end_start();
+  while(progress.goes_on())
+  {
+    minimizer.step(progress.budget());
+    progress.after_step(step_of(iterate, Phase::MINIMIZATION));
+    if(!iterate.direction.is_usable())
+      return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
+    if(minimizer.is_converged(negligible_gain))
+      return result(OK);
+    if(iterate.step_length == 0)
+      return result(ERROR_NOT_CONVERGED);
+    if(system.mesh().is_whole() && !system.has_penalty())
+      minimize_few_3(system, energy, minimizer, progress.budget());
+    if(const std::optional<Error_code> status = ends_here ? ends_here(iterate) : std::nullopt)
+      return result(*status);
+  }
+  return result(progress.status_of_end(true));
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_MINIMIZE_ENERGY_3_H

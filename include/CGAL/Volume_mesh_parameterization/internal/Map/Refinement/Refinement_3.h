@@ -1,0 +1,233 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_REFINEMENT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_REFINEMENT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+
+#include <optional>
+#include <set>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Does a simplex, as a range of its vertices, have a vertex, or all those of a face?
+template <typename Simplex>
+bool contains(const Simplex& simplex, const typename Simplex::value_type& v)
+{ return std::find(simplex.begin(), simplex.end(), v) != simplex.end(); }
+
+template <typename Simplex>
+bool contains(const Simplex& simplex, const Simplex_3& face)
+{ return std::all_of(face.begin(), face.end(), [&](const std::size_t v) { return contains(simplex, v); }); }
+
+// Calls f for the edges, facets and cells that are faces of the simplex, itself included.
+template <typename Function>
+void for_each_face(const Simplex_3& simplex, const Function& f)
+{
+  for(unsigned int subset = 0; subset < (1u << simplex.size()); ++subset)
+  {
+    Simplex_3 face;
+    for(unsigned int i = 0; i < simplex.size(); ++i)
+      if(subset & (1u << i))
+        face.push_back(simplex[i]);
+    if(face.size() >= 2)
+      f(face);
+  }
+}
+
+// Simplices of one dimension with their references, and which of them have a point.
+template <std::size_t N>
+class Incident_simplices_3
+{
+public:
+  Incident_simplices_3(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references,
+                       const std::size_t number_of_points)
+    : m_simplices(simplices), m_references(references), m_incident(number_of_points)
+  {
+    for(std::size_t s = 0; s < simplices.size(); ++s)
+      for(const std::size_t v : simplices[s])
+        m_incident[v].push_back(s);
+  }
+
+  // Those that contain a simplex.
+  std::vector<std::size_t> around(const Simplex_3& face) const
+  {
+    std::vector<std::size_t> result;
+    for(const std::size_t s : m_incident[face[0]])
+      if(contains(m_simplices[s], face))
+        result.push_back(s);
+    return result;
+  }
+
+  // Makes a new point, the next one, a vertex of a simplex. Of each simplex around there is one for each of these vertices,
+  // with the new point in its place: the first takes the place of the old simplex, the others come behind all.
+  void insert(const Simplex_3& face)
+  {
+    const std::size_t v = m_incident.size();
+    const std::vector<std::size_t> old_ones = around(face);
+    m_incident.emplace_back();
+    for(const std::size_t s : old_ones)
+    {
+      for(std::size_t k = 1; k < face.size(); ++k)
+      {
+        for(const std::size_t w : replace(m_simplices[s], face[k], v))
+          m_incident[w].push_back(m_simplices.size());
+        m_simplices.push_back(replace(m_simplices[s], face[k], v));
+        m_references.push_back(m_references[s]);
+      }
+      m_simplices[s] = replace(m_simplices[s], face[0], v);
+      m_incident[face[0]].erase(std::find(m_incident[face[0]].begin(), m_incident[face[0]].end(), s));
+      m_incident[v].push_back(s);
+    }
+  }
+
+private:
+  static std::array<std::size_t, N> replace(std::array<std::size_t, N> simplex, const std::size_t v, const std::size_t w)
+  {
+    std::replace(simplex.begin(), simplex.end(), v, w);
+    return simplex;
+  }
+
+  std::vector<std::array<std::size_t, N> >& m_simplices;
+  std::vector<int>& m_references;
+  std::vector<std::vector<std::size_t> > m_incident;
+};
+
+// Makes new points vertices of interior edges, facets and cells of a body. New cells and facets have the references of
+// those they come from.
+class Refinement_3
+{
+public:
+  explicit Refinement_3(Body_3& body)
+    : m_body(body), m_cells(body.soup.cells, body.soup.cell_references, body.soup.points.size()),
+      m_facets(body.soup.facets, body.soup.facet_references, body.soup.points.size())
+  {
+    for(const auto& [u, v, w] : body.boundary)
+      m_boundary_edges.insert(m_boundary_edges.end(), { (std::minmax)(u, v), (std::minmax)(v, w), (std::minmax)(w, u) });
+    std::sort(m_boundary_edges.begin(), m_boundary_edges.end());
+  }
+
+  std::vector<std::size_t> cells_around(const Simplex_3& simplex) const { return m_cells.around(simplex); }
+
+  Simplex_3 cell(const std::size_t c) const { return Simplex_3(m_body.soup.cells[c].begin(), m_body.soup.cells[c].end()); }
+
+  // Is a simplex with these cells around it one of the body, and not of its boundary?
+  bool is_interior(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const
+  {
+    switch(simplex.size())
+    {
+      case 2: return !cells.empty() && !std::binary_search(m_boundary_edges.begin(), m_boundary_edges.end(),
+                                                           Edge((std::minmax)(simplex[0], simplex[1])));
+      case 3: return cells.size() == 2;
+      default: return !cells.empty();
+    }
+  }
+
+  // The squared length of the longest edge.
+  double squared_size(const Simplex_3& simplex) const
+  {
+    double result = 0;
+    for(const std::size_t v : simplex)
+      for(const std::size_t w : simplex)
+        result = (std::max)(result, CGAL::squared_distance(point(v), point(w)));
+    return result;
+  }
+
+  // Nothing if the simplex does not exist (any more), is not interior, or has no point that makes positive cells after
+  // rounding.
+  std::optional<Insertion_3> insert(const Simplex_3& simplex)
+  {
+    const std::vector<std::size_t> cells = cells_around(simplex);
+    if(!is_interior(simplex, cells))
+      return std::nullopt;
+    const std::optional<Exact_point_3> p = point_in_simplex(simplex, cells);
+    if(!p)
+      return std::nullopt;
+    m_cells.insert(simplex);
+    m_facets.insert(simplex);
+    m_body.soup.points.push_back(coordinates(*p));
+    return Insertion_3{ m_body.soup.points.size() - 1, simplex, cells };
+  }
+
+private:
+  using Edge = std::pair<std::size_t, std::size_t>; // the smaller one first
+
+  Exact_point_3 point(const std::size_t v) const { return exact_point(m_body.soup.points[v]); }
+
+  // A point of a simplex that can become a vertex, as all cells it makes are positive after rounding: the centroid, or else
+  // one up to a third of the way towards a vertex.
+  std::optional<Exact_point_3> point_in_simplex(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const
+  {
+    for(const double additional_weight : { 0., 0.125, 0.25, 0.5, 1. })
+      for(const std::size_t v : simplex)
+      {
+        const Exact_point_3 p = weighted_mean(simplex, v, additional_weight);
+        if(makes_positive_cells(simplex, cells, p))
+          return p;
+      }
+    return std::nullopt;
+  }
+
+  Exact_point_3 weighted_mean(const Simplex_3& simplex, const std::size_t preferred, const double additional_weight) const
+  {
+    std::array<double, 3> sum = { 0, 0, 0 };
+    double total_weight = 0;
+    for(const std::size_t v : simplex)
+    {
+      const double weight = (v == preferred) ? 1 + additional_weight : 1;
+      for(int i = 0; i < 3; ++i)
+        sum[i] += weight * m_body.soup.points[v][i];
+      total_weight += weight;
+    }
+    return Exact_point_3(sum[0] / total_weight, sum[1] / total_weight, sum[2] / total_weight);
+  }
+
+  bool makes_positive_cells(const Simplex_3& simplex, const std::vector<std::size_t>& cells, const Exact_point_3& p) const
+  {
+    for(const std::size_t c : cells)
+      for(const std::size_t replaced : simplex)
+      {
+        const std::array<std::size_t, 4>& cell = m_body.soup.cells[c];
+        const auto corner = [&](const int i) { return cell[i] == replaced ? p : point(cell[i]); };
+        if(!is_positive_cell({ corner(0), corner(1), corner(2), corner(3) }))
+          return false;
+      }
+    return true;
+  }
+
+  Body_3& m_body;
+  Incident_simplices_3<4> m_cells;
+  Incident_simplices_3<3> m_facets;
+  std::vector<Edge> m_boundary_edges;
+};
+
+// Splits the interior edges among the given pairs of points, longest first. Pairs that are no interior edge are ignored.
+// The time is linear in the number of cells.
+inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<std::array<std::size_t, 2> >& edges)
+{
+  Refinement_3 refinement(body);
+  std::set<std::pair<std::size_t, std::size_t> > known;
+  std::vector<std::pair<double, Simplex_3> > sorted;
+  for(const auto& [v, w] : edges)
+    if(v != w && known.insert((std::minmax)(v, w)).second)
+      sorted.emplace_back(refinement.squared_size({ v, w }), Simplex_3{ v, w });
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+
+  std::vector<Insertion_3> result;
+  for(const auto& [size, edge] : sorted)
+    if(const std::optional<Insertion_3> insertion = refinement.insert(edge))
+      result.push_back(*insertion);
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_REFINEMENT_3_H

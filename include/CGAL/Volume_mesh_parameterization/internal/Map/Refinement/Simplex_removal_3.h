@@ -1,0 +1,206 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_SIMPLEX_REMOVAL_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_SIMPLEX_REMOVAL_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <queue>
+#include <tuple>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Are all vertices prescribed? No new point is.
+inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const Simplex_3& simplex)
+{
+  return std::all_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
+  { return v < is_prescribed.size() && is_prescribed[v]; });
+}
+
+// The prescribed simplices that no map with these images of its boundary can map well: their image, the
+// hull of the targets of their vertices, is degenerate, or inverted for a cell; or it begins in the image of the boundary,
+// as an edge does between two vertices of a side of a cube, though cells lie all around the simplex. With a coordinate that
+// is no number there is no image.
+class Degenerate_simplices_3
+{
+public:
+  Degenerate_simplices_3(const Body_3& body, const std::vector<bool>& is_prescribed,
+                         const std::vector<std::array<double, 3> >& targets)
+    : m_is_prescribed(is_prescribed), m_targets(targets), m_links(is_prescribed.size())
+  {
+    for(const std::array<std::size_t, 3>& facet : body.boundary)
+      for(std::size_t i = 0; i < 3; ++i)
+        m_links[facet[i]].push_back({ facet[(i + 1) % 3], facet[(i + 2) % 3] });
+  }
+
+  bool operator()(const Simplex_3& simplex) const
+  {
+    if(!is_prescribed_simplex(m_is_prescribed, simplex))
+      return false;
+    boost::container::static_vector<Exact_point_3, 4> points;
+    for(const std::size_t v : simplex)
+      points.push_back(target(v));
+    if(!std::all_of(points.begin(), points.end(), is_finite_point))
+      return false;
+
+    switch(points.size())
+    {
+      case 2: return points[0] == points[1] || begins_in_boundary(simplex);
+      case 3: return CGAL::collinear(points[0], points[1], points[2]) || begins_in_boundary(simplex);
+      default: return CGAL::orientation(points[0], points[1], points[2], points[3]) != CGAL::POSITIVE;
+    }
+  }
+
+private:
+  Exact_point_3 target(const std::size_t v) const { return exact_point(m_targets[v]); }
+
+  // At one of the vertices, if it is no simplex of the boundary itself.
+  bool begins_in_boundary(const Simplex_3& simplex) const
+  {
+    return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
+    {
+      const std::vector<Simplex_3>& link = m_links[v]; // none if it is constrained, but inside
+      Simplex_3 others;
+      std::copy_if(simplex.begin(), simplex.end(), std::back_inserter(others), [v](const std::size_t w) { return w != v; });
+      const auto is_face = [&](const Simplex_3& edge) { return contains(edge, others); };
+      return std::none_of(link.begin(), link.end(), is_face)
+        && std::any_of(link.begin(), link.end(), [&](const Simplex_3& edge)
+      {
+        return others.size() == 1 ? is_in_angle(v, edge, others[0])
+                                  : is_in_angle(v, others, edge[0]) && is_in_angle(v, others, edge[1]);
+      });
+    });
+  }
+
+  // Does the half-line from v to w run in the angle at v of the triangle of v and an edge?
+  bool is_in_angle(const std::size_t v, const Simplex_3& edge, const std::size_t w) const
+  {
+    const Exact_point_3 p = target(v), q = target(edge[0]), r = target(edge[1]), s = target(w);
+    return is_finite_point(q) && is_finite_point(r) && is_finite_point(s) && CGAL::coplanar(p, q, r, s)
+      && !CGAL::collinear(p, q, r) && CGAL::coplanar_orientation(p, q, r, s) != CGAL::NEGATIVE
+      && CGAL::coplanar_orientation(p, r, q, s) != CGAL::NEGATIVE;
+  }
+
+  const std::vector<bool>& m_is_prescribed;
+  const std::vector<std::array<double, 3> >& m_targets;
+  std::vector<std::vector<Simplex_3> > m_links; // in the boundary, as edges
+};
+
+// Removes bad interior edges, facets and cells from a body by the insertion of few points.
+//
+// A point inserted into a simplex removes all bad simplices that contain it. IsBad(simplex) is a condition on old
+// points, which a simplex with a new one does not fulfil: no insertion makes anything bad. So the numbers of bad
+// simplices around the candidates only fall, and it suffices to update the one at the top of the queue.
+template <typename IsBad>
+class Simplex_removal_3
+{
+public:
+  Simplex_removal_3(Body_3& body, const IsBad& is_bad) : m_body(body), m_is_bad(is_bad), m_refinement(body) {}
+
+  // If the budget does not suffice to find all bad simplices, nothing is inserted.
+  std::vector<Insertion_3> run(const Budget& budget)
+  {
+    for(std::size_t c = 0; c < m_body.soup.cells.size() && !budget.is_exhausted(); ++c)
+      collect_candidates(m_refinement.cell(c));
+
+    std::vector<Insertion_3> result;
+    while(!m_queue.empty() && !budget.is_exhausted())
+    {
+      Candidate candidate = m_queue.top();
+      m_queue.pop();
+      const std::size_t number_of_bad = count_bad(candidate.simplex);
+      if(number_of_bad == 0)
+        continue;
+      if(number_of_bad < candidate.number_of_bad)
+      {
+        candidate.number_of_bad = number_of_bad;
+        m_queue.push(candidate);
+        continue;
+      }
+      if(const std::optional<Insertion_3> insertion = m_refinement.insert(candidate.simplex))
+        result.push_back(*insertion);
+    }
+    return result;
+  }
+
+private:
+  struct Candidate
+  {
+    Simplex_3 simplex;
+    bool is_bad_edge;
+    std::size_t number_of_bad;
+    double size;
+    std::size_t number;
+
+    // Edges come first, bad ones before others, then those of many bad simplices, then the longest.
+    bool operator<(const Candidate& other) const
+    {
+      return std::make_tuple(other.simplex.size(), is_bad_edge, number_of_bad, size, other.number)
+           < std::make_tuple(simplex.size(), other.is_bad_edge, other.number_of_bad, other.size, number);
+    }
+  };
+
+  bool is_interior(const Simplex_3& simplex) const
+  { return m_refinement.is_interior(simplex, m_refinement.cells_around(simplex)); }
+
+  void collect_candidates(const Simplex_3& cell)
+  {
+    for_each_face(cell, [&](const Simplex_3& simplex)
+    {
+      if(m_is_bad(simplex) && is_interior(simplex))
+        for_each_face(simplex, [&](const Simplex_3& face) { add_candidate(face); });
+    });
+  }
+
+  void add_candidate(const Simplex_3& simplex)
+  {
+    Simplex_3 sorted = simplex;
+    std::sort(sorted.begin(), sorted.end());
+    if(!m_known.insert(sorted).second || !is_interior(simplex))
+      return;
+    const bool is_bad_edge = simplex.size() == 2 && m_is_bad(simplex);
+    m_queue.push({ simplex, is_bad_edge, count_bad(simplex), m_refinement.squared_size(simplex), m_queue.size() });
+  }
+
+  // The number of bad simplices that contain a candidate, counted in each cell around it.
+  std::size_t count_bad(const Simplex_3& simplex) const
+  {
+    std::size_t count = 0;
+    for(const std::size_t c : m_refinement.cells_around(simplex))
+      for_each_face(m_refinement.cell(c), [&](const Simplex_3& face)
+      {
+        if(contains(face, simplex) && m_is_bad(face))
+          ++count;
+      });
+    return count;
+  }
+
+  const Body_3& m_body;
+  const IsBad& m_is_bad;
+  Refinement_3 m_refinement;
+  std::set<Simplex_3> m_known; // candidates, sorted
+  std::priority_queue<Candidate> m_queue;
+};
+
+// Removes those that the targets make degenerate whatever the map is.
+inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription,
+                                                            const Budget& budget)
+{
+  const std::vector<bool> is_prescribed = prescribed_points(body, prescription.is_constrained);
+  const Degenerate_simplices_3 is_bad(body, is_prescribed, prescription.targets);
+  return Simplex_removal_3(body, is_bad).run(budget);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_SIMPLEX_REMOVAL_3_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MAKE_RESULT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MAKE_RESULT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// How it ended, by the exact verdict on the map.
+inline Error_code final_status(const Found_map_3& found)
+{
+  if(found.status == ERROR_INTERRUPTED)
+    return found.status;
+  if(found.map.is_valid())
+    return found.map.meets_boundary ? found.status : ERROR_BOUNDARY_NOT_REACHED;
+  return found.status == ERROR_LINEAR_SOLVER_FAILED ? found.status : ERROR_NOT_FLIP_FREE;
+}
+
+// Why it did not end better: what the last stage says, or the stage with fixed boundary, or the check of the input.
+inline std::string reason_of(const Error_code status, const Found_map_3& found, const Input_check_3& check)
+{
+  if(status == OK || (status == ERROR_NOT_CONVERGED && found.reason.empty()))
+    return "";
+  const bool is_reason = found.status == status || found.status == ERROR_LINEAR_SOLVER_FAILED;
+  const std::string reason = is_reason && !found.reason.empty() ? found.reason
+                           : found.diagnosis ? found.diagnosis->message : check.message;
+  return reason.empty() ? "" : " " + reason;
+}
+
+// By how much the boundary is missed, where most, and what can be done.
+inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions,
+                                            const bool is_refinable)
+{
+  const auto distance_of = [&](const int w) { return (positions.col(w) - mesh.target.col(w)).norm(); };
+  int v = mesh.number_of_free_vertices;
+  for(int w = v + 1; w < mesh.number_of_vertices(); ++w)
+    if(distance_of(w) > distance_of(v))
+      v = w;
+  const double distance = distance_of(v);
+  return sentence(" The largest distance to a target is ", distance, ", ", distance / target_diagonal(mesh),
+                  " times the diagonal of all targets: the source's vertex at ", describe(mesh.source.col(v)), " is at ",
+                  describe(positions.col(v)), " instead of ", describe(mesh.target.col(v)),
+                  is_refinable ? ". Allow refinement (do_refine), or prescribe" : ". Prescribe",
+                  " a boundary nearer to the source there.");
+}
+
+// The result where the check does not allow a search, without counts.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress)
+{
+  Parameterization_result result;
+  result.status = check.status;
+  result.message = check.message;
+  result.seconds_numbering = result.seconds_total = progress.seconds();
+  return result;
+}
+
+// The result of a search without its counts of the complex: the only place where it is written.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
+                                      const Found_map_3& found, const Cell_energy_3& energy,
+                                      const Linear_solver_3& solver, const Progress_3& progress)
+{
+  const double begin = progress.seconds();
+  Parameterization_result result = progress.effort();
+  result.status = final_status(found);
+  result.message = get_error_message(result.status) + reason_of(result.status, found, check);
+  if(solver.number_of_cut_solutions() > 0)
+    result.message += sentence(" The linear solver has reached its limit of iterations ", solver.number_of_cut_solutions(),
+                               " times, and steps were the shorter for it; CHOLMOD_solver_traits_3 has no limit.");
+  if(result.status == ERROR_BOUNDARY_NOT_REACHED)
+    result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
+  if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
+     && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
+    result.message += describe_self_intersection(mesh, progress.budget());
+  result.has_valid_map = found.map.is_valid();
+  result.number_of_sliding_vertices = found.number_of_sliding_vertices;
+  result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
+  result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
+  result.number_of_inverted_cells = found.map.number_of_inverted_cells;
+  result.untangling_method = found.untangling_method;
+  if(result.has_valid_map)
+  {
+    const std::vector<Eigen::Vector3d> s = singular_values_of_cells_3(mesh, found.map.positions);
+    const double to_source_volume = factor_to_source_volume(mesh, found.map.positions);
+    result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
+    result.distortion = measure_distortion_3(mesh, s);
+    result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);
+    result.energy = mean_energy_3(mesh, s, energy, to_source_volume);
+    result.unavoidable_angle_distortion = found.unavoidable_angle_distortion;
+    result.missed_angle_distortion = found.missed_angle_distortion;
+  }
+  result.number_of_linear_solver_iterations = solver.number_of_iterations();
+  result.seconds_check = progress.seconds() - begin;
+  result.seconds_total = progress.seconds();
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MAKE_RESULT_3_H

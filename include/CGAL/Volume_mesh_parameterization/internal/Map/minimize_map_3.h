@@ -1,0 +1,205 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MINIMIZE_MAP_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MINIMIZE_MAP_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The cells far above both the median and the mean of the energy.
+struct Dominant_cells_3
+{
+  std::vector<std::size_t> cells; // the first one holds most
+  double part_of_energy = 0;      // that all of them hold
+  double logarithmic_mean = 0;    // of 1 + the energy of all cells, where those far above the median count as not so far
+
+  bool hold_most() const { return part_of_energy > 0.5; }
+};
+
+inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
+                                         const Eigen::Matrix3Xd& image)
+{
+  constexpr double far_above = 100;
+  const std::vector<double> psi
+    = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, factor_to_source_volume(mesh, image));
+  const std::vector<double> weights = cell_weights(mesh);
+  const double mean = std::inner_product(psi.begin(), psi.end(), weights.begin(), 0.);
+  std::vector<double> sorted = psi;
+  const auto median = sorted.begin() + sorted.size() / 2;
+  std::nth_element(sorted.begin(), median, sorted.end());
+  const double high = far_above * *median, bound = (std::max)(high, mean);
+  Dominant_cells_3 result;
+  for(std::size_t c = 0; c < psi.size(); ++c)
+  {
+    result.logarithmic_mean += weights[c] * std::log1p((std::min)(psi[c], high));
+    if(!(psi[c] > bound))
+      continue;
+    result.part_of_energy += weights[c] * psi[c] / mean;
+    result.cells.push_back(c);
+    if(psi[c] > psi[result.cells.front()])
+      std::swap(result.cells.front(), result.cells.back());
+  }
+  return result;
+}
+
+// Judges, every five steps, whether a minimization still gains. The energy stagnates if it has fallen by less than a
+// tolerance times itself, and the squared Newton decrement, which falls fast near a minimum, hardly at all: nothing that
+// one sees is gained any more. Where a few cells hold most of the energy, it may also fall for these cells alone: then the
+// mean of the logarithms, in which these cells count as little as others, has not become notably lower for a hundred steps.
+class Gain_3
+{
+public:
+  static constexpr double large_energy = 100; // a mean that hints at dominant cells
+
+  Gain_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const double tolerance)
+    : m_mesh(mesh), m_energy(energy), m_tolerance(tolerance)
+  {}
+
+  const std::vector<std::size_t>& dominant_cells() const { return m_dominant.cells; } // of the last image looked at
+
+  // Why the minimization over all vertices was ended.
+  std::string describe_dominant_cells() const
+  {
+    return sentence(m_dominant.cells.size(), " of ", m_mesh.cells.size(), " cells, which the prescribed vertices make flat, "
+                    "hold ", std::floor(100 * m_dominant.part_of_energy), " % of the energy, and further steps would hardly "
+                    "lower it, or for them alone; most of it holds the cell at ",
+                    describe(m_mesh.source.col(m_mesh.cells[m_dominant.cells.front()][0])),
+                    ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were "
+                    "then moved alone, to where they hardly improve either.");
+  }
+
+  bool is_stagnating(const Newton_iterate_3& iterate)
+  {
+    const double energy = iterate.evaluation.energy;
+    m_smallest_decrement = (std::min)(m_smallest_decrement, -iterate.direction.slope);
+    if(++m_number_of_steps % interval != 0)
+      return false;
+    const bool result = m_last_energy - energy < m_tolerance * energy && m_smallest_decrement > 0.1 * m_last_decrement;
+    m_last_energy = energy;
+    m_last_decrement = m_smallest_decrement;
+    m_smallest_decrement = std::numeric_limits<double>::infinity();
+    return result;
+  }
+
+  // The status with which to end, if it is time: OK if nothing is gained, and ERROR_NOT_CONVERGED if a few cells are
+  // dominant and nothing is gained, or for them alone.
+  std::optional<Error_code> status_of_end(const Newton_iterate_3& iterate)
+  {
+    constexpr std::size_t patience = 100;
+    constexpr double notable = 1e-3;
+    const bool stagnates = is_stagnating(iterate);
+    if(m_number_of_steps % interval != 0 || !(stagnates || iterate.energy() > large_energy))
+      return std::nullopt;
+    if(!is_dominated(iterate.positions()))
+      return stagnates ? std::optional(OK) : std::nullopt;
+    if(m_dominant.logarithmic_mean < m_lowest_mean - notable)
+    {
+      m_lowest_mean = m_dominant.logarithmic_mean;
+      m_step_of_lowest_mean = m_number_of_steps;
+    }
+    const bool ends = stagnates || m_number_of_steps >= m_step_of_lowest_mean + patience;
+    return ends ? std::optional(ERROR_NOT_CONVERGED) : std::nullopt;
+  }
+
+  // Do a few cells hold most of the energy?
+  bool is_dominated(const Eigen::Matrix3Xd& image)
+  {
+    if(m_mesh.is_whole()) // the median of a part is not that of all
+      m_dominant = dominant_cells_3(m_mesh, m_energy, image);
+    return m_dominant.hold_most();
+  }
+
+private:
+  static constexpr std::size_t interval = 5;
+
+  const Numbered_mesh_3& m_mesh;
+  const Cell_energy_3& m_energy;
+  double m_tolerance;
+  std::size_t m_number_of_steps = 0;
+  double m_last_energy = std::numeric_limits<double>::infinity();
+  double m_smallest_decrement = std::numeric_limits<double>::infinity();
+  double m_last_decrement = std::numeric_limits<double>::infinity();
+  Dominant_cells_3 m_dominant;
+  double m_lowest_mean = std::numeric_limits<double>::infinity();
+  std::size_t m_step_of_lowest_mean = 0;
+};
+
+// Ends a minimization where nothing is gained.
+inline Ends_here ends_if_stagnating(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const Map_options_3& options)
+{
+  return [gain = Gain_3(mesh, energy, options.energy_tolerance)](const Newton_iterate_3& iterate) mutable
+  { return gain.is_stagnating(iterate) ? std::optional(OK) : std::nullopt; };
+}
+
+// The images of the vertices that no chosen cell has are unknown.
+inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
+                                         const std::vector<std::size_t>& cells)
+{
+  std::vector<bool> is_chosen(mesh.number_of_vertices());
+  for(const std::size_t c : cells)
+    for(const int v : mesh.cells[c])
+      is_chosen[v] = true;
+  return unknowns.without([&](const int v) { return is_chosen[v]; });
+}
+
+// Minimizes over the free vertices, from a map without inverted cells on. Where the prescribed vertices make a few cells
+// so flat that they hold most of the energy, these crawl along curved valleys for thousands of steps, their stiffness
+// keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
+// is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
+inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy, const Map_options_3& options,
+                           Progress_3& progress, Found_map_3& found,
+                           const Negative_curvature& negative_curvature = Negative_curvature())
+{
+  const Numbered_mesh_3& mesh = system.mesh();
+  const auto take = [&](const Newton_result_3& result)
+  {
+    found.take(result.status, result.reason, judged(mesh, snapped(mesh, result.positions)));
+    progress.end_check();
+  };
+  Gain_3 gain(mesh, energy, options.energy_tolerance);
+  bool has_crawled = false;
+  progress.begin_attempt("minimization");
+  const Newton_result_3 whole = minimize_energy_3(
+    system, energy, found.map.positions, progress, negative_curvature,
+    [&](const Newton_iterate_3& iterate)
+    {
+      const std::optional<Error_code> status = gain.status_of_end(iterate);
+      has_crawled = status == ERROR_NOT_CONVERGED;
+      return status;
+    }, options.negligible_gain());
+  take(whole);
+  const bool is_minimum = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
+  if(!is_minimum && !has_crawled)
+    return;
+
+  const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
+  if(others.size() == 0)
+    return;
+  Newton_system_3 rest(mesh, others, system.solver());
+  progress.begin_attempt("minimization apart from dominant cells");
+  take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
+                         ends_if_stagnating(mesh, energy, options), options.negligible_gain()));
+  if(is_minimum && found.status == ERROR_NOT_CONVERGED)
+    found.status = OK; // of the energy as a whole
+  if(has_crawled && found.status == OK)
+    found.status = ERROR_NOT_CONVERGED;
+  if(found.status == ERROR_NOT_CONVERGED)
+    found.reason = gain.describe_dominant_cells();
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MINIMIZE_MAP_3_H

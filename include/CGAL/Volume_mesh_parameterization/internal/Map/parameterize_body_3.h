@@ -1,0 +1,114 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PARAMETERIZE_BODY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PARAMETERIZE_BODY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What is asked for, and with what means.
+struct Map_problem_3
+{
+  Map_options_3 options;
+  bool use_volume_weights;
+  bool is_parallel;
+  bool verbose;
+  const Cell_energy_3& energy;
+  Linear_solver_3& solver;
+  Progress_3& progress;
+};
+
+// From a body to the images of its points.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
+                                            const Map_problem_3& problem, std::vector<std::array<double, 3> >& images);
+
+// The same, with refinement: the insertions are appended as they are made.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
+                                                       const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
+                                                       std::vector<std::array<double, 3> >& images);
+
+// A line of `verbose`.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step);
+
+// Reads the named parameters that are not about vertices, and returns `run(problem)`.
+template <typename ConcurrencyTag, typename NamedParameters, typename Run>
+Parameterization_result run_problem(const NamedParameters& np, const Run& run,
+                                    const Communicator_3& communicator = single_process())
+{
+  check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::do_refine_t,
+                         internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
+                         internal_np::initial_map_t, internal_np::maximal_angle_distortion_t,
+                         internal_np::minimize_maximal_angle_distortion_t, internal_np::number_of_iterations_t,
+                         internal_np::positional_constraints_t, internal_np::soft_boundary_parameters_t,
+                         internal_np::solver_traits_t, internal_np::use_volume_weights_t, internal_np::verbose_t,
+                         internal_np::vertex_is_constrained_t>(np);
+  using Energy = typename internal_np::Lookup_named_param_def<
+    internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
+  const Energy energy = parameters::choose_parameter<Energy>(parameters::get_parameter(np, internal_np::energy));
+
+  using Default_solver = Conjugate_gradient_solver_traits_3<ConcurrencyTag>;
+  using Solver = Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::solver_traits_t, NamedParameters, Default_solver>::reference>;
+  Default_solver default_solver;
+  Solver solver
+    = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::solver_traits), default_solver);
+
+  Limits<NamedParameters> limits(np);
+  const bool verbose = given(np, internal_np::verbose, false);
+  const auto after_step = [&](const Parameterization_step& step)
+  {
+    if(verbose)
+      print(step);
+    return limits.visitor().after_step(step);
+  };
+  const auto number_of_iterations = given(np, internal_np::number_of_iterations, 1000);
+  require(static_cast<double>(number_of_iterations) >= 0, "A number of iterations is not negative.");
+  Progress_3 progress(limits.budget(), static_cast<std::size_t>(number_of_iterations), after_step, communicator);
+
+  Map_options_3 options;
+  options.mode = given(np, internal_np::boundary_mode, Boundary_mode::AUTO);
+  options.soft = given(np, internal_np::soft_boundary_parameters,
+    options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
+  options.do_slide = given(np, internal_np::do_slide_boundary, options.do_slide);
+  options.energy_tolerance = given(np, internal_np::energy_tolerance, options.energy_tolerance);
+  options.minimize_maximal_angle_distortion = given(np, internal_np::minimize_maximal_angle_distortion, false);
+  options.maximal_angle_distortion = given(np, internal_np::maximal_angle_distortion, options.maximal_angle_distortion);
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
+    options.improve = &improve_map_3;
+  require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
+  require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
+
+  const Cell_energy_3& cell_energy = cell_energy_3(energy);
+  Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
+  const Map_problem_3 problem = { options, given(np, internal_np::use_volume_weights, false),
+                                  is_parallel<ConcurrencyTag>(), verbose, cell_energy, linear_solver, progress };
+  return run(problem);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/refine_and_find_map_3.h>
+#endif
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PARAMETERIZE_BODY_3_H

@@ -1,0 +1,145 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PLAN_REFINEMENT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PLAN_REFINEMENT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What a refinement keeps of the approach that was blocked.
+struct Blocked_approach_3
+{
+  bool goes_on = false;             // from the map reached; otherwise, all starts again with the refined complex
+  std::size_t number_of_raises = 0; // of the weight of the soft boundary
+  double distance = std::numeric_limits<double>::infinity(); // the largest one to a target
+};
+
+// What a refinement keeps of the untangling that was stuck.
+struct Stuck_untangling_3
+{
+  bool goes_on = false;                  // from the images reached
+  bool has_given_up = false;             // and left it to the soft boundary
+  std::size_t fewest_inverted_cells = (std::numeric_limits<std::size_t>::max)();
+  std::size_t number_of_vain_rounds = 0; // of splits that did not make them fewer
+};
+
+struct Refinement_plan_3
+{
+  std::vector<std::array<int, 2> > edges; // to be split if they are interior ones, in the order of the user's cells
+  Blocked_approach_3 approach;
+  Stuck_untangling_3 untangling;
+};
+
+inline void sort_by_user_number(const Numbered_mesh_3& mesh, std::vector<std::size_t>& cells)
+{
+  std::sort(cells.begin(), cells.end(),
+            [&](const std::size_t c, const std::size_t d) { return mesh.user_number(c) < mesh.user_number(d); });
+}
+
+inline std::vector<std::array<int, 2> > edges_of_cells(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
+{
+  std::vector<std::array<int, 2> > result;
+  for(const std::size_t c : cells)
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        result.push_back({mesh.cells[c][i], mesh.cells[c][j]});
+  return result;
+}
+
+// The longest edge of each cell among those with exactly one prescribed end, if there are any. To split an edge without
+// any is useless if its link is what obstructs it: both halves have the same link.
+inline std::vector<std::array<int, 2> > one_edge_of_each_cell(const Numbered_mesh_3& mesh,
+                                                              const std::vector<std::size_t>& cells)
+{
+  const auto value = [&](const std::array<int, 2>& edge)
+  {
+    return std::make_pair(mesh.is_free(edge[0]) != mesh.is_free(edge[1]),
+                          (mesh.source.col(edge[0]) - mesh.source.col(edge[1])).squaredNorm());
+  };
+  std::vector<std::array<int, 2> > result;
+  for(const std::size_t c : cells)
+  {
+    const std::vector<std::array<int, 2> > edges = edges_of_cells(mesh, {c});
+    result.push_back(*std::max_element(edges.begin(), edges.end(),
+      [&](const std::array<int, 2>& e, const std::array<int, 2>& f) { return value(e) < value(f); }));
+  }
+  return result;
+}
+
+// Splits the edges found, or else one of each cell that untangling has left inverted. After two rounds in vain, gives up and
+// splits nothing.
+inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
+                                       const Stuck_untangling_3& before)
+{
+  constexpr std::size_t patience = 2;
+  std::vector<std::size_t> cells = found.map.inverted_cells;
+  sort_by_user_number(mesh, cells);
+
+  Refinement_plan_3 plan;
+  Stuck_untangling_3& untangling = plan.untangling;
+  untangling.number_of_vain_rounds = cells.size() < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
+  untangling.fewest_inverted_cells = (std::min)(cells.size(), before.fewest_inverted_cells);
+  untangling.goes_on = untangling.number_of_vain_rounds < patience;
+  untangling.has_given_up = !untangling.goes_on;
+  if(untangling.goes_on)
+    plan.edges = found.splits.empty() ? one_edge_of_each_cell(mesh, cells) : found.splits;
+  return plan;
+}
+
+// The cells that keep the prescribed vertices farthest from their targets away from there: not positive if all prescribed
+// vertices were put on their targets, and with a vertex more than half as far from it as any of these cells has.
+// What keeps the others away often resolves itself once these cells give way.
+inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+{
+  const Eigen::Matrix3Xd at_targets = snapped(mesh, positions);
+  const auto distance = [&](const std::size_t c)
+  {
+    double result = 0;
+    for(const int v : mesh.cells[c])
+      result = (std::max)(result, (positions.col(v) - at_targets.col(v)).norm());
+    return result;
+  };
+
+  std::vector<std::size_t> result = inverted_cells(mesh, at_targets).cells;
+  double farthest = 0;
+  for(const std::size_t c : result)
+    farthest = (std::max)(farthest, distance(c));
+  const auto is_near = [&](const std::size_t c) { return distance(c) < farthest / 2; };
+  result.erase(std::remove_if(result.begin(), result.end(), is_near), result.end());
+  return result;
+}
+
+// Chooses the cells that keep the boundary from its targets; or, where these are fewer, those that the fixed boundary has
+// left inverted, to try it again, unless that has been given up. If the last refinement has not helped, it is better to start all again as well.
+inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
+                                           const Blocked_approach_3& before, const Stuck_untangling_3& untangling)
+{
+  Refinement_plan_3 plan;
+  plan.untangling.has_given_up = untangling.has_given_up;
+  std::vector<std::size_t> cells = blocking_cells_3(mesh, found.map.positions);
+  const bool is_easier_fixed = !untangling.has_given_up && found.diagnosis && !found.diagnosis->inverted_cells.empty()
+    && found.diagnosis->inverted_cells.size() < cells.size();
+  if(is_easier_fixed)
+    cells = found.diagnosis->inverted_cells;
+  sort_by_user_number(mesh, cells);
+  plan.edges = edges_of_cells(mesh, cells);
+
+  plan.approach.distance = found.map.distance_to_boundary;
+  plan.approach.goes_on = !is_easier_fixed && (!before.goes_on || plan.approach.distance < 0.9 * before.distance);
+  plan.approach.number_of_raises = (std::max)(found.number_of_raises, std::size_t(1)) - 1; // the last one was useless
+  return plan;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PLAN_REFINEMENT_3_H

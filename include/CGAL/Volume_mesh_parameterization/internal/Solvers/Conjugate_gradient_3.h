@@ -1,0 +1,209 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVERS_CONJUGATE_GRADIENT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVERS_CONJUGATE_GRADIENT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Solvers/Aggregate_hierarchy_3.h>
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The work of `Conjugate_gradient_solver_traits_3`: the same code with one thread and with many, hence the same bits, however
+// a compiler contracts products and sums.
+template <typename NT>
+class Conjugate_gradient_3
+{
+public:
+  using Matrix = Block_sparse_matrix_3<NT>;
+
+  Conjugate_gradient_3(const bool is_parallel, const int maximal_number_of_iterations)
+    : m_is_parallel(is_parallel), m_maximal_number_of_iterations(maximal_number_of_iterations), m_hierarchy(is_parallel)
+  {}
+
+  void analyze_pattern(const Matrix& A)
+  {
+    const std::size_t n = 3 * std::size_t(A.size());
+    for(Vector* v : { &m_solution, &m_residual, &m_preconditioned, &m_direction, &m_product })
+      v->resize(n);
+    m_inverse_diagonal.resize(9 * std::size_t(A.size()));
+    m_partial_sums.resize(number_of_row_ranges());
+    m_hierarchy.analyze_pattern(A);
+  }
+
+  Linear_solver_status factorize(const Matrix& A)
+  {
+    for_each_in_ranges(m_is_parallel, A.size(), rows_per_range, [&](const int row)
+    {
+      const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
+      Eigen::Matrix<NT, 3, 3> inverse = D.inverse().template cast<NT>();
+      // the iteration must meet the negative curvature of this block, or what rounding makes of hardly a positive one
+      if(!is_positive_definite(D) || !is_positive_definite(inverse.template cast<double>()))
+        inverse = Eigen::Matrix<NT, 3, 3>::Identity() * static_cast<NT>(D.norm() > 0 ? 1 / D.norm() : 0);
+      inverse_diagonal(row) = inverse;
+    });
+    m_hierarchy.factorize(A);
+    m_matrix = &A;
+    return Linear_solver_status::SUCCESS;
+  }
+
+  // Ends as at the limit of iterations where `goes_on()` says no, which it is asked now and then.
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+                             const std::function<bool()>& goes_on)
+  {
+    m_number_of_iterations = 0;
+    m_solution.setZero();
+    m_residual = b.template cast<NT>();
+    double rz = precondition_after([](int, int) {});
+    m_direction = m_preconditioned;
+    const double target = tolerance * tolerance * rz;
+    Linear_solver_status status = rz < 0 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::SUCCESS;
+
+    while(rz > target && m_number_of_iterations < m_maximal_number_of_iterations)
+    {
+      if(m_number_of_iterations % 16 == 15 && goes_on && !goes_on())
+        break;
+      const double curvature = multiply();
+      if(!(curvature > 0))
+      {
+        status = (m_number_of_iterations == 0) ? Linear_solver_status::NOT_POSITIVE_DEFINITE
+                                               : Linear_solver_status::TRUNCATED;
+        break;
+      }
+      ++m_number_of_iterations;
+      const double previous = rz;
+      rz = advance(static_cast<NT>(rz / curvature));
+      turn(static_cast<NT>(rz / previous));
+    }
+    x = m_solution.template cast<double>();
+    if(!std::isfinite(rz))
+      return Linear_solver_status::FAILED;
+    if(rz < 0 && status == Linear_solver_status::SUCCESS) // the preconditioner has met negative curvature
+      return Linear_solver_status::TRUNCATED;
+    return status == Linear_solver_status::SUCCESS && rz > target ? Linear_solver_status::ITERATION_LIMIT : status;
+  }
+
+  int number_of_iterations() const { return m_number_of_iterations; }
+
+private:
+  using Vector = Eigen::Matrix<NT, Eigen::Dynamic, 1>;
+
+  // Rows are processed in ranges of fixed length, each with its own partial sum.
+  static constexpr int rows_per_range = 1024;
+  static_assert(rows_per_range % Aggregate_hierarchy_3::rows_per_aggregate == 0);
+
+  std::size_t number_of_row_ranges() const { return (m_inverse_diagonal.size() / 9 + rows_per_range - 1) / rows_per_range; }
+
+  // Calls f(first_row, last_row), and returns the sum of its results.
+  template <typename Function>
+  double sum_over_row_ranges(const Function& f)
+  {
+    for_each_range(m_is_parallel, static_cast<int>(m_inverse_diagonal.size() / 9), rows_per_range,
+                   [&](const std::size_t i, const int first, const int last) { m_partial_sums[i] = f(first, last); });
+    double sum = 0;
+    for(const double s : m_partial_sums)
+      sum += s;
+    return sum;
+  }
+
+  // Sylvester's criterion.
+  static bool is_positive_definite(const Eigen::Matrix3d& D)
+  { return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0; }
+
+  auto inverse_diagonal(const int row)
+  { return Eigen::Map<Eigen::Matrix<NT, 3, 3> >(m_inverse_diagonal.data() + 9 * std::size_t(row)); }
+
+  static auto range(Vector& v, const int first, const int last)
+  { return v.segment(3 * std::size_t(first), 3 * std::size_t(last - first)); }
+
+  static double dot(Vector& a, Vector& b, const int first, const int last)
+  { return static_cast<double>(range(a, first, last).dot(range(b, first, last))); }
+
+  // z = M^{-1} r on a range; returns its part of r.z
+  double precondition(const int first, const int last)
+  {
+    for(int row = first; row < last; ++row)
+    {
+      auto z = m_preconditioned.template segment<3>(3 * std::size_t(row));
+      z.noalias() = inverse_diagonal(row) * m_residual.template segment<3>(3 * std::size_t(row));
+      if(!m_hierarchy.is_empty())
+        z += m_hierarchy.correction(row).template cast<NT>();
+    }
+    return dot(m_residual, m_preconditioned, first, last);
+  }
+
+  // Calls f(first_row, last_row), which may change r, then z = M^{-1} r; returns r.z
+  template <typename Function>
+  double precondition_after(const Function& f)
+  {
+    if(m_hierarchy.is_empty())
+      return sum_over_row_ranges([&](const int first, const int last)
+      {
+        f(first, last);
+        return precondition(first, last);
+      });
+    sum_over_row_ranges([&](const int first, const int last)
+    {
+      f(first, last);
+      m_hierarchy.restrict_rows(m_residual, first, last);
+      return 0.;
+    });
+    m_hierarchy.correct();
+    return sum_over_row_ranges([&](const int first, const int last) { return precondition(first, last); });
+  }
+
+  // q = A p; returns p.q
+  double multiply()
+  {
+    return sum_over_row_ranges([&](const int first, const int last)
+    {
+      for(int row = first; row < last; ++row)
+        m_product.template segment<3>(3 * std::size_t(row)) = m_matrix->multiply_row(row, m_direction.data());
+      return dot(m_direction, m_product, first, last);
+    });
+  }
+
+  // x += step p, r -= step q, z = M^{-1} r; returns r.z
+  double advance(const NT step)
+  {
+    return precondition_after([&](const int first, const int last)
+    {
+      range(m_solution, first, last) += step * range(m_direction, first, last);
+      range(m_residual, first, last) -= step * range(m_product, first, last);
+    });
+  }
+
+  // p = z + ratio p
+  void turn(const NT ratio)
+  {
+    sum_over_row_ranges([&](const int first, const int last)
+    {
+      range(m_direction, first, last) = range(m_preconditioned, first, last) + ratio * range(m_direction, first, last);
+      return 0.;
+    });
+  }
+
+  bool m_is_parallel;
+  int m_maximal_number_of_iterations;
+  int m_number_of_iterations = 0;
+  const Matrix* m_matrix = nullptr;
+  std::vector<NT> m_inverse_diagonal;
+  Vector m_solution, m_residual, m_preconditioned, m_direction, m_product;
+  std::vector<double> m_partial_sums;
+  Aggregate_hierarchy_3 m_hierarchy; // without levels, the preconditioner is block Jacobi
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOLVERS_CONJUGATE_GRADIENT_3_H

@@ -1,0 +1,101 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_BUDGET_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_BUDGET_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <functional>
+#include <limits>
+#include <memory>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// What a computation may still take, by the clock and by its user; asked in each loop that may take long, by the thread
+// that made it. Once exhausted, it remains so, and so do its copies, which are the same budget.
+class Budget
+{
+public:
+  explicit Budget(const double seconds = (std::numeric_limits<double>::infinity)(),
+                  std::function<bool()> goes_on = [] { return true; })
+    : m_seconds(seconds), m_goes_on(std::move(goes_on))
+  { m_timer.start(); }
+
+  double seconds() const { return m_timer.time(); } // since the beginning
+
+  bool is_exhausted() const
+  {
+    *m_is_exhausted = *m_is_exhausted || seconds() > m_seconds || !m_goes_on();
+    return *m_is_exhausted;
+  }
+
+  void exhaust() { *m_is_exhausted = true; }
+
+private:
+  double m_seconds;
+  std::function<bool()> m_goes_on;
+  Real_timer m_timer;
+  std::shared_ptr<bool> m_is_exhausted = std::make_shared<bool>(false);
+};
+
+// The type for a named parameter that will be modified: a copy of what was passed by value, a
+// reference to what was passed by std::ref().
+template <typename Reference>
+using Mutable_parameter = std::conditional_t<
+  std::is_const<std::remove_reference_t<Reference> >::value,
+  std::remove_const_t<std::remove_reference_t<Reference> >,
+  Reference>;
+
+template <typename Visitor>
+using Goes_on = decltype(std::declval<Visitor&>().goes_on());
+
+// The named parameters `visitor` and `maximum_running_time`, which end a computation early.
+template <typename NamedParameters>
+class Limits
+{
+public:
+  explicit Limits(const NamedParameters& np)
+    : m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), m_default)),
+      m_seconds(given(np, internal_np::maximum_running_time, (std::numeric_limits<double>::infinity)()))
+  {}
+
+  Limits(const Limits&) = delete;
+  Limits& operator=(const Limits&) = delete;
+
+  auto& visitor() { return m_visitor; }
+  double seconds() const { return m_seconds; }
+
+  // Begins now. A visitor need not have the function `goes_on()`.
+  Budget budget()
+  {
+    if constexpr(boost::is_detected<Goes_on, Visitor>::value)
+      return Budget(m_seconds, [this] { return m_visitor.goes_on(); });
+    else
+      return Budget(m_seconds);
+  }
+
+private:
+  using Visitor = Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::visitor_t, NamedParameters, Default_visitor>::reference>;
+  static_assert(Is_visitor<Visitor>::value,
+                "visitor must have a function bool after_step(const Parameterization_step&), which tells whether to go on.");
+
+  Default_visitor m_default;
+  Visitor m_visitor;
+  double m_seconds;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_BUDGET_H

@@ -1,0 +1,104 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_ARGUMENTS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_ARGUMENTS_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/property_map.hpp>
+#include <boost/type_traits/detected.hpp>
+#include <boost/type_traits/is_detected.hpp>
+
+#include <type_traits>
+
+// What tells mistakes in calls, which the compiler is to answer with one sentence. Of a model of a concept is asked that it
+// can be called.
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+template <typename T, typename = void>
+struct Is_complex : std::false_type {};
+
+template <typename T>
+struct Is_complex<T, std::void_t<typename T::Triangulation, typename T::Subdomain_index> > : std::true_type {};
+
+// A property map with these keys; one whose key type is void takes any.
+template <typename Map>
+using Key_of = typename boost::property_traits<Map>::key_type;
+
+template <typename Map, typename Key, typename Key_of_map = boost::detected_t<Key_of, Map> >
+using Is_map_of = std::disjunction<std::is_convertible<Key, Key_of_map>, std::is_void<Key_of_map> >;
+
+template <typename Map>
+using Value_of = typename boost::property_traits<Map>::value_type;
+
+template <typename Map, typename Value>
+using Can_hold = std::is_convertible<Value, boost::detected_t<Value_of, Map> >;
+
+template <typename Visitor>
+using Answer_of_visitor = decltype(std::declval<Visitor&>().after_step(std::declval<const Parameterization_step&>()));
+
+template <typename Visitor>
+using Is_visitor = std::is_convertible<boost::detected_t<Answer_of_visitor, Visitor>, bool>;
+
+template <typename Energy, typename T, typename = void>
+struct Is_energy : std::false_type {};
+
+template <typename Energy, typename T>
+struct Is_energy<Energy, T, std::enable_if_t<
+  std::is_convertible<decltype(std::declval<const Energy&>().value(std::declval<const Eigen::Matrix<T, 3, 1>&>())), T>::value
+  && std::is_convertible<decltype(std::declval<const Energy&>().gradient(std::declval<const Eigen::Matrix<T, 3, 1>&>())),
+                         Eigen::Matrix<T, 3, 1> >::value
+  && std::is_convertible<decltype(std::declval<const Energy&>().hessian(std::declval<const Eigen::Matrix<T, 3, 1>&>())),
+                         Eigen::Matrix<T, 3, 3> >::value> >
+  : std::true_type
+{};
+
+template <typename Solver, typename = void>
+struct Is_newton_solver : std::false_type {};
+
+template <typename Solver>
+struct Is_newton_solver<Solver, std::enable_if_t<std::is_same<
+  decltype(std::declval<Solver&>().analyze_pattern(std::declval<const Block_sparse_matrix_3<typename Solver::NT>&>()),
+           std::declval<Solver&>().factorize(std::declval<const Block_sparse_matrix_3<typename Solver::NT>&>())),
+  Linear_solver_status>::value> >
+  : std::true_type
+{};
+
+template <typename Tag, bool is_known>
+struct Named_parameter
+{
+  static_assert(is_known, "A named parameter is passed that this function does not know: see the type of Named_parameter.");
+};
+
+// What was passed by a name, or what stands for it otherwise.
+template <typename NamedParameters, typename Tag, typename Otherwise>
+auto given(const NamedParameters& np, const Tag tag, const Otherwise& otherwise)
+{ return parameters::choose_parameter(parameters::get_parameter(np, tag), otherwise); }
+
+// Refuses named parameters that a function does not read: others than these, and the limits that all functions read.
+template <typename... Tags, typename T, typename Tag, typename Base>
+constexpr void check_named_parameters(const Named_function_parameters<T, Tag, Base>& np)
+{
+  constexpr bool is_limit = std::is_same<Tag, internal_np::visitor_t>::value
+                            || std::is_same<Tag, internal_np::maximum_running_time_t>::value;
+  Named_parameter<Tag, (std::is_same<Tag, Tags>::value || ... || is_limit)
+                       || std::is_same<Tag, internal_np::all_default_t>::value>();
+  if constexpr(!std::is_same<Base, internal_np::No_property>::value)
+    check_named_parameters<Tags...>(static_cast<const Base&>(np));
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_ARGUMENTS_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_EXACT_POINT_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_EXACT_POINT_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/number_utils.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The point with coordinates in double precision, for which predicates are exact.
+using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
+
+// Of points of any kernel, of vectors and of arrays.
+template <typename Point>
+std::array<double, 3> coordinates(const Point& p)
+{ return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
+
+template <typename Point>
+Eigen::Vector3d to_vector(const Point& p)
+{
+  const auto& [x, y, z] = coordinates(p);
+  return Eigen::Vector3d(x, y, z);
+}
+
+template <typename Point>
+Exact_point_3 exact_point(const Point& p)
+{
+  const auto& [x, y, z] = coordinates(p);
+  return Exact_point_3(x, y, z);
+}
+
+// The point of a vertex of a triangulation, where it may be a weighted one.
+template <typename Tr>
+auto point_of_vertex(const Tr& tr, const typename Tr::Vertex_handle v)
+{ return typename Tr::Geom_traits::Point_3(tr.geom_traits().construct_point_3_object()(tr.point(v))); }
+
+inline bool is_finite_point(const Exact_point_3& p)
+{ return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z()); }
+
+// A cell with a point that is not finite is not positive; exact predicates are undefined for it.
+inline bool is_positive_cell(const std::array<Exact_point_3, 4>& p)
+{ return std::all_of(p.begin(), p.end(), is_finite_point) && CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE; }
+
+// Is the cell positively oriented? Decided by exact predicates on the coordinates as they are.
+inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+{
+  const auto point = [&](const int i) { return exact_point(positions.col(cell[i])); };
+  return is_positive_cell({ point(0), point(1), point(2), point(3) });
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_EXACT_POINT_3_H
