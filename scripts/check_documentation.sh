@@ -25,7 +25,7 @@ require "named parameter" "$headers/stretch_minimizing_volume_parameterization.h
     "$headers/STL_Extension/internal/parameters_interface.h")
 require "class or function of header" "$doc/PackageDescription.txt" < <(
   cd "$headers" && ls ./*.h "$package"/*.h | xargs -n 1 basename | sed 's/\.h$//' | grep -v Parameterization_step)
-require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp | xargs -n 1 basename)
+require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp parameterize_mesh_file/*.cpp | xargs -n 1 basename)
 require "option" "$doc/Parameterize_mesh_file.txt" < <(
-  sed -n 's/^ *("\([a-z-]*\)[,"].*/`--\1/p' "$examples/Command_line.h" | grep -v -e --source -e --target)
+  sed -n 's/^ *("\([a-z-]*\)[,"].*/`--\1/p' "$examples/parameterize_mesh_file/Command_line.h" | grep -v -e --source -e --target)
 exit $status

@@ -2,7 +2,7 @@
 //   measure_map SOURCE.mesh TARGET MAP.mesh NAME
 // Writes NAME.json, and NAME.vtu with the map and its distortions by cells. The distortions are those of the
 // map scaled to the volume of the source; inverted cells are counted, and left out of the distortions.
-#include "../../../examples/Volume_mesh_parameterization/JSON_object.h"
+#include "../../../examples/Volume_mesh_parameterization/parameterize_mesh_file/JSON_object.h"
 #include "Map_problem.h"
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>

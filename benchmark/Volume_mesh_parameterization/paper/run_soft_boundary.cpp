@@ -2,7 +2,7 @@
 //   run_soft_boundary SOURCE.mesh TARGET NAME [options]
 // Writes the map NAME.mesh, and NAME.csv with the energies of distortion and positions and the squared
 // norms of their gradients after each step; lengths are such that the target has volume 1.
-#include "../../../examples/Volume_mesh_parameterization/Named_choices.h"
+#include "../../../examples/Volume_mesh_parameterization/parameterize_mesh_file/Named_choices.h"
 #include "Map_problem.h"
 #include "Plain_newton_map_3.h"
 
