@@ -14,7 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
+
+#include <boost/type_traits/is_detected.hpp>
 
 #include <limits>
 
@@ -85,6 +86,19 @@ using Value_of_norms
 
 template <typename Energy, typename T>
 using Is_of_norms = boost::is_detected<Value_of_norms, Energy, T>;
+
+template <typename Energy, typename T, typename = void>
+struct Is_energy : std::false_type {};
+
+template <typename Energy, typename T>
+struct Is_energy<Energy, T, std::enable_if_t<
+  std::is_convertible<decltype(std::declval<const Energy&>().value(std::declval<const Eigen::Matrix<T, 3, 1>&>())), T>::value
+  && std::is_convertible<decltype(std::declval<const Energy&>().gradient(std::declval<const Eigen::Matrix<T, 3, 1>&>())),
+                         Eigen::Matrix<T, 3, 1> >::value
+  && std::is_convertible<decltype(std::declval<const Energy&>().hessian(std::declval<const Eigen::Matrix<T, 3, 1>&>())),
+                         Eigen::Matrix<T, 3, 3> >::value> >
+  : std::true_type
+{};
 
 // A model of `DistortionEnergy_3`, as such an energy. It is evaluated with the instructions for which the unit that
 // names the energy is compiled, those of its `Pack`.

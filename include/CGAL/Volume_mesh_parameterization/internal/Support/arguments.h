@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,8 +22,8 @@
 
 #include <type_traits>
 
-// What tells mistakes in calls, which the compiler is to answer with one sentence. Of a model of a concept is asked that it
-// can be called.
+// Checks of arguments, by which the compiler answers mistakes in calls with one sentence. A model of a concept is asked
+// whether it can be called.
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 template <typename T, typename = void>
@@ -51,30 +50,6 @@ using Answer_of_visitor = decltype(std::declval<Visitor&>().after_step(std::decl
 
 template <typename Visitor>
 using Is_visitor = std::is_convertible<boost::detected_t<Answer_of_visitor, Visitor>, bool>;
-
-template <typename Energy, typename T, typename = void>
-struct Is_energy : std::false_type {};
-
-template <typename Energy, typename T>
-struct Is_energy<Energy, T, std::enable_if_t<
-  std::is_convertible<decltype(std::declval<const Energy&>().value(std::declval<const Eigen::Matrix<T, 3, 1>&>())), T>::value
-  && std::is_convertible<decltype(std::declval<const Energy&>().gradient(std::declval<const Eigen::Matrix<T, 3, 1>&>())),
-                         Eigen::Matrix<T, 3, 1> >::value
-  && std::is_convertible<decltype(std::declval<const Energy&>().hessian(std::declval<const Eigen::Matrix<T, 3, 1>&>())),
-                         Eigen::Matrix<T, 3, 3> >::value> >
-  : std::true_type
-{};
-
-template <typename Solver, typename = void>
-struct Is_newton_solver : std::false_type {};
-
-template <typename Solver>
-struct Is_newton_solver<Solver, std::enable_if_t<std::is_same<
-  decltype(std::declval<Solver&>().analyze_pattern(std::declval<const Block_sparse_matrix_3<typename Solver::NT>&>()),
-           std::declval<Solver&>().factorize(std::declval<const Block_sparse_matrix_3<typename Solver::NT>&>())),
-  Linear_solver_status>::value> >
-  : std::true_type
-{};
 
 template <typename Tag, bool is_known>
 struct Named_parameter

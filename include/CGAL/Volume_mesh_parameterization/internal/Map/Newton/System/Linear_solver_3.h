@@ -66,6 +66,17 @@ using Solution_that_asks = decltype(std::declval<Solver&>().solve(
 template <typename Solver>
 using Number_of_iterations = decltype(std::declval<const Solver&>().number_of_iterations());
 
+template <typename Solver, typename = void>
+struct Is_newton_solver : std::false_type {};
+
+template <typename Solver>
+struct Is_newton_solver<Solver, std::enable_if_t<std::is_same<
+  decltype(std::declval<Solver&>().analyze_pattern(std::declval<const Block_sparse_matrix_3<typename Solver::NT>&>()),
+           std::declval<Solver&>().factorize(std::declval<const Block_sparse_matrix_3<typename Solver::NT>&>())),
+  Linear_solver_status>::value> >
+  : std::true_type
+{};
+
 // A model of `NewtonSolverTraits_3`, as such a solver. It knows one pattern at a time: a system analyzes its own when
 // another one has been at work in between.
 template <typename Solver>
