@@ -407,3 +407,51 @@ TEST_CASE("Bad arrays are refused, and change nothing")
   CHECK(VMP::boundary_vertices(fan.points, fan.cells).size() == 28);
   CHECK(VMP::non_manifold_boundary_vertices(fan.points, fan.cells).empty());
 }
+
+TEST_CASE("Matrices of Eigen, with a row for each point and cell, are mapped as other arrays are")
+{
+  const Bent_fan fan;
+  Eigen::MatrixXd V(fan.points.size(), 3), T(fan.targets.size(), 3);
+  Eigen::Matrix<int, Eigen::Dynamic, 4, Eigen::RowMajor> C(fan.cells.size(), 4);
+  for(std::size_t v = 0; v < fan.points.size(); ++v)
+  {
+    V.row(v) = Eigen::RowVector3d(fan.points[v].data());
+    T.row(v) = Eigen::RowVector3d(fan.targets[v].data());
+  }
+  for(std::size_t c = 0; c < fan.cells.size(); ++c)
+    C.row(c) = Eigen::RowVector4i(fan.cells[c].data());
+  const auto rows = [](const Eigen::MatrixXd& M)
+  {
+    Points result;
+    for(Eigen::Index v = 0; v < M.rows(); ++v)
+      result.push_back({ M(v, 0), M(v, 1), M(v, 2) });
+    return result;
+  };
+
+  Points points = fan.points, images;
+  Cells cells = fan.cells;
+  Eigen::MatrixXd U;
+  const auto np = params::do_refine(true).number_of_iterations(20);
+  const auto of_arrays = CGAL::stretch_minimizing_volume_parameterization(points, cells, fan.targets, images, np);
+  const auto of_matrices = CGAL::stretch_minimizing_volume_parameterization(V, C, T, U, np);
+  REQUIRE(of_arrays.number_of_added_vertices > 0);
+  CHECK(of_matrices.energy == of_arrays.energy);
+  CHECK(has_same_bits(rows(U), images));
+  CHECK(has_same_bits(rows(V), points));
+  REQUIRE(C.rows() == static_cast<Eigen::Index>(cells.size()));
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    CHECK(C.row(c) == Eigen::RowVector4i(cells[c].data()));
+
+  Points targets;
+  Eigen::MatrixXd targets_of_matrices;
+  REQUIRE(VMP::Ball_boundary_parameterizer_3().parameterize(points, cells, targets) == VMP::OK);
+  REQUIRE(VMP::Ball_boundary_parameterizer_3().parameterize(V, C, targets_of_matrices) == VMP::OK);
+  CHECK(has_same_bits(rows(targets_of_matrices), targets));
+  CHECK(VMP::measure_distortion(V, C, U).angle_max == VMP::measure_distortion(points, cells, images).angle_max);
+  CHECK(VMP::Volume_map_3(V, C, U).image(Point_3(0.5, 0.4, 3))->point
+        == VMP::Volume_map_3(points, cells, images).image(Point_3(0.5, 0.4, 3))->point);
+
+  const Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(5, 4);
+  CHECK_THROWS_AS(VMP::boundary_vertices(wide, C), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(VMP::boundary_vertices(V, wide.leftCols(3)), CGAL::Precondition_exception);
+}

@@ -74,7 +74,7 @@ public:
 
   /// writes the image of each point on the boundary of a mesh that is given by arrays, turned to landmarks as for a complex.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
-            typename = internal::Iterator_of<PointRange> >
+            typename = internal::If_range<PointRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells,
                           const std::vector<std::pair<std::size_t, std::array<double, 3> > >& landmarks,
                           TargetRange& targets, const CGAL_NP_CLASS& np = parameters::default_values()) const

@@ -92,7 +92,7 @@ public:
 
   /// writes the image of each point on the boundary of a mesh that is given by arrays, for given corners, as for a complex.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
-            typename = internal::Iterator_of<PointRange> >
+            typename = internal::If_range<PointRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, const std::array<std::size_t, 8>& corners,
                           TargetRange& targets, const CGAL_NP_CLASS& np = parameters::default_values()) const
   { return this->parameterize_arrays(internal::body_of(points, cells), targets, np, corners); }

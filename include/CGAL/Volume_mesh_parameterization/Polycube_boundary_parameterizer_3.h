@@ -110,15 +110,15 @@ public:
   /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels, as for a complex:
   /// `labels[c][i]` is that of the facet opposite to vertex `i` of cell `c`.
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
-            typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::Iterator_of<LabelRange> >
+            typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, const LabelRange& labels, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_3 body = internal::body_of(points, cells);
-    internal::require(labels.size() == cells.size(), "There are labels for each cell.");
+    internal::require(internal::number_of_rows(labels) == body.soup.cells.size(), "There are labels for each cell.");
     std::vector<std::size_t> label_of_facet;
     for(const std::size_t side : body.sides)
-      label_of_facet.push_back(static_cast<std::size_t>(labels[side / 4][side % 4]));
+      label_of_facet.push_back(static_cast<std::size_t>(internal::row(labels, side / 4)[side % 4]));
     return this->parameterize_arrays(body, targets, np, label_of_facet);
   }
 

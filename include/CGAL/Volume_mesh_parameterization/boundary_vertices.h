@@ -111,7 +111,7 @@ OutputIterator boundary_vertices(const C3t3& c3t3, OutputIterator out)
 returns the points on the boundary of a mesh that is given by arrays, as indices. Throws `Input_error` as
 `CGAL::stretch_minimizing_volume_parameterization()` does.
 */
-template <typename PointRange, typename CellRange, typename = internal::Iterator_of<PointRange> >
+template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellRange& cells)
 { return internal::surface_of(internal::body_of(points, cells)).vertices; }
 
@@ -148,7 +148,7 @@ OutputIterator non_manifold_boundary_vertices(const C3t3& c3t3, OutputIterator o
 
 returns those points of a mesh that is given by arrays, as indices.
 */
-template <typename PointRange, typename CellRange, typename = internal::Iterator_of<PointRange> >
+template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points, const CellRange& cells)
 { return internal::non_manifold_points(internal::body_of(points, cells)); }
 

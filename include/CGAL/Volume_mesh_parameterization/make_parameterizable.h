@@ -175,7 +175,7 @@ refines a mesh that is given by arrays in the same way: the same points are inse
 */
 template <typename PointRange, typename CellRange, typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
-          , typename = internal::Iterator_of<CellRange> // otherwise it is another overload
+          , typename = internal::If_range<CellRange> // otherwise it is another overload
 #endif
           >
 std::size_t make_parameterizable(PointRange& points, CellRange& cells,

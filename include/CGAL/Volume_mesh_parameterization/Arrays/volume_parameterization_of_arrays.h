@@ -42,9 +42,9 @@ Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Tar
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
                 "boundary_map must not be passed for arrays: the targets are an argument.");
   constexpr bool may_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
-  require(targets.size() == soup.points.size(), "There are as many targets as points.");
+  require(number_of_rows(targets) == soup.points.size(), "There are as many targets as points.");
   const auto target_map
-    = boost::make_function_property_map<std::size_t>([&](const std::size_t v) { return coordinates(targets[v]); });
+    = boost::make_function_property_map<std::size_t>([&](const std::size_t v) { return coordinates(row(targets, v)); });
   return run_problem<ConcurrencyTag>(np, [&](const Map_problem_3& problem)
   {
     Body_3 body = body_of(std::move(soup), problem.is_parallel);
@@ -102,7 +102,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename PointRange, typename CellRange, typename TargetRange, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::Iterator_of<PointRange> // otherwise it is another overload
+          , typename = Volume_mesh_parameterization::internal::If_range<PointRange> // otherwise it is another overload
 #endif
           >
 Volume_mesh_parameterization::Parameterization_result

@@ -31,7 +31,7 @@ public:
 
   /// writes the image of each point on the boundary of a mesh that is given by arrays.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
-            typename = Iterator_of<PointRange> >
+            typename = If_range<PointRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   { return parameterize_arrays(body_of(points, cells), targets, np, typename Model::Given()); }

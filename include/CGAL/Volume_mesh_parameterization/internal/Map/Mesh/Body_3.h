@@ -13,8 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
 
@@ -78,66 +77,8 @@ inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector
   return result;
 }
 
-// For overloads that take ranges.
-template <typename Range>
-using Iterator_of = decltype(std::declval<Range&>().begin());
-
 template <typename Soup>
 using If_soup = std::enable_if_t<std::is_same<std::remove_const_t<Soup>, Tetrahedron_soup_3>::value>;
-
-// Coordinates of a range of points of any type.
-template <typename PointRange>
-std::vector<std::array<double, 3> > coordinates_of(const PointRange& points)
-{
-  std::vector<std::array<double, 3> > result;
-  result.reserve(points.size());
-  for(const auto& p : points)
-    result.push_back(coordinates(p));
-  return result;
-}
-
-template <typename PointRange>
-void assign_coordinates(const std::vector<std::array<double, 3> >& coordinates, PointRange& points)
-{
-  points.resize(coordinates.size());
-  for(std::size_t v = 0; v < coordinates.size(); ++v)
-  {
-    const auto& [x, y, z] = coordinates[v];
-    points[v] = std::decay_t<decltype(points[v])>{ x, y, z };
-  }
-}
-
-template <typename CellRange>
-std::vector<std::array<std::size_t, 4> > indices_of(const CellRange& cells)
-{
-  const auto index = [](const auto& v) { return static_cast<std::size_t>(v); };
-  std::vector<std::array<std::size_t, 4> > result;
-  result.reserve(cells.size());
-  for(const auto& cell : cells)
-    result.push_back({ index(cell[0]), index(cell[1]), index(cell[2]), index(cell[3]) });
-  return result;
-}
-
-// Appends new points and cells; cells that were there may have become smaller.
-template <typename PointRange, typename CellRange>
-void assign_refined(const Tetrahedron_soup_3& refined, PointRange& points, CellRange& cells)
-{
-  static_assert(!std::is_const<PointRange>::value && !std::is_const<CellRange>::value,
-                "do_refine must not be passed for constant arrays, which cannot be refined.");
-  for(std::size_t v = points.size(); v < refined.points.size(); ++v)
-  {
-    const auto& [x, y, z] = refined.points[v];
-    points.push_back(typename PointRange::value_type{ x, y, z });
-  }
-  cells.resize(refined.cells.size(), cells[0]);
-  for(std::size_t c = 0; c < cells.size(); ++c)
-    for(int i = 0; i < 4; ++i)
-      cells[c][i] = static_cast<std::decay_t<decltype(cells[c][i])> >(refined.cells[c][i]);
-}
-
-template <typename PointRange, typename CellRange>
-Tetrahedron_soup_3 soup_of(const PointRange& points, const CellRange& cells)
-{ return { coordinates_of(points), indices_of(cells), std::vector<int>(cells.size()), {}, {} }; }
 
 template <typename PointRange, typename CellRange>
 Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_of(soup_of(points, cells)); }
