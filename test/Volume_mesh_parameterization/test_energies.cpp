@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/check_derivatives.h>
 
 #include <Eigen/Dense>
 
@@ -48,6 +49,22 @@ struct Any_LSCM : VMP::Any_energy_3 { Any_LSCM() : VMP::Any_energy_3(Barrier<LSC
 using Energies = std::tuple<Stretch, Dirichlet, ARAP, LSCM, LPM, MIPS, Symmetric_Dirichlet, Lp_stretch,
                             Barrier<ARAP>, Barrier<LSCM>, Power<Stretch>, Cubed_MIPS, Bounded_stretch,
                             Bounded_Dirichlet, Any_LSCM, Barrier<Any_LSCM> >;
+
+// The stretch with wrong derivatives, or with a term that is not symmetric.
+struct Scaled_stretch : Stretch
+{
+  double gradient_factor, hessian_factor, skew;
+
+  template <typename T>
+  T value(const Eigen::Matrix<T, 3, 1>& s) const { return Stretch::value(s) + T(skew) * s[0]; }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const
+  { return gradient_factor * Stretch::gradient(s) + skew * Eigen::Matrix<T, 3, 1>::UnitX(); }
+
+  template <typename T>
+  Eigen::Matrix<T, 3, 3> hessian(const Eigen::Matrix<T, 3, 1>& s) const { return hessian_factor * Stretch::hessian(s); }
+};
 
 // distinct, equal, nearly equal, tiny
 const std::vector<Vector3d> samples = {
@@ -155,6 +172,29 @@ TEMPLATE_LIST_TEST_CASE("Gradient and Hessian are the derivatives", "[energies]"
     if(!is_infinite_for_flat_cells(energy))
       check_derivatives(energy, Vector3d(s[0], s[1], -0.3 * s[2]));
   }
+}
+
+TEMPLATE_LIST_TEST_CASE("The check of derivatives finds none wrong", "[energies]", Energies)
+{
+  const VMP::Derivative_errors_3 errors = VMP::check_derivatives(TestType());
+  CHECK(errors.are_small());
+  CHECK((std::max)({ errors.symmetry, errors.gradient, errors.hessian }) < 1e-6);
+}
+
+TEST_CASE("The check of derivatives finds wrong factors and signs, and functions that are not symmetric", "[energies]")
+{
+  const auto errors = [](const double gradient_factor, const double hessian_factor, const double skew)
+  {
+    return VMP::check_derivatives(Scaled_stretch{ {}, gradient_factor, hessian_factor, skew });
+  };
+  CHECK(errors(1, 1, 0).are_small());
+  CHECK(errors(1.1, 1.1, 0).gradient == Approx(0.1).epsilon(0.01));
+  CHECK(errors(1.1, 1.1, 0).hessian < 1e-6);
+  CHECK(errors(1, -1, 0).hessian == Approx(2).epsilon(0.01));
+  CHECK(errors(1, -1, 0).gradient < 1e-6);
+  CHECK(errors(1, 1, 0.1).symmetry > 0.01);
+  CHECK(errors(1, 1, 0.1).gradient < 1e-6);
+  CHECK(!errors(std::nan(""), 1, 0).are_small());
 }
 
 TEMPLATE_LIST_TEST_CASE("The order of the singular values does not matter", "[energies]", Energies)

@@ -18,6 +18,7 @@ A model that is passed by value must be copy constructible. A copy need not shar
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::CHOLMOD_solver_traits_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Eigen_solver_traits_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`

@@ -4,6 +4,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
+#include <CGAL/Volume_mesh_parameterization/Eigen_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -34,7 +35,9 @@ namespace {
 
 using Solvers = std::tuple<VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>,
                            VMP::Conjugate_gradient_solver_traits_3<CGAL::Parallel_if_available_tag, double>,
-                           VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, float>
+                           VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, float>,
+                           VMP::Eigen_solver_traits_3<>,
+                           VMP::Eigen_solver_traits_3<Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> > >
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
                            , VMP::CHOLMOD_solver_traits_3
 #endif
@@ -426,4 +429,24 @@ TEMPLATE_LIST_TEST_CASE("A copy of a solver works by itself", "", Solvers)
   REQUIRE(original.solve(b, x, 1e-5) == Linear_solver_status::SUCCESS);
   REQUIRE(copy.solve(b, y, 1e-5) == Linear_solver_status::SUCCESS);
   CHECK(x == y);
+}
+
+TEST_CASE("An iterative solver of Eigen gets the tolerance, and tells that its iterations did not suffice")
+{
+  auto A = pattern<double>(cube_mesh(5));
+  fill(A, 8);
+  const VectorXd b = random_vector(3 * A.size());
+  VMP::Eigen_solver_traits_3<Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> > solver;
+  solver.analyze_pattern(A);
+  REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
+  VectorXd x;
+  REQUIRE(solver.solve(b, x, 0.5) == Linear_solver_status::SUCCESS);
+  const auto few = solver.solver().iterations();
+  REQUIRE(solver.solve(b, x, 1e-10) == Linear_solver_status::SUCCESS);
+  CHECK(solver.solver().iterations() > few);
+  CHECK((dense(A) * x - b).norm() <= 1e-9 * b.norm());
+
+  solver.solver().setMaxIterations(2);
+  CHECK(solver.solve(b, x, 1e-10) == Linear_solver_status::ITERATION_LIMIT);
+  CHECK(b.dot(x) > 0);
 }
