@@ -11,6 +11,7 @@
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/measure_quality.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
@@ -454,4 +455,34 @@ TEST_CASE("Matrices of Eigen, with a row for each point and cell, are mapped as 
   const Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(5, 4);
   CHECK_THROWS_AS(VMP::boundary_vertices(wide, C), CGAL::Precondition_exception);
   CHECK_THROWS_AS(VMP::boundary_vertices(V, wide.leftCols(3)), CGAL::Precondition_exception);
+}
+
+TEST_CASE("The quality of cells has closed forms, and that of the image is part of the result")
+{
+  const Points regular = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } };
+  const VMP::Cell_quality_3 best = VMP::measure_quality(regular, Cells{ { 0, 2, 1, 3 } });
+  CHECK(best.smallest_dihedral_angle == Approx(70.528779365509));
+  CHECK(best.largest_dihedral_angle == Approx(70.528779365509));
+  CHECK(best.smallest_scaled_Jacobian == Approx(1));
+  CHECK(best.largest_aspect_ratio == Approx(1));
+
+  const Points corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const VMP::Cell_quality_3 quality = VMP::measure_quality(corner, Cells{ { 0, 1, 2, 3 } });
+  CHECK(quality.smallest_dihedral_angle == Approx(54.735610317245));
+  CHECK(quality.largest_dihedral_angle == Approx(90));
+  CHECK(quality.smallest_scaled_Jacobian == Approx(std::sqrt(0.5)));
+  const double radius = 0.5 / (1.5 + std::sqrt(3.) / 2);
+  CHECK(quality.largest_aspect_ratio == Approx(std::sqrt(2.) / (2 * std::sqrt(6.) * radius)));
+  CHECK(VMP::measure_quality(corner, Cells{ { 0, 2, 1, 3 } }).smallest_scaled_Jacobian == Approx(-std::sqrt(2.)));
+  CHECK(std::isnan(VMP::measure_quality(corner, Cells()).largest_aspect_ratio));
+
+  const Bent_fan fan;
+  Points images;
+  const auto result = CGAL::stretch_minimizing_volume_parameterization(
+    fan.points, fan.cells, fan.points, images, params::number_of_iterations(0));
+  const VMP::Cell_quality_3 of_image = VMP::measure_quality(images, fan.cells);
+  CHECK(result.quality.smallest_scaled_Jacobian == Approx(of_image.smallest_scaled_Jacobian));
+  CHECK(result.quality.smallest_dihedral_angle == Approx(of_image.smallest_dihedral_angle));
+  CHECK(result.quality.largest_dihedral_angle == Approx(of_image.largest_dihedral_angle));
+  CHECK(result.quality.largest_aspect_ratio == Approx(of_image.largest_aspect_ratio));
 }

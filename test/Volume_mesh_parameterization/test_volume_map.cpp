@@ -248,3 +248,42 @@ TEST_CASE("Ranges, in parallel, are what single points are; a complex is what it
   CHECK(number_outside > 100);
   CHECK(number_outside < 900);
 }
+
+TEST_CASE("Data of vertices are interpolated, numbers and vectors, on both sides")
+{
+  const Mapped_cube cube(3, 0.1, bent);
+  const Volume_map_3 map = cube.map();
+  std::vector<double> heights;
+  std::vector<Vector3d> sources;
+  Eigen::MatrixXd images(cube.images.size(), 3);
+  for(std::size_t v = 0; v < cube.images.size(); ++v)
+  {
+    heights.push_back(2 * cube.soup.points[v][2] - cube.soup.points[v][0]); // linear, hence exact
+    sources.push_back(vector(cube.soup.points[v]));
+    images.row(v) = vector(cube.images[v]);
+  }
+  const Point_3 p(1.3, 2.2, 0.4);
+  const auto location = map.image(p);
+  CHECK(map.interpolate(*location, heights) == Approx(2 * 0.4 - 1.3));
+  const Vector3d source = map.interpolate(*location, sources);
+  CHECK((source - vector(p)).norm() < 1e-14);
+  const Eigen::RowVectorXd image = map.interpolate(*location, images);
+  CHECK((image.transpose() - vector(location->point)).norm() < 1e-14);
+  const Vector3d back = map.interpolate(*map.preimage(location->point), sources);
+  CHECK((back - vector(p)).norm() < 1e-13);
+}
+
+TEST_CASE("Ranges of arrays of coordinates are queries, also for the nearest points")
+{
+  const Mapped_cube cube(2, 0.1, bent);
+  const Volume_map_3 map = cube.map();
+  const Points queries = { { 1, 1.5, 0.5 }, { 5, 1, 1 }, { -1, -1, -1 } };
+  const auto images = map.images(queries), nearest = map.nearest_images(queries), inverse = map.nearest_preimages(queries);
+  for(std::size_t i = 0; i < queries.size(); ++i)
+  {
+    const Point_3 p = point(vector(queries[i]));
+    CHECK(images[i].has_value() == (i == 0));
+    CHECK(nearest[i]->point == map.nearest_image(p)->point);
+    CHECK(inverse[i]->point == map.nearest_preimage(p)->point);
+  }
+}

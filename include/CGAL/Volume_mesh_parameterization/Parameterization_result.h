@@ -42,6 +42,22 @@ struct Distortion_3
 /*!
 \ingroup PkgVolumeMeshParameterizationRef
 
+The worst shapes of tetrahedra, as simulations ask for them. Without a cell, none is a number.
+*/
+struct Cell_quality_3
+{
+  double smallest_dihedral_angle = std::numeric_limits<double>::quiet_NaN(); ///< in degrees; 70.5 if all cells are regular
+  double largest_dihedral_angle = std::numeric_limits<double>::quiet_NaN();  ///< in degrees; 70.5 if all cells are regular
+  /// \f$\sqrt{2}\f$ times the determinant of the three edges at a vertex by the product of their lengths, the least of all
+  /// vertices of all cells; 1 if all cells are regular, 0 if one is flat
+  double smallest_scaled_Jacobian = std::numeric_limits<double>::quiet_NaN();
+  /// the longest edge of a cell by \f$2\sqrt{6}\f$ times the radius of its inscribed sphere; 1 if all cells are regular
+  double largest_aspect_ratio = std::numeric_limits<double>::quiet_NaN();
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
 What `CGAL::stretch_minimizing_volume_parameterization()` returns. Times are wall-clock times in seconds.
 */
 struct Parameterization_result
@@ -79,6 +95,7 @@ struct Parameterization_result
   double energy = std::numeric_limits<double>::quiet_NaN();
   Distortion_3 distortion;                  ///< of the map as it is; not numbers without a valid one
   Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
+  Cell_quality_3 quality;                   ///< of the cells of the image; not numbers without a valid map
   /// how far the boundary is from its image, which is given: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$,
   /// with the singular values \f$s\f$ and \f$t\f$ of its map, scaled to its area. A similarity has 0, a polycube that is close
   /// to the boundary 0.1 to 0.5, a box to which a branching body is mapped 1 or more. Not a number without a valid map, and

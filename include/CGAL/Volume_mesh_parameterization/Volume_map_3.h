@@ -111,6 +111,27 @@ public:
   /// returns the preimage of the nearest point of the image of the body, as `nearest_image()` does.
   std::optional<Location> nearest_preimage(const Point_3& q) const { return carried(m_target.find_nearest(q), m_source); }
 
+  /// interpolates data of the vertices, linearly on each cell.
+  ///
+  /// \tparam ValueRange a random access range of numbers, of vectors of \cgal or Eigen, or of other values with a product by
+  ///         `double` and a sum; or a matrix of Eigen with a row for each point
+  /// \param location a result of one of the queries, of either direction
+  /// \param values the value at each point of the arrays, or of a complex in the order of
+  ///        `mesh_complex_3_to_tetrahedron_soup()`
+  template <typename ValueRange>
+  auto interpolate(const Location& location, const ValueRange& values) const
+  {
+    const std::array<std::size_t, 4>& cell = m_source.vertices(location.cell);
+    const std::array<double, 4>& b = location.barycentric_coordinates;
+    const auto value = [&](const int i) -> decltype(auto) { return internal::row(values, cell[i]); };
+    const auto sum = [&]() { return b[0] * value(0) + b[1] * value(1) + b[2] * value(2) + b[3] * value(3); };
+    using Value = std::decay_t<decltype(value(0))>;
+    if constexpr(internal::is_matrix<Value>) // a sum of Eigen refers to its parts
+      return typename Value::PlainObject(sum());
+    else
+      return sum();
+  }
+
   /// returns the differential in the cell that `image()` finds, a 3 x 3 matrix; empty if the point is outside.
   std::optional<Eigen::Matrix3d> differential(const Point_3& p) const
   {
@@ -127,7 +148,7 @@ public:
   { return edges(m_source, cell) * edges(m_target, cell).inverse(); }
 
   /// \name Ranges
-  /// The same for each point of a random access range, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
+  /// The same for each point of a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
   /// queried in an order in which neighbors follow each other, which takes much less time for large meshes.
   /// @{
 
@@ -140,6 +161,16 @@ public:
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
   std::vector<std::optional<Location> > preimages(const PointRange& points) const
   { return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& q) { return preimage(q); }); }
+
+  /// returns what `nearest_image()` returns, for each point.
+  template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
+  std::vector<std::optional<Location> > nearest_images(const PointRange& points) const
+  { return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& p) { return nearest_image(p); }); }
+
+  /// returns what `nearest_preimage()` returns, for each point.
+  template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
+  std::vector<std::optional<Location> > nearest_preimages(const PointRange& points) const
+  { return for_each_point<ConcurrencyTag, Location>(points, [this](const Point_3& q) { return nearest_preimage(q); }); }
 
   /// returns what `differential()` returns, for each point.
   template <typename ConcurrencyTag = Sequential_tag, typename PointRange>
@@ -173,7 +204,9 @@ private:
   template <typename ConcurrencyTag, typename Result, typename PointRange, typename Query>
   static std::vector<std::optional<Result> > for_each_point(const PointRange& points, const Query& query)
   {
-    const std::vector<Point_3> queries(std::begin(points), std::end(points));
+    std::vector<Point_3> queries;
+    for(const auto& [x, y, z] : internal::coordinates_of(points))
+      queries.emplace_back(x, y, z);
     // Neighbors, one after the other, find the same part of a tree in the cache. What is not finite is not found.
     std::vector<std::size_t> order;
     for(std::size_t i = 0; i < queries.size(); ++i)

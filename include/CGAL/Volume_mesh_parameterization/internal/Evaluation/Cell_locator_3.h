@@ -108,6 +108,7 @@ public:
     m_tree = Tree(entries); // packs, unlike insertion
   }
 
+  const std::array<std::size_t, 4>& vertices(const std::size_t cell) const { return m_cells[cell]; }
   const Exact_point_3& corner(const std::size_t cell, const std::size_t i) const { return m_points[m_cells[cell][i]]; }
 
   // In the cell of smallest index, of those whose closure contains the point.

@@ -102,6 +102,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     result.distortion = measure_distortion_3(mesh, s);
     result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);
     result.energy = mean_energy_3(mesh, s, energy, to_source_volume);
+    result.quality = measure_quality_3(mesh, found.map.positions);
     result.unavoidable_angle_distortion = found.unavoidable_angle_distortion;
     result.missed_angle_distortion = found.missed_angle_distortion;
   }

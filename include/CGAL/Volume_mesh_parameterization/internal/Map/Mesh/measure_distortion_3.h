@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -67,6 +68,17 @@ inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std:
              communicator.sum(result.volume_mean), communicator.maximum(result.volume_max) };
   replace_by_infinity(result);
   return result;
+}
+
+inline Cell_quality_3 measure_quality_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+{
+  const Cell_quality_3 own = worst_quality(values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell)
+  {
+    return quality_of_cell({ image.col(cell[0]), image.col(cell[1]), image.col(cell[2]), image.col(cell[3]) });
+  }));
+  const Communicator_3& communicator = *mesh.communicator;
+  return { communicator.minimum(own.smallest_dihedral_angle), communicator.maximum(own.largest_dihedral_angle),
+           communicator.minimum(own.smallest_scaled_Jacobian), communicator.maximum(own.largest_aspect_ratio) };
 }
 
 inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
