@@ -1,11 +1,13 @@
 // Maps an elephant to the unit ball: without a boundary map, that is what the function does. It refines the mesh where
 // the ball needs it.
-#include "Elephant.h"
+#include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -23,7 +25,20 @@ try
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map);
 
-  return report(c3t3, uvw_map, result, output_filename);
+  std::cout << result.message << "\n"
+            << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"
+            << "distortion of angles:  mean " << result.distortion.angle_mean
+            << ", max " << result.distortion.angle_max << "\n"
+            << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
+            << ", max " << result.distortion_at_source_volume.volume_max
+            << " (of the map scaled to the volume of the source)" << std::endl;
+  if(!result.has_valid_map)
+    return EXIT_FAILURE;
+
+  std::ofstream out(output_filename, std::ios::binary);
+  VMP::IO::write_VTU(out, c3t3, uvw_map);
+  out.close();
+  return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 catch(const std::exception& error)
 {

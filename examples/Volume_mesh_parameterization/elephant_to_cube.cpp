@@ -1,12 +1,13 @@
 // Maps an elephant to a cube whose corners are found automatically, and refines the mesh where the cube needs it.
-#include "Elephant.h"
+#include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -21,8 +22,6 @@ try
   const std::string output_filename = (argc > 2) ? argv[2] : "elephant_to_cube.vtu";
   C3t3 c3t3 = mesh_elephant(filename);
 
-  // Without a boundary map, edges and facets inside are split if all their vertices are on the boundary.
-  VMP::make_parameterizable(c3t3);
   std::unordered_map<C3t3::Vertex_handle, Point_3> target, uvw;
   const auto target_map = VMP::make_vertex_point_map(target);
   const VMP::Error_code status = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, target_map);
@@ -36,7 +35,20 @@ try
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map, params::boundary_map(target_map).do_refine(true));
 
-  return report(c3t3, uvw_map, result, output_filename);
+  std::cout << result.message << "\n"
+            << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"
+            << "distortion of angles:  mean " << result.distortion.angle_mean
+            << ", max " << result.distortion.angle_max << "\n"
+            << "distortion of volumes: mean " << result.distortion_at_source_volume.volume_mean
+            << ", max " << result.distortion_at_source_volume.volume_max
+            << " (of the map scaled to the volume of the source)" << std::endl;
+  if(!result.has_valid_map)
+    return EXIT_FAILURE;
+
+  std::ofstream out(output_filename, std::ios::binary);
+  VMP::IO::write_VTU(out, c3t3, uvw_map);
+  out.close();
+  return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 catch(const std::exception& error)
 {

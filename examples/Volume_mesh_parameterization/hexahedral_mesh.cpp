@@ -68,7 +68,7 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename);
+  std::ofstream out(output_filename, std::ios::binary);
   if(std::filesystem::path(output_filename).extension() == ".inp")
     VMP::IO::write_INP(out, hexahedra);
   else

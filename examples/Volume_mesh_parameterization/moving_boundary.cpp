@@ -106,7 +106,7 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out("moving_boundary.vtu");
+  std::ofstream out("moving_boundary.vtu", std::ios::binary);
   VMP::IO::write_VTU(out, c3t3, VMP::make_vertex_point_map(position));
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;
