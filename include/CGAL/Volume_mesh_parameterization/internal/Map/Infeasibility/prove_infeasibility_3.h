@@ -118,8 +118,9 @@ struct Linear_equations
 };
 
 // A basic solution x >= 0, up to a factor, if there is one: the first phase of the simplex method with the rule of Bland
-// (1977), which ends. CGAL's QP_solver takes more time, and a sixth of all that it takes to compile a map.
-inline std::optional<std::vector<Exact_integer> > nonnegative_solution(Linear_equations equations)
+// (1977), which ends. CGAL's QP_solver takes more time, and a sixth of all that it takes to compile a map. None if the
+// budget ends before.
+inline std::optional<std::vector<Exact_integer> > nonnegative_solution(Linear_equations equations, const Budget& budget)
 {
   const auto& rows = equations.rows;
   const std::size_t n = rows.front().size() - 1, m = rows.size();
@@ -130,7 +131,7 @@ inline std::optional<std::vector<Exact_integer> > nonnegative_solution(Linear_eq
     const Exact_integer difference = rows[i].back() * rows[r][j] - rows[r].back() * rows[i][j];
     return difference < 0 || (difference == 0 && basis[i] < basis[r]);
   };
-  for(std::size_t j = 0; j < n;)
+  for(std::size_t j = 0; j < n && !budget.is_exhausted();)
   {
     Exact_integer gain = 0;
     std::size_t r = m; // the row that bounds unknown j
@@ -160,7 +161,8 @@ inline std::optional<std::vector<Exact_integer> > nonnegative_solution(Linear_eq
 // Can these cells be positive together? By Gordan's theorem not, if and only if a combination of their volume forms with
 // factors that are not negative, and of sum 1, is a constant that is not positive: that and one more unknown are 0.
 inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbered_mesh_3& mesh,
-                                                                     const std::vector<std::size_t>& cells)
+                                                                     const std::vector<std::size_t>& cells,
+                                                                     const Budget& budget)
 {
   const std::set<int> free = free_vertices_of(mesh, cells);
   const int u = free.empty() ? -1 : *free.begin();
@@ -170,6 +172,8 @@ inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbe
   equations.rows.resize(std::tuple_size<Volume_form_3>::value + 1, std::vector<Exact_integer>(cells.size() + 2, 0));
   for(std::size_t i = 0; i < cells.size(); ++i)
   {
+    if(budget.is_exhausted())
+      return std::nullopt;
     const Volume_form_3 form = volume_form_3(mesh, mesh.cells[cells[i]], u);
     for(const Exact_rational& x : form)
       units[i] = (std::max)(units[i], Rational().denominator(x));
@@ -178,7 +182,7 @@ inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbe
     equations.rows.back()[i] = 1;
   }
   equations.rows.front()[cells.size()] = equations.rows.back().back() = 1;
-  const auto factors = nonnegative_solution(std::move(equations));
+  const auto factors = nonnegative_solution(std::move(equations), budget);
   if(!factors)
     return std::nullopt;
   Infeasibility_proof_3 proof;
@@ -223,7 +227,7 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
     const std::set<int> free = free_vertices_of(mesh, { c });
     if(free.size() > 2)
       continue;
-    if(const auto proof = is_suspect[c] ? prove_cells_infeasible_3(mesh, { c }) : std::nullopt)
+    if(const auto proof = is_suspect[c] ? prove_cells_infeasible_3(mesh, { c }, budget) : std::nullopt)
       proofs.push_back(*proof);
     else if(!free.empty())
       cells_of[{ *free.begin(), *free.rbegin() }].push_back(c);
@@ -238,7 +242,7 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
       const std::vector<std::size_t> cells = cells_among(cells_of, ends);
       if(std::none_of(cells.begin(), cells.end(), [&](const std::size_t c) { return is_suspect[c]; }))
         continue;
-      const std::optional<Infeasibility_proof_3> proof = prove_cells_infeasible_3(mesh, cells);
+      const std::optional<Infeasibility_proof_3> proof = prove_cells_infeasible_3(mesh, cells, budget);
       if(!proof || !is_valid(*proof, mesh))
         continue;
       proofs.push_back(*proof);
