@@ -28,6 +28,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -619,12 +620,14 @@ TEST_CASE("The second interruption leaves no unfinished file")
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST_CASE("More threads than the machine has are told")
+TEST_CASE("There are no more threads than processors, which is told")
 {
   const Folder folder;
   folder.write("source.mesh", cube(2));
-  CHECK(folder.run("source.mesh --to polycube --threads 100000") == 0);
-  CHECK(folder.text("stderr").find("note: 100000 threads on ") == 0);
+  const std::string processors = std::to_string(std::thread::hardware_concurrency());
+  REQUIRE(folder.run("source.mesh --to polycube --threads 2147483647 --report report.json") == 0);
+  CHECK(folder.text("stderr").find("note: " + processors + " threads run in place of 2147483647, ") == 0);
+  CHECK(folder.text("report.json").find("\"threads\": " + processors + ",") != std::string::npos);
 }
 #endif
 

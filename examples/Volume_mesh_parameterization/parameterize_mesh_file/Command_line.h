@@ -6,10 +6,13 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 struct Options
@@ -103,7 +106,7 @@ inline boost::program_options::options_description describe(Options& options)
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"),
      "cg: conjugate gradients; cholmod: a direct solver, if the program was built with CHOLMOD")
     ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1),
-     "number of threads; they do not change the result")
+     "number of threads, at most that of processors; they do not change the result")
     ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
      "largest number of Newton steps of each stage")
     ("time-limit", po::value(&options.time_limit)->value_name("SECONDS")
@@ -116,6 +119,14 @@ inline boost::program_options::options_description describe(Options& options)
   po::options_description visible(width);
   visible.add(files).add(boundary).add(distortion).add(computation);
   return visible;
+}
+
+// No more than there are processors, where their number is known: more cost memory and time, and gain nothing.
+inline std::size_t number_of_threads(const Options& options)
+{
+  const std::size_t number = static_cast<std::size_t>(options.number_of_threads);
+  const std::size_t number_of_processors = std::thread::hardware_concurrency();
+  return number_of_processors == 0 ? number : (std::min)(number, number_of_processors);
 }
 
 // False if only help or the version was asked for.

@@ -68,7 +68,7 @@ inline JSON_object json(const Options& options)
                       .add("max_angle_distortion", options.maximal_angle_distortion)
                       .add("minimize_max_angle_distortion", options.minimize_maximal_angle_distortion)
                       .add("solver", options.solver)
-                      .add("threads", static_cast<std::size_t>(options.number_of_threads))
+                      .add("threads", number_of_threads(options))
                       .add("max_iterations", static_cast<std::size_t>(options.number_of_iterations))
                       .add("time_limit", options.time_limit);
 }

@@ -13,7 +13,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 inline void check_number_of_threads(const Options& options)
@@ -24,11 +23,10 @@ inline void check_number_of_threads(const Options& options)
   if(options.number_of_threads > 1)
     throw std::runtime_error("this program was built without TBB, it has only one thread");
 #endif
-  const unsigned number_of_processors = std::thread::hardware_concurrency(); // 0: not known
-  if(number_of_processors > 0 && static_cast<unsigned>(options.number_of_threads) > number_of_processors
-     && !options.is_quiet)
-    std::cerr << "note: " << options.number_of_threads << " threads on " << number_of_processors
-              << " processors are not faster than " << number_of_processors << std::endl;
+  if(const std::size_t number = number_of_threads(options);
+     static_cast<std::size_t>(options.number_of_threads) > number && !options.is_quiet)
+    std::cerr << "note: " << number << " threads run in place of " << options.number_of_threads
+              << ", as many as there are processors" << std::endl;
 }
 
 inline std::vector<std::string> outputs(const Options& options)

@@ -115,8 +115,7 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
 Outcome run(const Options& options, Progress_line& progress)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(options.number_of_threads));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, number_of_threads(options));
 #endif
   progress.begin("reading " + options.source);
   Source source = read_source(options.source, progress);
