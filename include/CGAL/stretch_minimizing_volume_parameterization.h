@@ -158,6 +158,7 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamType{`Volume_mesh_parameterization::Soft_boundary_parameters`}
     \cgalParamDefault{those of the paper for `Boundary_mode::SOFT`, and otherwise
                       `Volume_mesh_parameterization::approaching_soft_boundary_parameters()`}
+    \cgalParamPrecondition{The weight is positive, the factor larger than 1, and both are finite.}
   \cgalParamNEnd
   \cgalParamNBegin{positional_constraints}
     \cgalParamDescription{further linear equations between the images of vertices, for `Boundary_mode::SOFT`}
@@ -180,13 +181,14 @@ That no cell is inverted is checked at the end with exact predicates on the coor
                           each refinement}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`1000`}
-    \cgalParamPrecondition{The value is not negative.}
+    \cgalParamPrecondition{The value is finite and not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{a limit for the running time in seconds}
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
     \cgalParamExtra{Results that depend on it are not reproducible.}
+    \cgalParamPrecondition{The value is a number.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of each step, and may end the computation}

@@ -118,8 +118,8 @@ inline const char* get_error_message(const Error_code code)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// The exception of the functions that read files and of `tetrahedron_soup_to_mesh_complex_3()`;
-/// `what()` is one sentence that says where the input is wrong and how.
+/// The exception of the functions that read files, and of those that take arrays: `what()` is one sentence that says where
+/// the input is wrong and how.
 class Input_error : public std::runtime_error
 {
 public:

@@ -47,9 +47,9 @@ become stationary. The weight is raised as long as the constraints are not satis
 */
 struct Soft_boundary_parameters
 {
-  /// the first weight, \f$w_0\f$; positive
+  /// the first weight, \f$w_0\f$; positive and finite
   double weight = 100;
-  /// the factor between one weight and the next, \f$\gamma\f$; larger than 1
+  /// the factor between one weight and the next, \f$\gamma\f$; finite and larger than 1
   double weight_factor = 25;
   /// how often the weight is raised at most
   std::size_t maximal_number_of_raises = 5;

@@ -13,7 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <Eigen/Dense>
 
@@ -86,11 +88,17 @@ computes the distortions of all cells of a mesh that is given by arrays, in line
 \param images the image of each point
 
 \return the distortions, in the order of the cells
+
+\exception Input_error names a cell with an index that does not exist.
+
+\pre There are as many images as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 */
 inline std::vector<Cell_distortion_3> cell_distortions(const std::vector<std::array<double, 3> >& points,
                                                        const std::vector<std::array<std::size_t, 4> >& cells,
                                                        const std::vector<std::array<double, 3> >& images)
 {
+  internal::require(images.size() == points.size(), "There are as many images as points.");
+  internal::check_cells(cells, points.size());
   std::vector<Cell_distortion_3> result;
   result.reserve(cells.size());
   for(const std::array<std::size_t, 4>& cell : cells)

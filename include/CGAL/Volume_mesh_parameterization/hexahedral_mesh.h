@@ -104,10 +104,13 @@ exact predicates on the coordinates written.
 
 \return the status with its place, and the scaled Jacobians: `OK`, also if the computation was ended with a mesh whose
         corners are positive, as `Hexahedral_mesh_result::is_interrupted` tells; `ERROR_INTERRUPTED` if it was ended
-        without one; `ERROR_EMPTY_COMPLEX`; `ERROR_NON_FINITE_COORDINATE`; `ERROR_SIZE_OUT_OF_RANGE` if the grid has more
-        than 10^7 boxes, of which each that is inside takes 4 kB of memory; `ERROR_DOMAIN_NOT_AXIS_PARALLEL`;
+        without one; `ERROR_EMPTY_COMPLEX`; `ERROR_NON_FINITE_COORDINATE`; `ERROR_SIZE_OUT_OF_RANGE` if the diagonal of the
+        mesh or of its image is not between 1e-70 and 1e70, or the grid has more than 10^7 boxes, of which each that is
+        inside takes 4 kB of memory; `ERROR_INVERTED_SOURCE_CELL` if all points coincide; `ERROR_DOMAIN_NOT_AXIS_PARALLEL`;
         `ERROR_INVERTED_TARGET_BOUNDARY` if the domain has no box; or `ERROR_INVERTED_HEXAHEDRON` if a corner is not
         positive
+
+\exception Input_error names a cell with an index that does not exist, or tells that a reference is missing.
 
 \pre The spacing is positive, and there are as many images as points; otherwise `CGAL::Precondition_exception` is
      thrown, in every build.

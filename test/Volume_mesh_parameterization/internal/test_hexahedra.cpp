@@ -745,6 +745,36 @@ TEST_CASE("What is no box or polycube is named, and nothing is written")
   CHECK(mirrored.mesh(1, mesh).status == VMP::ERROR_INVERTED_HEXAHEDRON);
 }
 
+TEST_CASE("A body or an image of a size for which numbers have no room is refused, and one that is a point")
+{
+  Hexahedron_soup_3 mesh;
+  const double size = GENERATE(1e-90, 1e110, 1e-160);
+  const auto scaled = [&](const Vector3d& p) -> Vector3d { return size * p; };
+  const Hexahedral_mesh_result of_body = Body(2, 0, scaled).mesh(1, mesh);
+  CHECK(of_body.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
+  CHECK(of_body.message.find("bounding box of the source") != std::string::npos);
+  Body image(2, 0, same);
+  for(std::array<double, 3>& p : image.images)
+    p = { size * p[0], size * p[1], size * p[2] };
+  const Hexahedral_mesh_result of_image = image.mesh(size, mesh);
+  CHECK(of_image.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
+  CHECK(of_image.message.find("bounding box of the images") != std::string::npos);
+  CHECK(Body(2, 0, [](const Vector3d&) { return Vector3d(1, 2, 3); }).mesh(1, mesh).status
+        == VMP::ERROR_INVERTED_SOURCE_CELL);
+  CHECK(mesh.points.empty());
+}
+
+TEST_CASE("A soup whose arrays do not fit together has no hexahedra")
+{
+  Body box(1, 0, same);
+  Hexahedron_soup_3 mesh;
+  box.soup.cell_references.resize(1);
+  CHECK_THROWS_AS(VMP::hexahedral_mesh(box.soup, box.images, 1, mesh), VMP::Input_error);
+  box.soup.cells[0][0] = box.soup.points.size();
+  CHECK_THROWS_AS(box.mesh(1, mesh), VMP::Input_error);
+  CHECK(mesh.points.empty());
+}
+
 TEST_CASE("Hexahedra are written for VTK and MEDIT")
 {
   const Body box(1, 0, same);

@@ -61,8 +61,11 @@ namespace IO {
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
+///
+/// \exception Input_error tells which arrays do not fit together.
 inline void write_INP(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
+  internal::check_hexahedra(mesh);
   internal::Text_writer writer(os);
   writer << "*NODE, NSET=NALL\n";
   for(std::size_t v = 0; v < mesh.points.size(); ++v)

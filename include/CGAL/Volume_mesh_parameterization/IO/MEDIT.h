@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
 
@@ -104,8 +105,11 @@ Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
 ///
 /// \param os the stream
 /// \param soup the mesh
+///
+/// \exception Input_error tells that an index does not exist, or a reference is missing.
 inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 {
+  internal::check_simplices(soup);
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, soup.points);
   if(!soup.facets.empty())
@@ -121,8 +125,11 @@ inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
+///
+/// \exception Input_error tells which arrays do not fit together.
 inline void write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
+  internal::check_hexahedra(mesh);
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, mesh.points);
   internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, mesh.cell_references);

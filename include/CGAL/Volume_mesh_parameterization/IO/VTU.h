@@ -160,9 +160,16 @@ namespace IO {
 /// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
 /// \param soup the mesh
 /// \param uvw the image of each point, in the order of the points
-/// \pre `uvw` has as many points as `soup`.
+///
+/// \exception Input_error tells that an index does not exist, or a reference is missing.
+///
+/// \pre `uvw` has as many points as `soup`; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
-{ internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points)); }
+{
+  internal::check_simplices(soup);
+  internal::require(uvw.size() == soup.points.size(), "There are as many images as points.");
+  internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points));
+}
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -193,8 +200,11 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra
+///
+/// \exception Input_error tells which arrays do not fit together.
 inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
+  internal::check_hexahedra(mesh);
   const std::size_t number_of_hexahedra = mesh.cells.size(), number_of_cells = number_of_hexahedra + mesh.facets.size();
   const std::vector<double> quality = internal::scaled_jacobians(mesh);
   const auto hexahedron = [&](const std::size_t i)

@@ -52,7 +52,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   });
   for(const std::optional<Volume_map_3::Location>& place : places)
     if(place)
-      boxes.cell_references.push_back(soup.cell_references.empty() ? 0 : soup.cell_references[place->cell]);
+      boxes.cell_references.push_back(soup.cell_references[place->cell]);
   if(boxes.cells.empty() && !budget.is_exhausted())
     return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
                                        get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));

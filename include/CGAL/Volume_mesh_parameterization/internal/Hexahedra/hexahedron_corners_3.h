@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
@@ -98,13 +99,27 @@ inline std::array<std::size_t, 4> vertices_of(const Hexahedron_soup_3& mesh, con
   return result;
 }
 
-// Which quadrangle of its hexahedron is a facet of the boundary?
+// Which quadrangle of its hexahedron is a facet of the boundary? One of six, or 6 if it is none.
 inline std::size_t side_of_facet(const Hexahedron_soup_3& mesh, const std::size_t f)
 {
   std::size_t side = 0;
-  while(vertices_of(mesh, { mesh.facet_cells[f], side }) != mesh.facets[f])
+  while(side < quadrangles_of_hexahedron.size() && vertices_of(mesh, { mesh.facet_cells[f], side }) != mesh.facets[f])
     ++side;
   return side;
+}
+
+// Throws `Input_error` if arrays do not fit together, so that who writes them may trust their indices.
+inline void check_hexahedra(const Hexahedron_soup_3& mesh)
+{
+  const std::size_t n = mesh.cells.size(), m = mesh.facets.size();
+  if(mesh.images.size() != mesh.points.size() || mesh.cell_blocks.size() != n || mesh.cell_indices.size() != n
+     || mesh.cell_references.size() != n || mesh.facet_cells.size() != m || mesh.facet_patches.size() != m)
+    throw Input_error("there is not one entry of each array per point, per hexahedron and per quadrangle");
+  for(std::size_t c = 0; c < n; ++c)
+    check_simplex(mesh.cells[c], mesh.points.size(), "hexahedron ", c);
+  for(std::size_t f = 0; f < m; ++f)
+    if(mesh.facet_cells[f] >= n || side_of_facet(mesh, f) == quadrangles_of_hexahedron.size())
+      throw Input_error(sentence("quadrangle ", f, " (counted from 0) is none of its hexahedron"));
 }
 
 // Those that belong to one hexahedron only.

@@ -22,18 +22,29 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;
 
-// Has the map a cell, and only finite coordinates at the vertices of cells?
+// Has the map a cell, and only finite coordinates at the vertices of cells, of a size for which numbers have room?
 inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
 {
   if(soup.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
+  check_simplices(soup);
   for(const std::array<std::size_t, 4>& cell : soup.cells)
     for(const std::size_t v : cell)
-      if(!to_vector(soup.points.at(v)).allFinite() || !to_vector(soup.images.at(v)).allFinite())
+      if(!to_vector(soup.points[v]).allFinite() || !to_vector(soup.images[v]).allFinite())
         return failed_check(ERROR_NON_FINITE_COORDINATE, "Point ", v, " has the coordinates ",
                             describe(to_vector(soup.points[v])), " and the image ", describe(to_vector(soup.images[v])),
                             ".");
-  return {};
+  Eigen::AlignedBox3d source, image;
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
+    for(const std::size_t v : cell)
+    {
+      source.extend(to_vector(soup.points[v]));
+      image.extend(to_vector(soup.images[v]));
+    }
+  if(source.sizes().isZero(0))
+    return failed_check(ERROR_INVERTED_SOURCE_CELL, "All points of the source coincide.");
+  const Input_check_3 check = check_size(source, "source");
+  return check.status == OK ? check_size(image, "images") : check;
 }
 
 // The preimages of points, in blocks between which the budget is asked; none at all once it is exhausted.

@@ -20,6 +20,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
+#include <cmath>
+#include <limits>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What is asked for, and with what means.
@@ -80,8 +83,12 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
     return limits.visitor().after_step(step);
   };
   const auto number_of_iterations = given(np, internal_np::number_of_iterations, 1000);
-  require(static_cast<double>(number_of_iterations) >= 0, "A number of iterations is not negative.");
-  Progress_3 progress(limits.budget(), static_cast<std::size_t>(number_of_iterations), after_step, communicator);
+  const double number = static_cast<double>(number_of_iterations);
+  require(number >= 0 && std::isfinite(number), "A number of iterations is finite and not negative.");
+  constexpr std::size_t largest = (std::numeric_limits<std::size_t>::max)();
+  Progress_3 progress(limits.budget(),
+                      number < static_cast<double>(largest) ? static_cast<std::size_t>(number_of_iterations) : largest,
+                      after_step, communicator);
 
   Map_options_3 options;
   options.mode = given(np, internal_np::boundary_mode, Boundary_mode::AUTO);
@@ -97,6 +104,10 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
     options.improve = &improve_map_3;
   require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
+  require(options.soft.weight > 0 && std::isfinite(options.soft.weight),
+          "The weight of a soft boundary is positive and finite.");
+  require(options.soft.weight_factor > 1 && std::isfinite(options.soft.weight_factor),
+          "The factor between the weights of a soft boundary is finite and larger than 1.");
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);

@@ -13,9 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <CGAL/Real_timer.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -68,7 +70,7 @@ public:
   explicit Limits(const NamedParameters& np)
     : m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), m_default)),
       m_seconds(given(np, internal_np::maximum_running_time, (std::numeric_limits<double>::infinity)()))
-  {}
+  { require(!std::isnan(m_seconds), "A limit of time is a number."); }
 
   Limits(const Limits&) = delete;
   Limits& operator=(const Limits&) = delete;

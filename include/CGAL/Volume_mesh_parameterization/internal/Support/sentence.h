@@ -35,11 +35,13 @@ std::string sentence(const Parts&... parts)
 inline std::string describe(const Eigen::Vector3d& point)
 { return sentence("(", point[0], ", ", point[1], ", ", point[2], ")"); }
 
-// A precondition that is cheap, so that it holds in programs compiled with NDEBUG, too. Nothing is printed.
-inline void require(const bool condition, const char* const message)
+// A precondition that is cheap, so that it holds in programs compiled with NDEBUG, too. Names the place of the call in the
+// exception; nothing is printed.
+inline void require(const bool condition, const char* const message, const char* const file = __builtin_FILE(),
+                    const int line = __builtin_LINE())
 {
   if(!condition)
-    throw Precondition_exception("CGAL::Volume_mesh_parameterization", "", "", 0, message);
+    throw Precondition_exception("CGAL::Volume_mesh_parameterization", "", file, line, message);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -49,12 +49,17 @@ void check_simplex(const std::array<std::size_t, N>& simplex, const std::size_t 
   }
 }
 
+inline void check_cells(const std::vector<std::array<std::size_t, 4> >& cells, const std::size_t number_of_points)
+{
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    check_simplex(cells[c], number_of_points, "cell ", c);
+}
+
 inline void check_simplices(const Tetrahedron_soup_3& soup)
 {
   if(soup.cell_references.size() != soup.cells.size() || soup.facet_references.size() != soup.facets.size())
     throw Input_error("there is not one reference per cell and per facet");
-  for(std::size_t c = 0; c < soup.cells.size(); ++c)
-    check_simplex(soup.cells[c], soup.points.size(), "cell ", c);
+  check_cells(soup.cells, soup.points.size());
   for(std::size_t f = 0; f < soup.facets.size(); ++f)
     check_simplex(soup.facets[f], soup.points.size(), "triangle ", f);
 }

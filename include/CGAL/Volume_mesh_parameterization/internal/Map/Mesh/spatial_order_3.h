@@ -27,7 +27,7 @@ void sort_in_space(const Iterator begin, const Iterator end, const std::vector<E
 {
   using Point_map = Pointer_property_map<Exact_point_3>::const_type;
   using Traits = Spatial_sort_traits_adapter_3<Exact_predicates_inexact_constructions_kernel, Point_map>;
-  hilbert_sort<ConcurrencyTag>(begin, end, Traits(make_property_map(points)));
+  hilbert_sort<ConcurrencyTag>(begin, end, Traits(make_property_map(points.data())));
 }
 
 // An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones

@@ -71,8 +71,13 @@ private:
                           [this] { return far_line_search_3(m_system, m_energy, m_iterate); });
   }
 
-  // The squared Newton decrement, which bounds what a step can gain, relative to the energy.
-  double relative_gain() const { return -m_iterate.direction.slope / (std::max)(m_scale, m_iterate.evaluation.energy); }
+  // The squared Newton decrement, which bounds what a step can gain, relative to the energy. Nothing is to be gained
+  // of an energy that is 0 everywhere.
+  double relative_gain() const
+  {
+    const double slope = m_iterate.direction.slope;
+    return slope == 0 ? 0 : -slope / (std::max)(m_scale, m_iterate.evaluation.energy);
+  }
 
   // Tighter as the minimum is near, so that the last step meets it (Eisenstat and Walker, Choosing the forcing terms in an
   // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).

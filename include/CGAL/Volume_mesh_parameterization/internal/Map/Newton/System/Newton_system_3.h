@@ -213,11 +213,13 @@ private:
     const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
     Newton_direction_3 result;
     result.gradient_norm = std::sqrt(dot(gradient, gradient));
-    result.status = is_factorized ? Linear_solver_status::SUCCESS : m_system->factorize();
+    const bool is_critical = result.gradient_norm == 0; // the matrix may be zero then, as that of a constant energy
+    result.status = is_critical || is_factorized ? Linear_solver_status::SUCCESS : m_system->factorize();
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
-    Eigen::VectorXd solution;
-    result.status = m_system->solve(-gradient, solution, tolerance, budget);
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(gradient.size());
+    if(!is_critical)
+      result.status = m_system->solve(-gradient, solution, tolerance, budget);
     if(result.is_exact() || result.status == Linear_solver_status::ITERATION_LIMIT)
     {
       result.slope = dot(gradient, solution);
