@@ -36,4 +36,16 @@
     <title>GPL</title>
     <filename>Manual/license.html</filename>
   </compound>
+  <compound kind="class">
+    <name>MeshComplex_3InTriangulation_3</name>
+    <filename>SMDS_3/classMeshComplex__3InTriangulation__3.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>MeshComplexWithFeatures_3InTriangulation_3</name>
+    <filename>SMDS_3/classMeshComplexWithFeatures__3InTriangulation__3.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>FaceListGraph</name>
+    <filename>BGL/classFaceListGraph.html</filename>
+  </compound>
 </tagfile>
