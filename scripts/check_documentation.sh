@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Fails unless the manual lists all that a user can name: named parameters, headers, examples, and options of the program.
+# Fails unless the manual lists all that a user can name, classes, functions, named parameters, examples, and options of the
+# program, and each class and overload of a function has a comment for Doxygen. With --list, each of them is printed.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -23,8 +24,36 @@ require()
 require "named parameter" "$headers/stretch_minimizing_volume_parameterization.h" < <(
   sed -n 's/^CGAL_add_named_parameter(.*, \(.*\))/cgalParamNBegin{\1}/p' \
     "$headers/STL_Extension/internal/parameters_interface.h")
-require "class or function of header" "$doc/PackageDescription.txt" < <(
-  cd "$headers" && ls ./*.h "$package"/*.h | xargs -n 1 basename | sed 's/\.h$//' | grep -v Parameterization_step)
+
+# Prints the header, the name, and 1 or 0 for with or without a comment, of each class and function in a public namespace.
+list_declarations()
+{
+  local header
+  for header in "$headers"/*.h "$headers/$package"/*.h "$headers/$package"/{IO,Arrays,Distributed}/*.h; do
+    awk -v header="${header#"$headers"/}" '
+      /^namespace (internal|.*::internal) / { is_internal = 1 }
+      /^} \/\/ namespace .*internal/        { is_internal = 0; next }
+      is_internal || /^ *\/\/[^\/]/         { next }
+      /^\/\*!/ || /^\/\/\//                 { is_documented = 1; is_comment = /^\/\*!/ }
+      /\*\/$/                               { is_comment = 0; next }
+      is_comment || /^\/\/\//               { next }
+      /^(class|struct|enum( class)?) [A-Za-z_0-9]+( .*)?[^;]?$/ { sub(/^enum class/, "enum"); print header, $2, is_documented + 0 }
+      /^[A-Za-z][A-Za-z_0-9:<>,&* ]*\(/ && !/^(template|typename|static_assert|explicit|friend|CGAL_)/ {
+        sub(/\(.*/, ""); sub(/.*[ &*]/, ""); print header, $0, is_documented + 0
+      }
+      /[;{}]$/ || /^$/                      { is_documented = 0 }
+    ' "$header"
+  done
+}
+
+if [ "${1:-}" = --list ]; then
+  list_declarations | awk '{ print $1, $2, $3 ? "is documented" : "is not documented" }'
+fi
+require "class or function" "$doc/PackageDescription.txt" < <(list_declarations | awk '{ print $2 }' | sort -u)
+while read -r header name; do
+  echo "$header: $name has no comment for Doxygen"
+  status=1
+done < <(list_declarations | awk '!$3 { print $1, $2 }')
 require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp parameterize_mesh_file/*.cpp | xargs -n 1 basename)
 require "option" "$doc/Parameterize_mesh_file.txt" < <(
   sed -n 's/^ *("\([a-z-]*\)[,"].*/`--\1/p' "$examples/parameterize_mesh_file/Command_line.h" | grep -v -e --source -e --target)

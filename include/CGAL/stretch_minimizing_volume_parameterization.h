@@ -24,7 +24,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted cell and a low
 distortion of angles and volumes. The map is linear on each cell and given by the images of the vertices.

@@ -17,7 +17,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 How a parameterization ended.
 
@@ -59,7 +59,7 @@ enum Error_code
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 returns a sentence that explains the code. The text is static: it need not be freed.
 */

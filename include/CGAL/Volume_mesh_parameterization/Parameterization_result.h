@@ -21,7 +21,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 The distortions \f$D = (D_{aa}, D_{ma}, D_{av}, D_{mv})\f$ of a map as in
 Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5: mean and maximum, over the cells, of the distortion of angles
@@ -40,7 +40,7 @@ struct Distortion_3
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 The worst shapes of tetrahedra, as simulations ask for them. Without a cell, none is a number.
 */
@@ -56,7 +56,7 @@ struct Cell_quality_3
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 What `CGAL::stretch_minimizing_volume_parameterization()` returns. Times are wall-clock times in seconds.
 */

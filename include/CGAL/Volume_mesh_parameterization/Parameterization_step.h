@@ -17,7 +17,7 @@
 
 namespace CGAL::Volume_mesh_parameterization {
 
-/// \ingroup PkgVolumeMeshParameterizationRef
+/// \ingroup PkgVolumeMeshParameterizationResults
 /// The phases of a parameterization. With soft boundary, all steps are minimization.
 enum class Phase
 {
@@ -26,7 +26,7 @@ enum class Phase
   MINIMIZATION ///< no cell is inverted, and the energy is minimized
 };
 
-/// \ingroup PkgVolumeMeshParameterizationRef
+/// \ingroup PkgVolumeMeshParameterizationResults
 /// What a step is.
 enum class Step_kind
 {
@@ -36,7 +36,7 @@ enum class Step_kind
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 What a visitor is told after each step: see the named parameter `visitor` of
 `CGAL::stretch_minimizing_volume_parameterization()`.
@@ -59,7 +59,7 @@ struct Parameterization_step
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 The default visitor, which does nothing.
 

@@ -20,7 +20,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 How a map meets its boundary: see the named parameter `boundary_mode` of
 `CGAL::stretch_minimizing_volume_parameterization()`.
@@ -33,7 +33,7 @@ enum class Boundary_mode
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 The parameters of the map with soft boundary, after section 4 of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}.
 The mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$, where
@@ -79,7 +79,7 @@ struct Soft_boundary_parameters
 };
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 returns parameters with one large weight that is never raised, for targets that are easy to reach.
 */
@@ -92,7 +92,7 @@ inline Soft_boundary_parameters single_weight_soft_boundary_parameters(const dou
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 returns parameters for a boundary that is to end exactly at its targets: a coarse minimization for each of many weights,
 until a minimization with fixed boundary can take over.
@@ -108,7 +108,7 @@ inline Soft_boundary_parameters approaching_soft_boundary_parameters()
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 A linear equation \f$\sum_k c_k \cdot u_{v_k} = p\f$ between the images of vertices: a row of the
 positional constraints \f$P(u) = C u - p = 0\f$ of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (7).

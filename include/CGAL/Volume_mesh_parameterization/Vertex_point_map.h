@@ -21,7 +21,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 A property map from vertices to points over an associative container, for boundary maps and for images. To read it
 never changes the container: a vertex that is missing has a point whose coordinates are not numbers, which

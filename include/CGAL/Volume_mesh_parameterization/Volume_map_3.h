@@ -46,7 +46,7 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
 } // namespace internal
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 evaluates a map that is linear on the cells of a tetrahedral mesh, and its inverse, at any points.
 

@@ -79,7 +79,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string place_of_boundary_error(con
 } // namespace internal
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 writes the vertices of the boundary of a complex, those that need a target: the vertices of facets with a cell of the
 complex on one side and none on the other. Each comes once, in the order of the cells.
@@ -106,7 +106,7 @@ OutputIterator boundary_vertices(const C3t3& c3t3, OutputIterator out)
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 returns the points on the boundary of a mesh that is given by arrays, as indices. Throws `Input_error` as
 `CGAL::stretch_minimizing_volume_parameterization()` does.
@@ -116,7 +116,7 @@ std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellR
 { return internal::surface_of(internal::body_of(points, cells)).vertices; }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 writes the vertices where the boundary of a complex is not a manifold: those at an edge of more than two of its
 facets, and those whose facets are not all joined by edges at the vertex. The models of `BoundaryParameterizer_3` refuse
@@ -144,7 +144,7 @@ OutputIterator non_manifold_boundary_vertices(const C3t3& c3t3, OutputIterator o
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 returns those points of a mesh that is given by arrays, as indices.
 */

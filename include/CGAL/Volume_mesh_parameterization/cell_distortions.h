@@ -24,7 +24,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 The distortions of one cell by a map with the differential \f$J\f$ there, as in `Distortion_3`. They have no unit; for
 inverted cells, where \f$\det J\f$ is negative, those of angles and volumes are not defined.
@@ -56,7 +56,7 @@ Cell_distortion_3 distortion_of_cell(const Source& source, const Image& image)
 } // namespace internal
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes the distortions of one cell of a complex, in constant time.
 
@@ -79,7 +79,7 @@ Cell_distortion_3 cell_distortion(const C3t3& c3t3, const typename C3t3::Cell_ha
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes the distortions of all cells of a mesh that is given by arrays, in linear time.
 

@@ -24,7 +24,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 A vertex that refinement has inserted into a complex, with the vertices of the edge, facet or cell
 it was inserted into. Up to rounding it lies at their centroid, so that the mean of values at these vertices
@@ -81,7 +81,7 @@ std::size_t tell_insertions(const std::vector<Insertion_3>& insertions, const Na
 } // namespace internal
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 refines a complex so that no interior edge, facet or cell has all its vertices on the boundary.
 
@@ -161,7 +161,7 @@ std::size_t make_parameterizable(C3t3& c3t3, const CGAL_NP_CLASS& np = parameter
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 refines a mesh that is given by arrays in the same way: the same points are inserted.
 
@@ -189,7 +189,7 @@ std::size_t make_parameterizable(PointRange& points, CellRange& cells,
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 refines a soup in the same way. New cells and marked facets have the references of those they come from.
 */

@@ -43,7 +43,7 @@ Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vec
 } // namespace internal
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 measures the distortions of any map of a complex that is linear on its cells, as
 `Parameterization_result::distortion` does for the result of a parameterization.
@@ -70,7 +70,7 @@ Distortion_3 measure_distortion(const C3t3& c3t3, const VertexUVWMap uvw_map)
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 measures the distortions of a map of a mesh that is given by arrays, in the same way.
 

@@ -18,7 +18,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 measures the shapes of tetrahedra that are given by arrays: the cells of a mesh, or, with images for the points, those of
 its image.
@@ -50,7 +50,7 @@ Cell_quality_3 measure_quality(const PointRange& points, const CellRange& cells)
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 measures the shapes of the cells of the image of a complex.
 

@@ -65,7 +65,7 @@ Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Tar
 namespace CGAL {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes the same map for those whose mesh is arrays, without a complex. Vertices are indices of points, counted from 0.
 The result is the same as through a complex, bit for bit, whose cells and vertices come in the same order.
@@ -119,7 +119,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes the same map for a soup. If it may be refined, new cells and marked facets have the references of those they come
 from.
