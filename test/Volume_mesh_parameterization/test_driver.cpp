@@ -9,6 +9,7 @@
 
 #include <pty.h>
 #include <signal.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -92,11 +93,14 @@ public:
   }
 
   // Runs the driver in this folder and returns its exit code.
-  int run(const std::string& arguments) const
+  int run(const std::string& arguments) const { return shell("\"$driver\" " + arguments); }
+
+  // Runs a command, in which "$driver" is the program.
+  int shell(const std::string& command) const
   {
-    const std::string command = "cd '" + m_path.string() + "' && '" PARAMETERIZE_MESH_FILE "' " + arguments
-      + " > stdout 2> stderr";
-    const int status = std::system(command.c_str());
+    const std::string line = "driver='" PARAMETERIZE_MESH_FILE "'; cd '" + m_path.string() + "' && { " + command
+      + "\n} > stdout 2> stderr";
+    const int status = std::system(line.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
@@ -135,7 +139,8 @@ public:
     return true;
   }
 
-  void interrupt() const { kill(m_process, SIGINT); }
+  void interrupt() const { send(SIGINT); }
+  void send(const int signal) const { kill(m_process, signal); }
 
   // Asks twice at once.
   void interrupt_and_terminate() const
@@ -1038,4 +1043,189 @@ TEST_CASE("The report never replaces what is not a regular file")
   fs::create_directory(folder.path("report.json"));
   CHECK(folder.run("source.mesh target.txt --report report.json") == 2);
   CHECK(fs::is_directory(folder.path("report.json")));
+}
+
+TEST_CASE("A link in the place of a temporary file leads nowhere")
+{
+  const Folder folder;
+  const Soup source = cube(1);
+  folder.write("source.mesh", source);
+  folder.write("other.txt", "of somebody else");
+  CHECK(folder.shell("sh -c 'ln -s other.txt map.mesh.$$.tmp && exec \"'$driver'\" source.mesh source.mesh -o map.mesh'") == 0);
+  CHECK(folder.text("other.txt") == "of somebody else");
+  CHECK(folder.soup("map.mesh").cells == source.cells);
+}
+
+TEST_CASE("A limit of the size of files ends in a sentence, and leaves nothing")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(3));
+  CHECK(folder.shell("ulimit -f 4; \"$driver\" source.mesh source.mesh -o map.mesh") == 2);
+  CHECK(folder.text("stderr").find("map.mesh: the file cannot be written completely: File too large") != std::string::npos);
+  CHECK(folder.names() == Names{"source.mesh"});
+}
+
+TEST_CASE("A terminal that is closed ends the program as an interruption does")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(20));
+  Soup target = cube(20);
+  for(Point& p : target.points)
+    p = { p[0] + 0.1 * p[1] * p[2] / 20, p[1], p[2] };
+  folder.write("target.mesh", target);
+  Terminal terminal(folder, "source.mesh target.mesh -o map.mesh");
+  CHECK(terminal.waits_for("minimizing (minimization), step 1"));
+  terminal.send(SIGHUP);
+  CHECK(terminal.exit_code() == 0);
+  CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh"});
+}
+
+TEST_CASE("An output keeps the mode of the file that it replaces, and may have the longest name")
+{
+  const Folder folder;
+  const std::string name = std::string(250, 'm') + ".mesh";
+  folder.write("source.mesh", cube(1));
+  const auto mode = [&] { return static_cast<unsigned>(fs::status(folder.path(name)).permissions()); };
+  CHECK(folder.shell("umask 027; \"$driver\" source.mesh source.mesh -o " + name) == 0);
+  CHECK(mode() == 0640);
+  fs::permissions(folder.path(name), static_cast<fs::perms>(0602));
+  CHECK(folder.shell("umask 027; \"$driver\" source.mesh source.mesh -o " + name) == 0);
+  CHECK(mode() == 0602);
+  CHECK(folder.run("source.mesh source.mesh -o m" + name) == 2);
+  CHECK(folder.text("stderr").find("the file cannot be written: File name too long") != std::string::npos);
+}
+
+TEST_CASE("A file that cannot be written after the map is told with the map")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(2));
+  for(const std::string arguments : { "--refined-source /dev/full", "--hexahedra 1 /dev/full" })
+  {
+    CAPTURE(arguments);
+    CHECK(folder.run("source.mesh source.mesh --report report.json -o map.mesh " + arguments) == 2);
+    CHECK(folder.text("stderr") == "The map is complete in map.mesh. /dev/full: this cannot be written completely: "
+                                   "No space left on device\n");
+    CHECK(folder.soup("map.mesh").cells == cube(2).cells);
+    const std::string report = folder.text("report.json");
+    CHECK(report.find("\"status_code\": \"ERROR_FILE_NOT_WRITTEN\", \"has_valid_map\": true") != std::string::npos);
+    CHECK(number(report, "cells") == 48);
+    fs::remove(folder.path("map.mesh"));
+  }
+}
+
+TEST_CASE("What is printed to a full device is an error")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(1));
+  for(const std::string arguments : { "--help", "--version", "source.mesh source.mesh" })
+  {
+    CHECK(folder.run(arguments + " > /dev/full") == 2);
+    CHECK(folder.text("stderr") == "the standard output cannot be written\n");
+  }
+  CHECK(folder.run("source.mesh source.mesh --quiet > /dev/full") == 0);
+}
+
+TEST_CASE("A stream has one role, whatever its names are")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(1));
+  REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+  fs::create_symlink("pipe", folder.path("other"));
+  for(const std::string arguments : {
+        "source.mesh source.mesh -o /dev/stdout --report /dev/fd/1", "source.mesh source.mesh -o - --report /proc/self/fd/1",
+        "source.mesh source.mesh -o pipe --report other", "source.mesh source.mesh -o map.mesh --report - > map.mesh"})
+  {
+    CAPTURE(arguments);
+    CHECK(folder.run(arguments) == 2);
+    CHECK(folder.text("stderr").find("this file has two roles") != std::string::npos);
+  }
+  CHECK(folder.run("- /dev/fd/0 < source.mesh") == 2);
+  CHECK(folder.text("stderr").find("this has two roles") != std::string::npos);
+  CHECK(folder.run("source.mesh source.mesh -o /dev/null --report /dev/null") == 0);
+}
+
+TEST_CASE("The standard input is read from where it stands, and may be a socket")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(2));
+  folder.write("source.txt", "a line of somebody else\n" + folder.text("source.mesh"));
+  CHECK(folder.shell("{ read line; \"$driver\" - source.mesh -o map.mesh; } < source.txt") == 0);
+  CHECK(folder.soup("map.mesh").cells == cube(2).cells);
+
+  int sockets[2];
+  REQUIRE(socketpair(AF_UNIX, SOCK_STREAM, 0, sockets) == 0);
+  const pid_t process = fork();
+  if(process == 0)
+  {
+    dup2(sockets[1], 0);
+    dup2(sockets[1], 1);
+    close(sockets[0]);
+    execl(PARAMETERIZE_MESH_FILE, "driver", "-", folder.path("source.mesh").c_str(), "--quiet", "-o", "-",
+          static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  close(sockets[1]);
+  const std::string mesh = folder.text("source.mesh");
+  CHECK(write(sockets[0], mesh.data(), mesh.size()) == static_cast<ssize_t>(mesh.size()));
+  shutdown(sockets[0], SHUT_WR);
+  std::string map;
+  for(char c; read(sockets[0], &c, 1) == 1;)
+    map += c;
+  close(sockets[0]);
+  int status = -1;
+  waitpid(process, &status, 0);
+  CHECK(status == 0);
+  CHECK(map == folder.text("map.mesh"));
+}
+
+TEST_CASE("The report is UTF-8, whatever the names of files are")
+{
+  const Folder folder;
+  const std::string good = "K\xC3\xB6rper.mesh", bad = "K\xF6rper\xED\xA0\x80.mesh";
+  folder.write(good, cube(1));
+  folder.write(bad, cube(1));
+  REQUIRE(folder.run("'" + good + "' '" + bad + "' --report report.json") == 0);
+  CHECK(folder.text("report.json").find("\"source\": \"" + good + "\"") != std::string::npos);
+  CHECK(folder.text("report.json").find("\"target\": \"K\\ufffdrper\\ufffd\\ufffd\\ufffd.mesh\"") != std::string::npos);
+}
+
+TEST_CASE("A pipe that nobody reads is given up at the time limit, and when interrupted")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(1));
+  REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
+  CHECK(folder.shell("timeout 60 \"$driver\" source.mesh source.mesh -o pipe --time-limit 1 --report report.json") == 3);
+  CHECK(folder.text("stderr")
+        == "No file is written. The time limit was reached. pipe: nobody reads this\n");
+  CHECK(folder.text("report.json").find("\"ERROR_INTERRUPTED\", \"has_valid_map\": true") != std::string::npos);
+  CHECK(folder.shell("timeout 60 \"$driver\" source.mesh none.mesh --time-limit 1 --report pipe") == 3);
+
+  Terminal terminal(folder, "source.mesh source.mesh -o pipe");
+  CHECK(terminal.waits_for("writing"));
+  terminal.interrupt();
+  CHECK(terminal.waits_for("Interrupted. pipe: nobody reads this"));
+  CHECK(terminal.exit_code() == 3);
+
+  // a reader that comes late gets all
+  CHECK(folder.shell("{ sleep 1; cat pipe; } > copy.mesh & \"$driver\" source.mesh source.mesh -o pipe; wait") == 0);
+  CHECK(folder.soup("copy.mesh").cells == cube(1).cells);
+}
+
+TEST_CASE("Where memory is limited, there is a map or a sentence")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(6));
+  std::set<int> codes;
+  for(int kilobytes = 20000, steps = 0; codes.count(0) == 0 && steps < 200; kilobytes += 1000, ++steps)
+  {
+    const std::string limit = "ulimit -v " + std::to_string(kilobytes) + "; \"$driver\" ";
+    if(folder.shell(limit + "--version") != 0) // libraries cannot be loaded
+      continue;
+    CAPTURE(kilobytes);
+    const int code = folder.shell(limit + "source.mesh source.mesh -o map.mesh");
+    CHECK((code == 0 || code == 3));
+    CHECK((code == 0 || folder.text("stderr") != ""));
+    codes.insert(code);
+  }
+  CHECK(codes == std::set<int>{0, 3});
 }

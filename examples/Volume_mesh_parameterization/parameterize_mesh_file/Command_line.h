@@ -19,9 +19,17 @@ struct Options
 {
   std::string source, target, domain, landmarks, output, refined_source, report, energy, solver, boundary;
   std::vector<std::string> hexahedra;
-  int number_of_threads, number_of_iterations;
+  int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
   bool do_refine, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
+};
+
+// The options of a program, and the text around them in its help.
+struct Command_line
+{
+  const char* name;
+  boost::program_options::options_description options;
+  const char *before, *after;
 };
 
 constexpr const char* help_before_options =
@@ -43,7 +51,7 @@ Exit status:
   1  no inverted cell, but the boundary is missed by the distance that is printed; try --refine
   2  bad input: the message names the file, line or vertex; no output is written
   3  no map without inverted cells was found; no output is written; try --refine
-  2 or 3 after the map is written: it has no hexahedra (--hexahedra), as the message says
+  2 or 3 after the map is written: another file is not, as the message says
 Ctrl-C and the time limit end the program in each of its parts. What is valid by then is written: this is 0, 1 or 3.
 Ctrl-C once more ends the program at once.
 
@@ -56,11 +64,44 @@ Examples:
       A pair of meshes with the same cells, for programs that show or use the map.
 )";
 
-// Refers to the members of `options`, which receive the values.
-inline boost::program_options::options_description describe(Options& options)
+namespace options_of_both_programs {
+
+constexpr unsigned width = 100; // of the help
+
+inline boost::program_options::options_description distortion(Options& options)
 {
   namespace po = boost::program_options;
-  const unsigned width = 100;
+  po::options_description result("Distortion", width);
+  result.add_options()
+    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
+     "what is minimized: stretch, symmetric_dirichlet, mips (angles only), arap, dirichlet, lscm or lpm")
+    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
+    ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
+     "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum");
+  return result;
+}
+
+inline void add_limits(boost::program_options::options_description& computation, Options& options)
+{
+  namespace po = boost::program_options;
+  computation.add_options()
+    ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
+     "largest number of Newton steps of each stage")
+    ("time-limit", po::value(&options.time_limit)->value_name("SECONDS")
+       ->default_value(std::numeric_limits<double>::infinity(), "none"),
+     "when the program ends, counted from its start; what is valid by then is written")
+    ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
+    ("version", "print the version")
+    ("help", "print this text");
+}
+
+} // namespace options_of_both_programs
+
+// Refers to the members of `options`, which receive the values.
+inline Command_line command_line(Options& options)
+{
+  namespace po = boost::program_options;
+  const unsigned width = options_of_both_programs::width;
 
   po::options_description files("Files", width);
   files.add_options()
@@ -88,13 +129,8 @@ inline boost::program_options::options_description describe(Options& options)
     ("slide", po::bool_switch(&options.do_slide),
      "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
 
-  po::options_description distortion("Distortion", width);
+  po::options_description distortion = options_of_both_programs::distortion(options);
   distortion.add_options()
-    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
-     "what is minimized: stretch, symmetric_dirichlet, mips (angles only), arap, dirichlet, lscm or lpm")
-    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
-    ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
-     "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum")
     ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
      "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2")
@@ -106,19 +142,12 @@ inline boost::program_options::options_description describe(Options& options)
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"),
      "cg: conjugate gradients; cholmod: a direct solver, if the program was built with CHOLMOD")
     ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1),
-     "number of threads, at most that of processors; they do not change the result")
-    ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
-     "largest number of Newton steps of each stage")
-    ("time-limit", po::value(&options.time_limit)->value_name("SECONDS")
-       ->default_value(std::numeric_limits<double>::infinity(), "none"),
-     "when the program ends, counted from its start; what is valid by then is written")
-    ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
-    ("version", "print the version")
-    ("help", "print this text");
+     "number of threads, at most that of processors; they do not change the result");
+  options_of_both_programs::add_limits(computation, options);
 
-  po::options_description visible(width);
-  visible.add(files).add(boundary).add(distortion).add(computation);
-  return visible;
+  po::options_description all(width);
+  all.add(files).add(boundary).add(distortion).add(computation);
+  return { "parameterize_mesh_file", all, help_before_options, help_after_options };
 }
 
 // No more than there are processors, where their number is known: more cost memory and time, and gain nothing.
@@ -130,12 +159,11 @@ inline std::size_t number_of_threads(const Options& options)
 }
 
 // False if only help or the version was asked for.
-inline bool parse(int argc, char* argv[], Options& options)
+inline bool parse(int argc, char* argv[], const Command_line& line, Options& options)
 {
   namespace po = boost::program_options;
-  const po::options_description visible = describe(options);
   po::options_description all;
-  all.add(visible).add_options()
+  all.add(line.options).add_options()
     ("source", po::value(&options.source))
     ("target", po::value(&options.target));
   po::positional_options_description positional;
@@ -146,12 +174,12 @@ inline bool parse(int argc, char* argv[], Options& options)
   po::notify(given);
   if(given.count("help") != 0)
   {
-    std::cout << help_before_options << visible << help_after_options;
+    std::cout << line.before << line.options << line.after;
     return false;
   }
   if(given.count("version") != 0)
   {
-    std::cout << "parameterize_mesh_file " << VOLUME_MESH_PARAMETERIZATION_VERSION << " (CGAL " << CGAL_VERSION_STR
+    std::cout << line.name << " " << VOLUME_MESH_PARAMETERIZATION_VERSION << " (CGAL " << CGAL_VERSION_STR
               << ")\n";
     return false;
   }

@@ -39,7 +39,7 @@ public:
     m_name = words[1];
     if(*end != '\0' || !(m_spacing > 0))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a positive number");
-    if(!Output_file::is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
+    if(!is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
       throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu nor with .inp");
   }
 
@@ -64,7 +64,7 @@ public:
         VMP::IO::write_INP(file.stream(), mesh);
       else
         VMP::IO::write_MEDIT(file.stream(), mesh);
-      file.commit();
+      file.commit(progress);
     }
     return result;
   }

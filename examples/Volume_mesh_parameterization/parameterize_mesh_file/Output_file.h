@@ -1,117 +1,123 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_OUTPUT_FILE_H
 
+#include "Progress_line.h"
+
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/open_file.h>
+
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
-// A file that appears under its name when it is complete, and never if `commit()` is not reached. One is written at a
-// time. A pipe or a terminal gets all when it is complete.
-class Output_file
+// Is it a pipe, a device, or an open file of this program, whatever this is? None of them can be replaced.
+inline bool is_stream(const std::string& name)
+{
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(name, ignored);
+  return CGAL::Volume_mesh_parameterization::internal::descriptor_of_name(name) >= 0 || std::filesystem::is_fifo(status)
+      || std::filesystem::is_character_file(status);
+}
+
+// Thrown where nobody takes what is written, and the time is over.
+struct Unread_output : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+// A pipe, a device, or an open file of this program, which gets a text.
+class Output_stream
 {
 public:
-  explicit Output_file(const std::string& name)
-    : m_path(path(name)), m_is_stream(is_stream(name))
+  Output_stream(const std::string& name, const Progress_line& progress) : m_name(name), m_progress(progress)
   {
-    if(m_is_stream)
-      return;
-    if(std::filesystem::exists(m_path) && !std::filesystem::is_regular_file(m_path))
-      throw std::runtime_error(name + ": this is neither a regular file nor a pipe");
-    m_temporary = m_path.string() + "." + std::to_string(getpid()) + ".tmp";
-    unfinished = m_temporary.c_str();
-    m_stream.open(m_temporary, std::ios::binary);
-    if(!m_stream)
-      throw std::runtime_error(name + ": the file cannot be written");
+    while((m_descriptor = CGAL::Volume_mesh_parameterization::internal::open_file(name, O_WRONLY | O_APPEND)) < 0
+          && errno == ENXIO) // a pipe that nobody reads yet
+      wait();
+    if(m_descriptor < 0)
+      fail();
   }
 
-  Output_file(const Output_file&) = delete;
-  Output_file& operator=(const Output_file&) = delete;
+  Output_stream(const Output_stream&) = delete;
+  Output_stream& operator=(const Output_stream&) = delete;
+  ~Output_stream() { close(m_descriptor); }
 
-  ~Output_file()
+  void write(std::string_view text)
   {
-    std::error_code ignored;
-    if(!m_is_stream)
-      std::filesystem::remove(m_temporary, ignored);
-    unfinished = nullptr;
-  }
-
-  // Is it a pipe, a terminal, or an open file of this program, whatever this is? None of them can be replaced.
-  static bool is_stream(const std::string& name)
-  {
-    std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(name, ignored);
-    for(const std::string folder : { "/dev/std", "/dev/fd/", "/proc/self/fd/" })
-      if(name.compare(0, folder.size(), folder) == 0)
-        return true;
-    return std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status);
-  }
-
-  // The place of a file behind symbolic links, also if nothing is there yet: the link stays.
-  static std::filesystem::path path(const std::string& name)
-  {
-    namespace fs = std::filesystem;
-    if(is_stream(name))
-      return name;
-    fs::path result = fs::absolute(name);
-    for(int number = 0; fs::is_symlink(result); ++number)
+    constexpr std::size_t chunk = 4096; // a pipe that can be written takes as much without waiting (PIPE_BUF)
+    while(!text.empty())
     {
-      if(number == 40) // as many as Linux follows
-        throw std::runtime_error(name + ": there are too many symbolic links");
-      result = result.parent_path() / fs::read_symlink(result);
+      pollfd state = { m_descriptor, POLLOUT, 0 };
+      const bool is_ready = poll(&state, 1, 0) > 0;
+      const ssize_t size = is_ready ? ::write(m_descriptor, text.data(), (std::min)(chunk, text.size())) : 0;
+      if(size < 0 && errno != EINTR && errno != EAGAIN)
+        fail();
+      if(size <= 0)
+      {
+        wait();
+        continue;
+      }
+      text.remove_prefix(static_cast<std::size_t>(size));
+      m_seconds_of_waiting = 0;
     }
-    return fs::weakly_canonical(result);
-  }
-
-  // For handlers of signals, before they end the program.
-  static void remove_unfinished()
-  {
-    if(unfinished != nullptr)
-      unlink(unfinished);
-  }
-
-  std::ostream& stream() { return m_is_stream ? static_cast<std::ostream&>(m_text) : m_stream; }
-
-  void commit()
-  {
-    if(m_is_stream)
-    {
-      write_text();
-      return;
-    }
-    m_stream.close();
-    if(!m_stream)
-      throw std::runtime_error(m_path.string() + ": the file cannot be written completely");
-    std::filesystem::rename(m_temporary, m_path);
   }
 
 private:
-  void write_text() const
+  // A little, as long as the program may; later, a reader has a second (a guess) for what is valid.
+  void wait()
   {
-    // where the standard output is a file, it goes on there
-    const int descriptor = m_path == "/dev/stdout" ? dup(STDOUT_FILENO) : open(m_path.c_str(), O_WRONLY | O_APPEND);
-    const std::string text = m_text.str();
-    std::size_t begin = 0;
-    for(ssize_t size = 0; descriptor >= 0 && begin < text.size() && size >= 0; begin += static_cast<std::size_t>(size))
-      if((size = write(descriptor, text.data() + begin, text.size() - begin)) < 0)
-        break;
-    if(descriptor < 0 || begin < text.size() || close(descriptor) != 0)
-      throw std::runtime_error(m_path.string() + ": this cannot be written completely");
+    constexpr int milliseconds = 20;
+    m_seconds_of_waiting += 1e-3 * milliseconds;
+    if(!m_progress.goes_on() && m_seconds_of_waiting > 1)
+      throw Unread_output(m_name + ": nobody reads this");
+    poll(nullptr, 0, milliseconds);
   }
 
-  static inline std::atomic<const char*> unfinished = nullptr; // without a lock, as in a handler it must be
+  [[noreturn]] void fail() const
+  { throw std::runtime_error(m_name + ": this cannot be written completely: " + std::strerror(errno)); }
 
-  std::filesystem::path m_path;
-  bool m_is_stream;
-  std::string m_temporary;
-  std::ofstream m_stream;
+  std::string m_name;
+  const Progress_line& m_progress;
+  int m_descriptor;
+  double m_seconds_of_waiting = 0;
+};
+
+// Gets all when it is complete, or nothing if `commit()` is not reached: a regular file, or a stream.
+class Output_file
+{
+public:
+  explicit Output_file(const std::string& name) : m_name(name)
+  {
+    if(!is_stream(name))
+      m_file.emplace(name);
+  }
+
+  std::ostream& stream() { return m_file ? m_file->stream() : m_text; }
+
+  void commit(const Progress_line& progress)
+  {
+    if(m_file)
+      m_file->commit();
+    else
+      Output_stream(m_name, progress).write(m_text.str());
+  }
+
+private:
+  std::string m_name;
+  std::optional<CGAL::Volume_mesh_parameterization::internal::Whole_file> m_file;
   std::ostringstream m_text; // for streams
 };
 

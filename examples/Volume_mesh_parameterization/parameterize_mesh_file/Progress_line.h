@@ -1,10 +1,9 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
 
-#include "Output_file.h"
-
 #include <CGAL/Real_timer.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
 
 #include <signal.h>
 #include <unistd.h>
@@ -18,7 +17,7 @@
 struct Interruption {};
 
 // Keeps one line of a terminal up to date, and ends all that takes it as a visitor when the time since its construction is
-// over, or when the user (Ctrl-C) or the system (SIGTERM) asks for it. Who asks twice ends the program.
+// over, or when the user (Ctrl-C, or a terminal that is closed) or the system (SIGTERM) asks for it. Who asks twice ends the program.
 class Progress_line
 {
 public:
@@ -26,10 +25,16 @@ public:
     : m_is_shown(is_shown && isatty(STDERR_FILENO) != 0), m_time_limit(time_limit)
   {
     m_timer.start();
+    signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error with a sentence,
+    signal(SIGXFSZ, SIG_IGN); // and so is a limit of the size of files
     struct sigaction action = {};
     action.sa_handler = request_end;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    struct sigaction before = {};
+    sigaction(SIGHUP, nullptr, &before);
+    if(before.sa_handler != SIG_IGN) // nohup
+      sigaction(SIGHUP, &action, nullptr);
   }
 
   // Says what comes next, unless it should not be begun.
@@ -78,7 +83,7 @@ private:
   {
     if(is_end_requested != 0)
     {
-      Output_file::remove_unfinished();
+      CGAL::Volume_mesh_parameterization::internal::Whole_file::remove_unfinished();
       signal(number, SIG_DFL);
       raise(number);
     }

@@ -92,8 +92,7 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
 }
 
 // Without a map, there is nothing to tell of bad input but the message and the options.
-inline void write_report(const Options& options, const Outcome& outcome,
-                         const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps)
+inline void write_report(const Options& options, const Outcome& outcome, const Progress_line& progress)
 {
   const CGAL::Volume_mesh_parameterization::Parameterization_result& result = outcome.result;
   JSON_object report;
@@ -107,12 +106,12 @@ inline void write_report(const Options& options, const Outcome& outcome,
     add(report, result);
     if(outcome.hexahedra)
       report.add("hexahedra", json(*outcome.hexahedra));
-    report.add("steps", json(steps)).add("peak_memory_bytes", peak_memory_bytes());
+    report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());
   }
 
   Output_file file(options.report);
   file.stream() << report.text() << "\n";
-  file.commit();
+  file.commit(progress);
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REPORT_H

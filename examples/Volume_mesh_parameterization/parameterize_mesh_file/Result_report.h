@@ -8,6 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 
 #include <iostream>
+#include <stdexcept>
 
 enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
@@ -23,6 +24,13 @@ inline Exit_code exit_code(const CGAL::Volume_mesh_parameterization::Parameteriz
     case VMP::ERROR_LINEAR_SOLVER_FAILED: return NOT_FLIP_FREE;
     default: return BAD_INPUT;
   }
+}
+
+// What is printed may go to a device that is full.
+inline void flush_standard_output()
+{
+  if(!std::cout.flush())
+    throw std::runtime_error("the standard output cannot be written");
 }
 
 inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Error_code code)

@@ -7,9 +7,11 @@
 #include "Named_choices.h"
 #include "Output_file.h"
 #include "boundary_targets_of.h"
+#include "check_roles.h"
+
+#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -29,41 +31,33 @@ inline void check_number_of_threads(const Options& options)
               << ", as many as there are processors" << std::endl;
 }
 
+inline std::vector<std::string> without_empty(std::vector<std::string> names)
+{
+  names.erase(std::remove(names.begin(), names.end(), ""), names.end());
+  return names;
+}
+
+inline std::vector<std::string> inputs(const Options& options)
+{ return without_empty({ options.source, options.target, options.landmarks }); }
+
 inline std::vector<std::string> outputs(const Options& options)
 {
-  return { options.output, options.refined_source, options.report, Hexahedra_file(options.hexahedra).name() };
+  return without_empty({ options.output, options.refined_source, options.report, Hexahedra_file(options.hexahedra).name() });
 }
 
 inline bool writes_to_standard_output(const Options& options)
 {
   const std::vector<std::string> names = outputs(options);
-  return std::count(names.begin(), names.end(), "/dev/stdout") > 0;
+  return std::any_of(names.begin(), names.end(), [](const std::string& name)
+    { return CGAL::Volume_mesh_parameterization::internal::descriptor_of_name(name) == STDOUT_FILENO; });
 }
 
 inline void check_files(const Options& options)
 {
-  namespace fs = std::filesystem;
-  if(!options.output.empty() && !Output_file::is_stream(options.output) && !is_mesh_name(options.output))
+  if(!options.output.empty() && !is_stream(options.output) && !is_mesh_name(options.output))
     throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu; "
                              "other formats can be made of both: meshio convert map.vtu map.OTHER");
-
-  for(const std::string& other : { options.target, options.landmarks })
-    if(options.source == other && Output_file::is_stream(other))
-      throw std::runtime_error(other + ": this has two roles, it can be read only once");
-  std::vector<fs::path> others = {Output_file::path(options.source)};
-  for(const std::string& other : { options.target, options.landmarks })
-    if(!other.empty())
-      others.push_back(Output_file::path(other));
-  for(const std::string& name : outputs(options))
-  {
-    if(name.empty())
-      continue;
-    const fs::path path = Output_file::path(name);
-    if(std::find(others.begin(), others.end(), path) != others.end())
-      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
-    others.push_back(path);
-    Output_file can_be_written(name);
-  }
+  check_roles(inputs(options), outputs(options));
 }
 
 inline void check(const Options& options)

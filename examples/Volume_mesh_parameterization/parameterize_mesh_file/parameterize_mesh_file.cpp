@@ -18,7 +18,6 @@
 #endif
 
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -63,26 +62,27 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Points& targets, const 
   return result;
 }
 
-void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh)
+void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, const Progress_line& progress)
 {
   Output_file file(filename);
   VMP::IO::write_MEDIT(file.stream(), mesh);
-  file.commit();
+  file.commit(progress);
 }
 
-void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw)
+void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw,
+               const Progress_line& progress)
 {
   if(std::filesystem::path(filename).extension() == ".vtu")
   {
     Output_file file(filename);
     VMP::IO::write_VTU(file.stream(), source, uvw);
-    file.commit();
+    file.commit(progress);
   }
   else
   {
     VMP::Tetrahedron_soup_3 image = source;
     image.points = uvw;
-    write_mesh(filename, image);
+    write_mesh(filename, image, progress);
   }
 }
 
@@ -112,10 +112,53 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
       ? " The hexahedra are valid, but better ones might have been found." : " There are no valid hexahedra yet."));
 }
 
+// Writes what there is of a map. Of a file that cannot be written, the outcome tells, and which others are there.
+void write_files(const Options& options, const Source& source, const Points& uvw, Progress_line& progress, Outcome& outcome)
+{
+  std::string written;
+  const auto fail = [&](const Exit_code exit_code, const char* status_code, const std::string& sentence)
+  {
+    outcome.exit_code = exit_code;
+    outcome.status_code = status_code;
+    outcome.result.message = (written.empty() ? "No file is written. "
+      : (outcome.result.status == VMP::OK ? "The map is complete" : outcome.result.message + " It is") + " in " + written + ". ") + sentence;
+  };
+  try
+  {
+    if(!options.output.empty())
+    {
+      write_map(options.output, source.as_in_file(), uvw, progress);
+      written = options.output;
+    }
+    if(!options.refined_source.empty())
+    {
+      write_mesh(options.refined_source, source.as_in_file(), progress);
+      written += (written.empty() ? "" : " and ") + options.refined_source;
+    }
+    if(!options.hexahedra.empty())
+      make_hexahedra(options, source.soup, uvw, progress, outcome);
+  }
+  catch(const Unread_output& error)
+  {
+    fail(NOT_FLIP_FREE, error_code_name(VMP::ERROR_INTERRUPTED), progress.reason() + std::string(" ") + error.what());
+  }
+  catch(const std::bad_alloc&)
+  {
+    fail(NOT_FLIP_FREE, "ERROR_OUT_OF_MEMORY", "There is not enough memory for the other files.");
+  }
+  catch(const std::exception& error)
+  {
+    fail(BAD_INPUT, "ERROR_FILE_NOT_WRITTEN", error.what());
+  }
+}
+
 Outcome run(const Options& options, Progress_line& progress)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, number_of_threads(options));
+  // never destroyed: where the limit ends, TBB starts a thread, and throws if there is no memory for that
+  static const auto* const limit = new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                                           number_of_threads(options));
+  CGAL_USE(limit);
 #endif
   progress.begin("reading " + options.source);
   Source source = read_source(options.source, progress);
@@ -136,21 +179,7 @@ Outcome run(const Options& options, Progress_line& progress)
   if(!result.has_valid_map)
     return outcome;
   progress.show("writing"); // also if the computation was interrupted
-  if(!options.output.empty())
-    write_map(options.output, source.as_in_file(), uvw);
-  if(!options.refined_source.empty())
-    write_mesh(options.refined_source, source.as_in_file());
-  try
-  {
-    if(!options.hexahedra.empty())
-      make_hexahedra(options, mesh, uvw, progress, outcome);
-  }
-  catch(const std::bad_alloc&)
-  {
-    outcome.exit_code = NOT_FLIP_FREE;
-    outcome.status_code = "ERROR_OUT_OF_MEMORY";
-    outcome.result.message = "The map is complete. There is not enough memory for the hexahedra.";
-  }
+  write_files(options, source, uvw, progress, outcome);
   return outcome;
 }
 
@@ -189,13 +218,15 @@ int main(int argc, char* argv[])
   try
   {
     Options options;
-    if(!parse(argc, argv, options))
+    if(!parse(argc, argv, command_line(options), options))
+    {
+      flush_standard_output();
       return SUCCESS;
+    }
     check(options);
     // what is written there must be all; what is printed goes to the standard error
     if(writes_to_standard_output(options))
       std::cout.rdbuf(std::cerr.rdbuf());
-    std::signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error with a sentence
 
     Progress_line progress(!options.is_quiet, options.time_limit);
     const Outcome outcome = run_and_catch(options, progress);
@@ -212,8 +243,14 @@ int main(int argc, char* argv[])
     if(outcome.exit_code == BOUNDARY_MISSED)
       std::cerr << "The boundary residual is " << result.boundary_residual << "." << std::endl;
     if(!options.report.empty())
-      write_report(options, outcome, progress.steps());
+      write_report(options, outcome, progress);
+    flush_standard_output();
     return outcome.exit_code;
+  }
+  catch(const Unread_output& error) // the report
+  {
+    std::cerr << error.what() << std::endl;
+    return NOT_FLIP_FREE;
   }
   catch(const std::exception& error)
   {

@@ -5,6 +5,7 @@
 #include "Output_file.h"
 #include "Progress_line.h"
 #include "Result_report.h"
+#include "check_roles.h"
 
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/distributed_volume_parameterization.h>
@@ -49,15 +50,49 @@ int number_of_processes()
   return result;
 }
 
-// The other options of parameterize_mesh_file are refused by name.
-void check_names(const int argc, char* argv[])
+constexpr const char* help_before =
+R"(Usage: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [options of PETSc, with one dash]
+
+Maps a tetrahedral mesh onto the boundary that TARGET tells, with several processes, without inverted or flat cells.
+
+  SOURCE.mesh  the mesh: a MEDIT file as text
+  TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
+               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates
+Each process reads a part of these files, hence they cannot be pipes.
+)";
+
+constexpr const char* help_after = R"(
+Exit status:
+  0  success: no inverted cell, and the boundary is met exactly
+  2  bad input: the message names the file, line or vertex; no output is written
+  3  no map without inverted cells was found; no output is written
+
+Example:
+  mpirun -n 4 parameterize_mesh_file_mpi cube.mesh cube_to_ball.txt --output ball.pvtu -ksp_rtol 1e-6
+)";
+
+Command_line distributed_command_line(Options& options)
 {
-  const std::vector<std::string> allowed = { "--output", "--report", "--energy", "--volume-weights", "--max-iterations",
-                                             "--time-limit", "--quiet", "--version", "--help" };
+  namespace po = boost::program_options;
+  po::options_description files("Files", options_of_both_programs::width);
+  files.add_options()
+    ("output", po::value(&options.output)->value_name("NAME.pvtu"),
+     "the source with the map and its distortion as data, in a file NAME_0.vtu, NAME_1.vtu, ... of each process")
+    ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
+  po::options_description computation("Computation", options_of_both_programs::width);
+  options_of_both_programs::add_limits(computation, options);
+  po::options_description all(options_of_both_programs::width);
+  all.add(files).add(options_of_both_programs::distortion(options)).add(computation);
+  return { "parameterize_mesh_file_mpi", all, help_before, help_after };
+}
+
+// The other options of parameterize_mesh_file are refused by name.
+void check_names(const int argc, char* argv[], const Command_line& line)
+{
   for(int i = 1; i < argc; ++i)
   {
     const std::string name = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-    if(name.substr(0, 2) == "--" && std::find(allowed.begin(), allowed.end(), name) == allowed.end())
+    if(name.substr(0, 2) == "--" && line.options.find_nothrow(name.substr(2), false) == nullptr)
       throw std::runtime_error(name + " is not for several processes, but for parameterize_mesh_file");
   }
 }
@@ -70,6 +105,7 @@ Result parameterize(const Options& options, const VMP::Distributed_tetrahedron_s
     return CGAL::stretch_minimizing_volume_parameterization(source, targets, uvw,
       params::energy(named_energy(options.energy))
         .use_volume_weights(options.use_volume_weights)
+        .energy_tolerance(options.energy_tolerance)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(std::ref(progress)));
   }
@@ -85,32 +121,26 @@ void check(const Options& options)
   named_energy(options.energy);
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
+  if(!(options.energy_tolerance >= 0))
+    throw std::runtime_error("the tolerance of the energy is negative");
   if(!(options.time_limit >= 0))
     throw std::runtime_error("the time limit is negative");
   if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu")
     throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
+  if(rank() != 0)
+    return;
   std::vector<std::string> outputs = { options.report, options.output };
+  outputs.erase(std::remove(outputs.begin(), outputs.end(), ""), outputs.end());
   for(int i = 0; i < number_of_processes() && !options.output.empty(); ++i)
     outputs.push_back(VMP::IO::name_of_piece(options.output, i));
-  std::vector<fs::path> others = { fs::weakly_canonical(options.source), fs::weakly_canonical(options.target) };
-  for(const std::string& name : outputs)
-  {
-    if(name.empty() || rank() != 0)
-      continue;
-    const fs::path path = fs::weakly_canonical(name);
-    if(std::find(others.begin(), others.end(), path) != others.end())
-      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
-    others.push_back(path);
-    Output_file can_be_written(name);
-  }
+  check_roles({ options.source, options.target }, outputs);
 }
 
 // The map, if the reading has come to its end.
-Exit_code run(const Options& options, Result& result)
+Exit_code run(const Options& options, Progress_line& progress, Result& result)
 {
   VMP::Distributed_tetrahedron_soup_3 source;
   Points targets, uvw;
-  Progress_line progress(!options.is_quiet && rank() == 0, options.time_limit);
   const auto limits = params::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
   result.status = VMP::IO::read_MEDIT(options.source, source, limits);
   if(result.status == VMP::OK)
@@ -129,11 +159,11 @@ Exit_code run(const Options& options, Result& result)
 }
 
 // The same, with what is thrown, in all processes, as a message of the result.
-Exit_code run_and_catch(const Options& options, Result& result)
+Exit_code run_and_catch(const Options& options, Progress_line& progress, Result& result)
 {
   try
   {
-    return run(options, result);
+    return run(options, progress, result);
   }
   catch(const std::bad_alloc&)
   {
@@ -156,7 +186,7 @@ std::vector<double> of_processes(const double x)
 }
 
 // Of bad input there is nothing to tell but the message.
-void write_report(const std::string& filename, const Result& result, const Exit_code code)
+void write_report(const std::string& filename, const Result& result, const Exit_code code, const Progress_line& progress)
 {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
@@ -173,7 +203,7 @@ void write_report(const std::string& filename, const Result& result, const Exit_
     return;
   Output_file file(filename);
   file.stream() << report.text() << "\n";
-  file.commit();
+  file.commit(progress);
 }
 
 // Rank 0 speaks, and decides about the options.
@@ -184,14 +214,13 @@ int run(const int argc, char* argv[])
   bool goes_on = false;
   try
   {
-    check_names(argc, argv);
-    goes_on = parse(argc, argv, options);
+    const Command_line line = distributed_command_line(options);
+    check_names(argc, argv, line);
+    goes_on = parse(argc, argv, line, options);
     if(goes_on)
       check(options);
-    else
-      std::cout << "\nSeveral processes: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options]\n"
-                   "with --output NAME.pvtu, --report, --energy, --volume-weights, --max-iterations, --time-limit and\n"
-                   "--quiet, and options of PETSc, which have one dash and come last.\n";
+    else if(rank() == 0)
+      flush_standard_output();
   }
   catch(const std::exception& error)
   {
@@ -202,13 +231,14 @@ int run(const int argc, char* argv[])
   if(code == SUCCESS && goes_on)
   {
     Result result;
-    code = run_and_catch(options, result);
+    Progress_line progress(!options.is_quiet && rank() == 0, options.time_limit);
+    code = run_and_catch(options, progress, result);
     if(code != SUCCESS || result.status != VMP::OK)
       message = result.message;
     try
     {
       if(!options.report.empty())
-        write_report(options.report, result, static_cast<Exit_code>(code));
+        write_report(options.report, result, static_cast<Exit_code>(code), progress);
     }
     catch(const std::exception& error) // of rank 0, after all communication
     {

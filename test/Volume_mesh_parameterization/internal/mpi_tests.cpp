@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <limits>
@@ -381,19 +382,28 @@ TEST_CASE("each process reads a part of the files")
 
   Points images;
   CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, slice, images).status == VMP::OK);
-  const std::string name = "mpi_" + std::to_string(size()) + "_out";
+  const std::string name = "mpi_" + std::to_string(size()) + "_<out> & \"in\"";
+  const std::string victim = "mpi_" + std::to_string(size()) + "_victim.txt", link = name + "_0.vtu.tmp";
+  if(rank() == 0) // what may stand in the place of a temporary file
+  {
+    std::ofstream(victim) << "of somebody else";
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(victim, link);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
   VMP::IO::write_PVTU(name + ".pvtu", soup, images);
+  CHECK(text_of(victim) == "of somebody else");
   const std::string pvtu = text_of(name + ".pvtu");
   std::size_t number_of_cells = 0;
   for(int i = 0; i < size(); ++i)
   {
-    CHECK(pvtu.find(name + "_" + std::to_string(i) + ".vtu") != std::string::npos);
+    CHECK(pvtu.find("<Piece Source=\"mpi_" + std::to_string(size()) + "_&lt;out> &amp; &quot;in&quot;_" + std::to_string(i)
+                    + ".vtu\"/>") != std::string::npos);
     const std::string vtu = text_of(name + "_" + std::to_string(i) + ".vtu");
     number_of_cells += std::stoul(vtu.substr(vtu.find("NumberOfCells=\"") + 15));
   }
   CHECK(number_of_cells == expected.soup.cells.size());
   CHECK_THROWS_AS(VMP::IO::write_PVTU("no/such/folder.pvtu", soup, images), std::runtime_error);
-  CHECK(text_of(name + "_0.vtu.tmp").empty());
 }
 
 TEST_CASE("what can be read does not depend on where a file is cut")

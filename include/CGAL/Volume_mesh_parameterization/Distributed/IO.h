@@ -16,6 +16,9 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
+
+#include <optional>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
@@ -126,6 +129,14 @@ inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator
             communicator.sum(volume(piece.cells, images)) / communicator.sum(volume(piece.cells, piece.points)));
 }
 
+inline std::string in_quotes_of_XML(const std::string& text)
+{
+  std::string result;
+  for(const char c : text)
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  return result;
+}
+
 // Names the pieces and their arrays.
 inline void write_PVTU(std::ostream& os, const std::vector<std::string>& pieces)
 {
@@ -139,7 +150,7 @@ inline void write_PVTU(std::ostream& os, const std::vector<std::string>& pieces)
     os << "<PDataArray type=\"Float64\" Name=\"" << name << "\"/>\n";
   os << "</PCellData>\n";
   for(const std::string& piece : pieces)
-    os << "<Piece Source=\"" << std::filesystem::path(piece).filename().string() << "\"/>\n";
+    os << "<Piece Source=\"" << in_quotes_of_XML(std::filesystem::path(piece).filename().string()) << "\"/>\n";
   os << "</PUnstructuredGrid>\n</VTKFile>\n";
 }
 
@@ -228,38 +239,27 @@ inline void write_PVTU(const std::string& filename, const Distributed_tetrahedro
                        const std::vector<std::array<double, 3> >& uvw)
 {
   const internal::MPI_communicator_3 communicator(soup.communicator);
-  std::vector<std::string> pieces, names; // of all processes, and what this one writes
+  std::vector<std::string> pieces; // of all processes
   for(int rank = 0; rank < communicator.size(); ++rank)
     pieces.push_back(name_of_piece(filename, rank));
-  try
+  communicator.together([&]()
   {
-    communicator.together([&]()
+    internal::Whole_file piece(pieces[communicator.rank()]);
+    internal::write_piece(piece.stream(), communicator, soup, uvw);
+    piece.complete();
+    std::optional<internal::Whole_file> list;
+    if(communicator.rank() == 0)
     {
-      const auto write = [&](const std::string& name, const auto& write_to)
-      {
-        names.push_back(name);
-        std::ofstream os(name + ".tmp", std::ios::binary);
-        write_to(os);
-        os.close();
-        if(!os)
-          throw std::runtime_error(name + ": the file cannot be written completely");
-      };
-      write(pieces[communicator.rank()], [&](std::ostream& os) { internal::write_piece(os, communicator, soup, uvw); });
-      if(communicator.rank() == 0)
-        write(filename, [&](std::ostream& os) { internal::write_PVTU(os, pieces); });
-      communicator.synchronize();
-      for(const std::string& name : names)
-        std::filesystem::rename(name + ".tmp", name);
-      return 0;
-    });
-  }
-  catch(...)
-  {
-    std::error_code ignored;
-    for(const std::string& name : names)
-      std::filesystem::remove(name + ".tmp", ignored);
-    throw;
-  }
+      list.emplace(filename);
+      internal::write_PVTU(list->stream(), pieces);
+      list->complete();
+    }
+    communicator.synchronize();
+    piece.commit();
+    if(list)
+      list->commit();
+    return 0;
+  });
 }
 
 } // namespace IO

@@ -16,9 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #ifndef _WIN32
-#  include <fcntl.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/IO/open_file.h>
 #  include <poll.h>
-#  include <unistd.h>
 #  include <cerrno>
 #endif
 
@@ -85,7 +84,7 @@ inline std::string read_file(const std::string& filename, const Budget& budget)
   {
     const int descriptor;
     ~File() { close(descriptor); }
-  } const file = { open(filename.c_str(), O_RDONLY | O_NONBLOCK) };
+  } const file = { open_file(filename, O_RDONLY) };
   if(file.descriptor < 0)
     throw Input_error("the file cannot be opened");
   constexpr int milliseconds = 50;

@@ -1,0 +1,65 @@
+// No file may be read and written, or written twice.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_ROLES_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_ROLES_H
+
+#include "Output_file.h"
+
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+// Do two names stand for one file? What is not there yet has only its name.
+inline bool is_same_file(const std::string& a, const std::string& b)
+{
+  struct stat s, t;
+  const bool is_a_there = stat(a.c_str(), &s) == 0, is_b_there = stat(b.c_str(), &t) == 0;
+  if(is_a_there && is_b_there)
+    return s.st_dev == t.st_dev && s.st_ino == t.st_ino;
+  const auto path = [](const std::string& name)
+  {
+    std::error_code ignored;
+    return std::filesystem::weakly_canonical(
+      std::filesystem::absolute(CGAL::Volume_mesh_parameterization::internal::path_behind_links(name)), ignored);
+  };
+  return is_a_there == is_b_there && path(a) == path(b);
+}
+
+// A socket or a terminal has a way in and a way out.
+inline bool has_two_ways(const std::string& name)
+{
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(name, ignored);
+  return std::filesystem::is_socket(status) || std::filesystem::is_character_file(status);
+}
+
+// Without empty names, which stand for no file.
+inline void check_roles(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs)
+{
+  for(std::size_t i = 0; i < inputs.size(); ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(is_stream(inputs[i]) && is_stream(inputs[j]) && is_same_file(inputs[i], inputs[j]))
+        throw std::runtime_error(inputs[i] + ": this has two roles, it can be read only once");
+
+  for(std::size_t i = 0; i < outputs.size(); ++i)
+  {
+    const std::string& name = outputs[i];
+    if(is_same_file(name, "/dev/null"))
+      continue;
+    bool is_used = false;
+    for(const std::string& input : inputs)
+      is_used = is_used || (is_same_file(input, name) && !has_two_ways(name));
+    for(std::size_t j = 0; j < i; ++j)
+      is_used = is_used || is_same_file(outputs[j], name);
+    if(is_used)
+      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+    Output_file can_be_written(name);
+  }
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_ROLES_H
