@@ -45,7 +45,7 @@ from a polycube, the more distorted is the map, and the less certain that labels
 
 Unless labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13} : those of
 facets, of small regions and of charts are changed as long as that lowers the cost. Where opposite directions would be
-neighbours, another one is put between them. Charts that no polycube can have, and their neighbours, get other
+neighbors, another one is put between them. Charts that no polycube can have, and their neighbors, get other
 labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
 the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the
 mean square of the logarithms of the singular values. If its map is not valid, the next one is taken. If there

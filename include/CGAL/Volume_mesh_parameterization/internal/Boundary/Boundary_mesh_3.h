@@ -34,7 +34,7 @@ using Boundary_point_2 = Boundary_kernel::Point_2;
 using Boundary_point_3 = Boundary_kernel::Point_3;
 using Boundary_mesh_3 = Surface_mesh<Boundary_point_3>;
 
-// The surface with its neighbourhoods; the mesh is complete only if it is a closed manifold.
+// Builds the surface with its neighborhoods. The mesh is complete only if OK is returned: the surface is a closed manifold.
 template <typename Surface>
 Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
 {
@@ -66,7 +66,7 @@ inline Eigen::AlignedBox3d bounding_box(const Boundary_mesh_3& mesh)
   return box;
 }
 
-// The points of the surface, moved and scaled such that the longest side of their bounding box is 1.
+// Returns the points of the surface, moved and scaled such that the longest side of their bounding box is 1.
 inline std::vector<Eigen::Vector3d> unit_points(const Boundary_mesh_3& mesh)
 {
   const Eigen::AlignedBox3d box = bounding_box(mesh);
@@ -82,7 +82,7 @@ inline void set_points(Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>
     mesh.point(v) = Boundary_point_3(points[v][0], points[v][1], points[v][2]);
 }
 
-// Is the closed surface a topological sphere?
+// Returns OK if the closed surface is a topological sphere, or else what it is instead.
 template <typename Mesh>
 Error_code check_sphere(const Mesh& mesh)
 {

@@ -17,8 +17,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The functions of all models of `BoundaryParameterizer_3`: `Model::map(surface, given, images, budget)` finds the images.
-// What the user has given for this boundary is a `Model::Given`, by default without a value.
+// Base of all models of `BoundaryParameterizer_3`: `Model::map(surface, given, images, budget)` finds the images. The
+// parameters of a call, corners for instance, are a `Model::Given`, by default without a value.
 template <typename Model>
 class Boundary_parameterizer_base_3
 {
@@ -46,7 +46,7 @@ protected:
     { put(target, body.vertices[v], Point_3(image[0], image[1], image[2])); });
   }
 
-  // Of points inside, coordinates that are not numbers.
+  // Assigns coordinates that are not numbers to points inside, which have no image.
   template <typename TargetRange, typename NamedParameters, typename Given>
   Error_code parameterize_arrays(const Body_3& body, TargetRange& targets, const NamedParameters& np,
                                  const Given& given) const
@@ -62,8 +62,8 @@ protected:
   }
 
 private:
-  // Calls `write(point, image)` for each point on the boundary, only if all succeeds. What `map()` returns does not matter
-  // once the budget is exhausted.
+  // Calls `write(point, image)` for each point on the boundary, only if all succeeds. Once the budget is exhausted, the
+  // answer of `map()` does not matter.
   template <typename NamedParameters, typename Given, typename Write>
   Error_code parameterize_body(const Body_3& body, const NamedParameters& np, const Given& given, const Write& write) const
   {

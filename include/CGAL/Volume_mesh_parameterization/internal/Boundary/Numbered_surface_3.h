@@ -20,14 +20,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The boundary of a body as plain arrays: the seam between complexes of any type and maps of their boundaries, which are
+// Boundary of a body as plain arrays: the seam between complexes of any type and maps of their boundaries, which are
 // compiled once.
 struct Numbered_surface_3
 {
   std::vector<Eigen::Vector3d> points;
-  std::vector<std::array<std::size_t, 3> > facets; // vertices counterclockwise as seen from outside
-  std::vector<std::size_t> vertices;               // the points of the body, each once, in the order of the facets
-  const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // of the body, by its points
+  std::vector<std::array<std::size_t, 3> > facets; // counterclockwise as seen from outside
+  std::vector<std::size_t> vertices;               // points of the body, each once, in the order of the facets
+  const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // cells of the body, by its points
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

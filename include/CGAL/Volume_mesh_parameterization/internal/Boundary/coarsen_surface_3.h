@@ -21,18 +21,17 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Is it among them?
 inline bool contains(const std::vector<int>& vertices, const int v)
 { return std::find(vertices.begin(), vertices.end(), v) != vertices.end(); }
 
-// A vertex that was collapsed onto the first vertex of its ring.
+// Vertex that was collapsed onto the first vertex of its ring.
 struct Removed_vertex
 {
   int vertex;
   std::vector<int> ring;
 };
 
-// A closed triangulated surface as the neighbours of each vertex, counterclockwise as seen from outside.
+// Closed triangulated surface as the neighbors of each vertex, counterclockwise as seen from outside.
 class Vertex_rings_3
 {
 public:
@@ -48,10 +47,10 @@ public:
 
   int number_of_vertices() const { return static_cast<int>(m_rings.size()); }
 
-  // Empty for a removed vertex.
+  // Returns the neighbors of a vertex; none if it is removed.
   const std::vector<int>& operator[](const int v) const { return m_rings[v]; }
 
-  // May v be collapsed onto its neighbour u, with the surface remaining a manifold? (Link condition.)
+  // Tells by the link condition whether the surface remains a manifold if v is collapsed onto its neighbor u.
   bool is_collapsible(const int v, const int u) const
   {
     return std::count_if(m_rings[v].begin(), m_rings[v].end(), [&](const int w) { return contains(m_rings[u], w); }) == 2;
@@ -72,7 +71,7 @@ public:
     return { v, ring };
   }
 
-  // Undoes a collapse; the last one first.
+  // Undoes a collapse. Collapses are undone in reverse order, as the rings are those right after each.
   void insert(const Removed_vertex& removed)
   {
     const int v = removed.vertex;
@@ -91,13 +90,13 @@ public:
   }
 
 private:
-  std::vector<int>::iterator begin_at(const int v, const int neighbour)
-  { return std::find(m_rings[v].begin(), m_rings[v].end(), neighbour); }
+  std::vector<int>::iterator begin_at(const int v, const int neighbor)
+  { return std::find(m_rings[v].begin(), m_rings[v].end(), neighbor); }
 
   std::vector<std::vector<int> > m_rings;
 };
 
-// A way to remove a vertex; the cost is the largest squared length of an edge of the triangles that fill the hole.
+// Collapse of a vertex. Its cost is the largest squared length of an edge of the triangles that fill the hole.
 struct Collapse
 {
   int from, to;
@@ -131,9 +130,8 @@ inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& ri
   return collapses;
 }
 
-// The vertices removed from a triangulated sphere until a tetrahedron remains, level by level.
-// Collapses of one level do not touch each other. As long as there are more than four vertices one can be collapsed.
-// Ends early if the budget does.
+// Removes vertices from a triangulated sphere until a tetrahedron remains, and returns them level by level. Collapses of one
+// level do not touch each other. While there are more than four vertices, one can be collapsed. Ends early if the budget does.
 inline std::vector<std::vector<Removed_vertex> > coarsen_surface_3(Vertex_rings_3& rings,
                                                                    const std::vector<Eigen::Vector3d>& points,
                                                                    const Budget& budget)

@@ -22,8 +22,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end,
-// which is infinite for vertices that the path may not touch; that of the target does not matter.
+// Returns the shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end, which
+// is infinite for vertices that the path may not touch; the cost of the target does not matter.
 inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
                                                const int source, const int target, const std::vector<double>& costs,
                                                const Budget& budget)
@@ -62,7 +62,7 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
   return path;
 }
 
-// Bit a of the number of a corner of the cube tells on which of the two sides it is along axis a.
+// Returns on which side of the cube a corner is along an axis a: bit a of its number tells.
 inline int side_of_corner(const int corner, const int axis) { return (corner >> axis & 1) ? 1 : -1; }
 
 inline std::array<int, 8> mirrored(std::array<int, 8> corners)
@@ -74,7 +74,7 @@ inline std::array<int, 8> mirrored(std::array<int, 8> corners)
 
 struct Cube_edge_3
 {
-  int corner; // on the negative side along the axis
+  int corner; // the end on the negative side along the axis
   int axis;
 
   int other_corner() const { return corner + (1 << axis); }
@@ -91,7 +91,7 @@ inline std::array<Cube_edge_3, 12> cube_edges()
   return edges;
 }
 
-// The axis of the edge that follows around a corner, counterclockwise as seen from outside.
+// Returns the axis of the edge that follows around a corner, counterclockwise as seen from outside.
 inline int next_axis_around_corner(const int corner, const int axis)
 {
   const bool is_direct = side_of_corner(corner, 0) * side_of_corner(corner, 1) * side_of_corner(corner, 2) > 0;
@@ -100,13 +100,13 @@ inline int next_axis_around_corner(const int corner, const int axis)
 
 // Finds disjoint paths along edges of a triangulated sphere that join eight of its vertices like the edges of a cube.
 //
-// The paths are shortest paths, found one after the other, for the distances of the points given. They respect
-// the cyclic order of the edges around the corners, and those of a spanning tree come first: then no path
-// separates the ends of a later one (Praun, Sweldens, Schroeder, Consistent mesh parameterizations, 2001).
-// Earlier paths may nevertheless use up the vertices that a later one needs. Therefore paths keep away from each other
-// and from the corners, and if one is not found, all are found again in another order.
+// The paths are shortest paths between the points, found one after the other. The paths respect the cyclic order of the
+// edges around the corners, and a spanning tree comes first: then no path separates the ends of a later one (Praun,
+// Sweldens, Schroeder, Consistent mesh parameterizations, 2001). Earlier paths may nevertheless use up the vertices that a
+// later one needs. Therefore paths keep away from each other and from the corners, and if one is not found, all are found
+// again in another order.
 //
-// No edge of the surface joins two vertices of a path that do not follow each other: they are shortened.
+// Paths are shortened until no edge of the surface joins two of their vertices that do not follow each other.
 class Cube_edge_router_3
 {
 public:
@@ -130,7 +130,7 @@ public:
 
   const Cube_edge_3& edge(const std::size_t i) const { return m_edges[i]; }
 
-  // The vertices from `corner` to `other_corner()` of the i-th edge.
+  // Returns the vertices from `corner` to `other_corner()` of the i-th edge.
   const std::vector<int>& path(const std::size_t i) const { return m_paths[i]; }
 
 private:
@@ -186,8 +186,8 @@ private:
     return true;
   }
 
-  // The neighbours of a corner by which the path along an axis may leave it, such that the cyclic order is right
-  // and a neighbour remains for each path that is missing.
+  // Returns the neighbors of a corner by which the path along an axis may leave it, such that the cyclic order is right and a
+  // neighbor remains for each path that is missing.
   std::vector<int> admissible_exits(const int corner, const int axis) const
   {
     const int after = next_axis_around_corner(corner, axis);
@@ -213,12 +213,12 @@ private:
       return {};
 
     std::vector<double> costs = costs_of_vertices(source, target);
-    forbid_other_neighbours(source, source_exits, costs);
-    forbid_other_neighbours(target, target_exits, costs);
+    forbid_other_neighbors(source, source_exits, costs);
+    forbid_other_neighbors(target, target_exits, costs);
     return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs, m_budget));
   }
 
-  // Makes it expensive to pass by other paths, and even more to pass by other corners, which need their neighbours.
+  // Returns costs that are high beside other paths, and higher beside other corners, which need their neighbors.
   std::vector<double> costs_of_vertices(const int source, const int target) const
   {
     std::vector<double> costs(m_points.size(), 1.);
@@ -236,8 +236,8 @@ private:
     return costs;
   }
 
-  // Neighbours of the end of a path that it may not take first must not follow later: the edge would be a chord.
-  void forbid_other_neighbours(const int end, const std::vector<int>& exits, std::vector<double>& costs) const
+  // Forbids the neighbors of the end of a path that are no exits: later on the path, their edge would be a chord.
+  void forbid_other_neighbors(const int end, const std::vector<int>& exits, std::vector<double>& costs) const
   {
     for(const int v : m_rings[end])
       if(!contains(exits, v))
@@ -265,7 +265,7 @@ private:
   const Budget& m_budget;
   std::array<Cube_edge_3, 12> m_edges;
   std::array<std::vector<int>, 12> m_paths;
-  std::array<std::array<int, 3>, 8> m_exits; // the second vertex of the paths found, by corner and axis, or -1
+  std::array<std::array<int, 3>, 8> m_exits; // second vertex of the paths found, by corner and axis, or -1
   std::vector<bool> m_is_used;
 };
 

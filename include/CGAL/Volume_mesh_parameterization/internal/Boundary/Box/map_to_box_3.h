@@ -21,7 +21,7 @@
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
 #  include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 #  include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #  include <CGAL/number_utils.h>
@@ -33,7 +33,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a topological sphere onto the boundary of a box around the origin. The corners are chosen if they are not given.
+// Maps a topological sphere onto the boundary of a box around the origin. Without corners, eight vertices are chosen.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
                         const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
@@ -41,7 +41,7 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
-// The points, moved and scaled such that their bounding box becomes the cube [-1, 1]^3.
+// Returns the points, moved and scaled such that their bounding box becomes the cube [-1, 1]^3.
 inline std::vector<Eigen::Vector3d> in_bounding_cube(std::vector<Eigen::Vector3d> points)
 {
   Eigen::AlignedBox3d box;
@@ -53,9 +53,9 @@ inline std::vector<Eigen::Vector3d> in_bounding_cube(std::vector<Eigen::Vector3d
   return points;
 }
 
-// The corner with positive coordinates of the box in the sphere whose faces, seen from the centre, have solid
-// angles in the ratio of the areas of the given box. In the unit sphere the angle of the face that is normal to
-// the third axis of a box with corner (a, b, c) is 4 atan(a b / c), and so on.
+// Returns the corner with positive coordinates of the box in the unit sphere whose faces, seen from the center, have solid
+// angles in the ratio of the areas of another box. The angle of the face normal to the third axis of a box with corner
+// (a, b, c) is 4 atan(a b / c).
 inline Eigen::Vector3d corner_on_sphere(const Eigen::Vector3d& half_lengths)
 {
   const Eigen::Vector3d areas = half_lengths.minCoeff() * half_lengths.cwiseInverse();
@@ -69,16 +69,15 @@ inline Eigen::Vector3d corner_on_sphere(const Eigen::Vector3d& half_lengths)
   return corner;
 }
 
-// Eight different vertices for the corners of a box: such that the patches between them on the sphere, onto which
-// the images map the surface, have areas in the ratio of those of the box; and among the vertices close to there,
-// those close to the corners of the bounding box.
+// Returns eight different vertices for the corners of a box, by two measures: on the sphere, the charts between them have
+// areas in the ratio of the faces of the box; in space, the vertices are close to the corners of the bounding box.
 inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& points,
                                          const std::vector<Eigen::Vector3d>& images,
                                          const Eigen::Vector3d& half_lengths)
 {
   const double weight_of_box = 0.3; // lowered the distortion most over organic and mechanical models
   const std::vector<Eigen::Vector3d> cube_points = in_bounding_cube(points);
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); // Kabsch: turns the images into the directions of the points
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); // turns the images into the directions of the points (Kabsch)
   for(std::size_t v = 0; v < cube_points.size(); ++v)
     covariance += cube_points[v] * images[v].transpose();
   const Eigen::Matrix3d rotation = rotation_and_stretch_3(covariance).rotation;
@@ -104,11 +103,11 @@ inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& poi
   return corners;
 }
 
-// The boundary of a box around the origin, as a domain of `Radial_map_3`: vertices move in their face or along their
-// edge, which they are known to be on by the coordinates that are exactly those of the box.
+// Boundary of a box around the origin, as a domain of `Radial_map_3`. Vertices move in their face or along their edge: a
+// vertex is on a face if one of its coordinates is exactly the one of the face.
 struct Box_boundary_3
 {
-  static constexpr double curvature = 0;
+  static constexpr double curvature = 0; // faces and edges are flat
 
   Eigen::Vector3d half_lengths;
 
@@ -129,7 +128,7 @@ struct Box_boundary_3
 
   Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const { return image + step; }
 
-  // The distance of the face that contains the triangle from the origin.
+  // Returns the distance from the origin of the face that contains the triangle.
   double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
   {
     for(int axis = 0; axis < 3; ++axis)
@@ -139,37 +138,37 @@ struct Box_boundary_3
   }
 };
 
-// Maps the patches between the paths to the faces of the box on which their borders are. Returns whether this succeeds.
-inline bool map_patches_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path,
+// Maps the charts between the paths to the faces of the box on which their borders are. Returns whether all are mapped.
+inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path,
                                std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
-  std::vector<std::size_t> patch_of_face(mesh.number_of_faces());
-  const std::size_t number_of_patches = Polygon_mesh_processing::connected_components(
-    mesh, boost::make_iterator_property_map(patch_of_face.begin(), get(boost::face_index, mesh)),
+  std::vector<std::size_t> chart_of_face(mesh.number_of_faces());
+  const std::size_t number_of_charts = Polygon_mesh_processing::connected_components(
+    mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
     parameters::edge_is_constrained_map(boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
       [&](const Boundary_mesh_3::Edge_index e) -> bool { return is_on_path[e]; })));
-  for(std::size_t i = 0; i < number_of_patches; ++i)
+  for(std::size_t i = 0; i < number_of_charts; ++i)
   {
-    const Surface_patch_3 patch = extract_patch(mesh, patch_of_face, i);
+    const Surface_chart_3 chart = extract_chart(mesh, chart_of_face, i);
     Eigen::AlignedBox3d border;
-    for(const int v : patch.vertices)
+    for(const int v : chart.vertices)
       if(!images[v].isZero(0))
         border.extend(images[v]);
     int axis;
     if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
       return false;
-    for(const int v : patch.vertices)
+    for(const int v : chart.vertices)
       images[v][axis] = (border.min)()[axis];
-    if(!map_patch_to_polygon_3(patch, (axis + 1) % 3, (axis + 2) % 3, images))
+    if(!map_chart_to_polygon_3(chart, (axis + 1) % 3, (axis + 2) % 3, images))
       return false;
   }
   return true;
 }
 
-// Maps a triangulated topological sphere, of which an image on the unit sphere is known, onto the boundary of a box:
-// twelve paths on the surface become the edges of the box, and the patches between them its faces.
-// Lengths on the sphere guide the paths and the first map of the patches, since they are tame where
-// the surface has long thin parts. The last step lowers the distortion of the map from the surface itself.
+// Maps a triangulated topological sphere with a known image on the unit sphere onto the boundary of a box: twelve paths on
+// the surface become the edges of the box, and the charts between them its faces. Lengths on the sphere guide the paths and
+// the first map of the charts, as long thin parts of the surface are compact there. The last step lowers the distortion of
+// the map from the surface itself.
 inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere,
                                       const Eigen::Vector3d& half_lengths, const std::array<int, 8>& corners,
                                       std::vector<Eigen::Vector3d>& images, const Budget& budget)
@@ -194,7 +193,7 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
       is_on_path[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(path[k - 1]),
                                          Boundary_mesh_3::Vertex_index(path[k])))] = true;
   }
-  if(!map_patches_to_box(sphere_mesh, is_on_path, images, budget))
+  if(!map_charts_to_box(sphere_mesh, is_on_path, images, budget))
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 
   const std::vector<Eigen::Vector3d> points = unit_points(mesh);

@@ -23,7 +23,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The six directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
+// Directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
 inline int axis_of_direction(const std::size_t direction)
 {
   return static_cast<int>(direction / 2);
@@ -39,8 +39,8 @@ inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
   return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
 }
 
-// Of an edge of a polycube between faces with two labels, from the image of one point to that of another; zero if it has
-// none.
+// Returns the direction of the edge of a polycube between faces with two labels, in which the last point lies from the first
+// one; zero if the labels have the same axis, or the points the same coordinate.
 inline Eigen::Vector3i direction_of_edge(const std::size_t label, const std::size_t other_label,
                                          const Eigen::Vector3d& first, const Eigen::Vector3d& last)
 {
@@ -51,24 +51,25 @@ inline Eigen::Vector3i direction_of_edge(const std::size_t label, const std::siz
   return result;
 }
 
-// The lines between charts, from corner to corner, without the surface that they are on.
+// Lines between charts, from corner to corner, without the surface that the lines are on.
 struct Chart_borders_3
 {
-  // The side of a line as the border of a chart: side 2 i + 1 leads back along side 2 i.
+  // Side of a line, part of the border of a chart. Side 2 i + 1 leads back along side 2 i.
   struct Side
   {
-    std::size_t chart, next;  // the next side on the border of the chart
+    std::size_t chart, next;  // next: the side that follows on the border of the chart
     std::size_t first, last;  // corners
   };
 
   std::vector<Side> sides;
   std::vector<Eigen::Vector3d> corners;
-  std::vector<std::vector<std::size_t> > sides_to_corner;  // in the order around each
-  std::vector<std::array<std::size_t, 2> > closed_lines;   // without a corner: the charts on both sides
-  std::vector<int> inner_characteristic;                   // Euler's, of charts without their borders
+  std::vector<std::vector<std::size_t> > sides_to_corner;  // in their order around the corner
+  std::vector<std::array<std::size_t, 2> > closed_lines;   // charts on both sides of lines without a corner
+  std::vector<int> inner_characteristic;                   // Euler characteristics of charts without their borders
 };
 
-// What is wrong with the charts that whole charts make with other labels, from the sides of the chains alone.
+// Counts the defects of charts if whole charts get other labels, from the sides of the chains alone: neighbors with equal
+// labels are one chart then.
 class Chart_defects_3
 {
 public:
@@ -87,7 +88,7 @@ public:
       unite(charts[0], charts[1]);
   }
 
-  // Those of charts that are one are counted at one of them.
+  // Returns the defects of each chart. Charts that are one have them all at one chart.
   std::vector<int> count()
   {
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
@@ -135,7 +136,7 @@ private:
     return side;
   }
 
-  // Borders belong to the charts on both sides, and corners once to each of theirs.
+  // Adds the borders to the charts on both sides, and corners once to each chart there.
   void find_characteristics()
   {
     for(std::size_t c = 0; c < m_union.size(); ++c)
@@ -155,7 +156,7 @@ private:
     }
   }
 
-  // Three axes must meet in it.
+  // Finds whether a corner remains one, and counts a defect unless all three axes meet there.
   void visit_corner(const std::vector<std::size_t>& sides)
   {
     std::array<bool, 3> has_axis = {};
@@ -171,7 +172,7 @@ private:
         m_defects[chart(s)] += separates(s);
   }
 
-  // From the corner where its first side begins to the next one.
+  // Follows the chain from the corner where its first side begins to the next corner.
   void follow_chain(const std::size_t side)
   {
     std::size_t s = side;
@@ -186,7 +187,7 @@ private:
                                           m_borders.corners[m_sides[s].last]);
   }
 
-  // From chain to chain, by how many right angles it turns left.
+  // Follows a border from chain to chain, and sums up by how many right angles it turns left.
   void follow_border(const std::size_t side, std::vector<bool>& is_visited)
   {
     int turning = 0;
@@ -207,18 +208,18 @@ private:
       m_is_followed[s] = true;
   }
 
-  // A border without a corner.
+  // Counts a border without a corner, which is a defect and has no turns.
   void add_closed_line(const std::size_t chart)
   {
     ++m_defects[chart];
     m_turnings[chart].push_back(0);
   }
 
-  // How much must be changed for one border that turns left by four right angles, around others that turn right, without
-  // handles between them?
+  // Returns how far borders are from those of a polygon with holes: one turns left by four right angles, the others turn
+  // right, and the characteristic tells of no handle.
   static int distance_from_polygon(const std::vector<int>& turnings, const int characteristic)
   {
-    constexpr int full_turn = 4;
+    constexpr int full_turn = 4; // right angles of a border
     const int b = static_cast<int>(turnings.size());
     int result = full_turn * std::abs(2 - b - characteristic);
     for(const int turning : turnings)
@@ -234,12 +235,12 @@ private:
   const Chart_borders_3& m_borders;
   const Labels& m_labels;
   const std::vector<Chart_borders_3::Side>& m_sides;
-  std::vector<std::size_t> m_union; // one of the charts that are one now, for each
+  std::vector<std::size_t> m_union; // for each chart, the one that stands for all that are one now
   std::vector<bool> m_is_corner, m_is_followed;
-  std::vector<std::size_t> m_last;          // side of the chain that begins with a side
-  std::vector<Eigen::Vector3i> m_direction; // of the chain that begins with a side
+  std::vector<std::size_t> m_last;          // last side of the chain that begins with a side
+  std::vector<Eigen::Vector3i> m_direction; // direction of the chain that begins with a side
   std::vector<int> m_defects, m_characteristic;
-  std::vector<std::vector<int> > m_turnings; // of borders, for each chart
+  std::vector<std::vector<int> > m_turnings; // turnings of the borders of each chart
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -17,7 +17,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Another label for a chart, and by how much the labels of the surface cost more then.
+// Relabelling of a chart, with the increase of the cost of all labels.
 struct Chart_relabelling_3
 {
   std::size_t chart, label;
@@ -28,16 +28,16 @@ struct Chart_relabelling_3
 // Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels lower
 //   sum over faces f of area(f) (1 - n(f) . direction(label(f)))
 //   + smoothing sum over edges between faces f, g of different labels of length max(0, n(f) . n(g))^2.
-// Sharp edges are free. Small regions and whole charts change their labels as long as that lowers the sum, nearly as far as
-// minimum cuts do, which take many times as long. Around edges at which opposite directions meet, which no polycube has,
-// labels of their axis are made expensive, until no more can be done against such edges.
+// Sharp edges are free. Small regions and whole charts change their labels as long as the sum falls: nearly as far as with
+// minimum cuts, which take many times as long. No polycube has edges where opposite directions meet: around such edges,
+// labels of their axis are made expensive, until nothing changes.
 class Normal_labels_3
 {
 public:
   using Labels = std::vector<std::size_t>;
   using Face = Boundary_mesh_3::Face_index;
 
-  // The surface has diameter about 1, so that lengths and areas compare.
+  // Takes a surface of diameter about 1, such that lengths and areas compare.
   Normal_labels_3(const Boundary_mesh_3& mesh, const Budget& budget)
     : m_mesh(mesh), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
@@ -64,7 +64,7 @@ public:
     }
   }
 
-  // The directions that are closest to the normals.
+  // Returns the directions that are closest to the normals.
   Labels closest() const
   {
     Labels labels;
@@ -73,26 +73,26 @@ public:
     return labels;
   }
 
-  // Lowers the sum for a weight of the lengths.
+  // Lowers the sum, `smoothing` being the weight of the lengths.
   void minimize(const double smoothing, Labels& labels)
   {
     do
       while(!m_budget.is_exhausted()
             && (relabel_regions(0, smoothing, labels) || relabel_charts(smoothing, labels)
                 || relabel_regions(1, smoothing, labels) || relabel_regions(2, smoothing, labels))) {}
-    while(!m_budget.is_exhausted() && has_opposite_neighbours(labels));
+    while(!m_budget.is_exhausted() && has_opposite_neighbors(labels));
   }
 
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
 
-  // Do the normals on both sides of an edge make more than 60 degrees?
+  // Tells whether the normals on both sides of an edge make more than 60 degrees.
   bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const
   {
     const Eigen::Vector3d edge = eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h));
     return 4 * m_edge_costs[m_mesh.edge(h)] < edge.norm();
   }
 
-  // For all other labels of each chart, the cheapest one first.
+  // Returns all other labels of all charts, the cheapest one first.
   std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
                                                       const std::vector<std::size_t>& chart_of_face) const
   {
@@ -124,7 +124,7 @@ public:
 private:
   using Costs = std::array<double, 6>;
 
-  // Charts whose labels lower the sum most among their neighbours. Returns whether there were any.
+  // Relabels the charts whose new labels lower the sum more than those of their neighbors. Returns whether there were any.
   bool relabel_charts(const double smoothing, Labels& labels) const
   {
     const auto [chart_of_face, n] = connected_charts_3(m_mesh, labels);
@@ -147,7 +147,7 @@ private:
     return std::find(is_best.begin(), is_best.end(), true) != is_best.end();
   }
 
-  // Gives the faces within some rings around a face one label, where that lowers the sum. Returns whether it did anywhere.
+  // Gives the faces within some rings around a face one label, where the sum falls thereby. Returns whether any label changed.
   bool relabel_regions(const int rings, const double smoothing, Labels& labels) const
   {
     bool has_changed = false;
@@ -185,7 +185,7 @@ private:
             }
   }
 
-  // The cheapest label for all faces of a region, and by how much it is cheaper than what they have.
+  // Returns the cheapest label for all faces of a region, and by how much it is cheaper than the labels there.
   std::pair<std::size_t, double> best_label(const std::vector<Face>& region, const Face center,
                                             const std::vector<Face>& center_of_face, const double smoothing,
                                             const Labels& labels) const
@@ -207,21 +207,21 @@ private:
           before -= (labels[g] == labels[f]) ? cost_of_edge : 0;
         }
         else if(labels[g] != labels[f])
-          before += cost_of_edge / 2; // it comes from both sides
+          before += cost_of_edge / 2; // the edge is met from both sides
       }
     }
     const std::size_t label = std::min_element(costs.begin(), costs.end()) - costs.begin();
     return { label, before - costs[label] };
   }
 
-  // Makes them expensive. Returns whether there are any that have not been so before.
-  bool has_opposite_neighbours(const Labels& labels)
+  // Makes labels expensive where opposite directions meet. Returns whether any were not so before.
+  bool has_opposite_neighbors(const Labels& labels)
   {
     bool has_changed = false;
     for(const auto h : m_mesh.halfedges())
     {
-      const std::size_t label = labels[m_mesh.face(h)], neighbour = labels[m_mesh.face(m_mesh.opposite(h))];
-      if(label == neighbour || axis_of_direction(label) != axis_of_direction(neighbour))
+      const std::size_t label = labels[m_mesh.face(h)], neighbor = labels[m_mesh.face(m_mesh.opposite(h))];
+      if(label == neighbor || axis_of_direction(label) != axis_of_direction(neighbor))
         continue;
       for(const auto k : CGAL::halfedges_around_target(h, m_mesh))
       {
@@ -230,21 +230,21 @@ private:
           continue;
         is_expensive = has_changed = true;
         Costs& costs = m_face_costs[m_mesh.face(k)];
-        const double area = (costs[label] + costs[neighbour]) / 2;
+        const double area = (costs[label] + costs[neighbor]) / 2;
         costs[label] += 9 * area;
-        costs[neighbour] += 9 * area;
+        costs[neighbor] += 9 * area;
       }
     }
     return has_changed;
   }
 
-  static constexpr double least_gain = 1e-12;
+  static constexpr double least_gain = 1e-12; // above rounding of sums of about 1, so that no change is undone by the next
 
   const Boundary_mesh_3& m_mesh;
   const Budget& m_budget;
   std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
-  std::vector<Costs> m_face_costs;                  // by label
-  std::vector<double> m_edge_costs;                 // with different labels on both sides, for the smoothing 1
+  std::vector<Costs> m_face_costs;                  // costs of a face by label
+  std::vector<double> m_edge_costs;                 // costs of different labels on both sides, smoothing 1
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

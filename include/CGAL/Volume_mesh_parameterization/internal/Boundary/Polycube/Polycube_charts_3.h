@@ -24,8 +24,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The number of the chart of each face, and the number of charts: connected parts of the surface with one label, which
-// are the preimages of the faces of the polycube.
+// Returns the number of the chart of each face, and the number of charts. Charts are connected parts of the surface with one
+// label, the preimages of the faces of the polycube.
 inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const Boundary_mesh_3& mesh,
                                                                            const std::vector<std::size_t>& labels)
 {
@@ -40,21 +40,21 @@ inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const
   return { chart_of_face, n };
 }
 
-// A line between two charts, from corner to corner: the preimage of an edge of the polycube.
+// Line between two charts, from corner to corner: the preimage of an edge of the polycube.
 struct Polycube_chain_3
 {
   std::vector<Boundary_mesh_3::Halfedge_index> halfedges; // counterclockwise around the first chart
   std::array<std::size_t, 2> charts;
   int axis = -1; // -1 if the labels are not orthogonal
-  int sign = 0;  // of its direction along the axis
+  int sign = 0;  // the sign of its direction along the axis
 };
 
-// The charts of a labelled surface, the corners, where three or more of them meet, and the chains between the corners.
+// Charts of a labelled surface, their corners, where three or more charts meet, and the chains between the corners.
 //
-// A chain leads in the direction of its axis in which its last corner lies from its first one. Hence the border of
-// each chart is a sequence of directions, and a chart is valid only if these close to polygons: by the theorem of the
-// turning tangents they turn left by four right angles around a disc, by none around a ring, and so on. What charts
-// lack is counted for other labels of whole charts, too, from the chains alone.
+// A chain leads in the direction of its axis in which its last corner lies from its first one. Hence the border of each
+// chart is a sequence of directions, and a chart is valid only if the directions close to polygons: by the theorem of the
+// turning tangents a border turns left by four right angles around a disc, by none around a ring, and so on. Defects are
+// counted for other labels of whole charts, too, from the chains alone.
 class Polycube_charts_3
 {
 public:
@@ -88,17 +88,17 @@ public:
   const std::vector<Vertex>& corners() const { return m_corners; }
   bool is_valid(const std::size_t chart) const { return m_defects[chart] == 0; }
   int number_of_defects() const { return std::accumulate(m_defects.begin(), m_defects.end(), 0); }
-  // If the charts had the labels given.
+  // Returns the number of defects if the charts had other labels.
   int number_of_defects(const Labels& labels) const
   {
     const std::vector<int> n = Chart_defects_3(m_borders, labels).count();
     return std::accumulate(n.begin(), n.end(), 0);
   }
 
-  // Is it not valid, or a neighbour of such a chart?
+  // Tells whether a chart is not valid, or a neighbor of such a chart.
   bool is_beside_invalid(const std::size_t chart) const { return m_is_beside_invalid[chart]; }
 
-  // Is there a chart with the label next to the chart?
+  // Tells whether a chart with the label is next to the chart.
   bool has_neighbor(const std::size_t chart, const std::size_t label) const
   {
     const auto is_between = [&](const std::array<std::size_t, 2>& charts)
@@ -117,14 +117,14 @@ public:
     return result;
   }
 
-  // The axes of the plane of a chart, in the order that makes its image positive.
+  // Returns the axes of the plane of a chart, in the order that makes its image positive.
   std::array<int, 2> plane_axes(const std::size_t chart) const
   {
     const int u = (axis(chart) + 1) % 3, v = (axis(chart) + 2) % 3;
     return (sign_of_direction(m_labels[chart]) > 0) ? std::array<int, 2>{u, v} : std::array<int, 2>{v, u};
   }
 
-  // The corners of each border of each chart, counterclockwise around it.
+  // Returns the corners of each border of each chart, counterclockwise around the chart.
   std::vector<std::vector<std::vector<Vertex> > > borders() const
   {
     std::vector<std::vector<std::vector<Vertex> > > result(number_of_charts());
@@ -149,7 +149,7 @@ private:
     return chart(h) != chart(m_mesh.opposite(h));
   }
 
-  // The next halfedge on the border of the same chart.
+  // Returns the next halfedge on the border of the chart of h.
   Halfedge next_on_border(Halfedge h) const
   {
     h = m_mesh.next(h);
@@ -227,7 +227,7 @@ private:
           sides.push_back(t);
   }
 
-  // Euler's characteristics of the charts without their borders.
+  // Finds the Euler characteristics of the charts without their borders.
   void find_inner_characteristics()
   {
     m_borders.inner_characteristic.assign(number_of_charts(), 0);

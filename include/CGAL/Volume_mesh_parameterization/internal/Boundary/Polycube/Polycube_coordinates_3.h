@@ -28,14 +28,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0.
+// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0.
 struct Grid_planes_3
 {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double spacing = 0;
 };
 
-// Which of some elements come before others, or before themselves if there are cycles.
+// Order of elements: which come before which, or before themselves if there are cycles.
 class Order_of_elements
 {
 public:
@@ -54,7 +54,7 @@ public:
 
   bool precedes(const std::size_t first, const std::size_t second) const { return m_precedes[first][second]; }
 
-  // Can the first one still be put before the second one?
+  // Tells whether the first element can still be put before the second one.
   bool may_precede(const std::size_t first, const std::size_t second) const
   { return first != second && !precedes(second, first); }
 
@@ -62,14 +62,14 @@ private:
   std::vector<std::vector<bool> > m_precedes;
 };
 
-// Finds the coordinates of the faces of a polycube for valid charts, along their axes: those that minimize
+// Finds the coordinates of the faces of a polycube for valid charts, along their axes, that minimize
 //   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
-// such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis
-// that meet in a corner have the same coordinate. The axes are independent of each other, and small quadratic programs.
-// If edges of a face intersect then, they get the order that they have on the surface, too, if the others allow it.
+// such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis that meet in a
+// corner have the same coordinate. The axes are independent of each other, and small quadratic programs. Edges of a face
+// that intersect then get the order that their chains have on the surface, too, if the other orders allow it.
 //
-// With planes of a grid, in units of its spacing, distances are rounded up to integers and the solution to the nearest
-// ones. As floor(x + 1/2) is monotone and commutes with adding integers, this keeps all distances.
+// With planes of a grid, distances are rounded up to multiples of the spacing and the solution to the nearest multiples. As
+// floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
 class Polycube_coordinates_3
 {
 public:
@@ -80,7 +80,7 @@ public:
       m_order(charts.number_of_charts())
   {}
 
-  // Returns whether there are such coordinates.
+  // Returns whether there are coordinates.
   bool run()
   {
     group_charts();
@@ -107,19 +107,19 @@ public:
   }
 
 private:
-  // The coordinates of the second group must be larger than those of the first one by a distance.
+  // Order of two groups: the coordinate of the second one must be larger than that of the first one by the distance.
   struct Order
   {
     std::size_t first, second;
     double distance;
   };
 
-  // An edge of the polycube, and its chain on the surface.
+  // Edge of the polycube, with the box and the length of its chain on the surface.
   struct Edge
   {
     int axis;
     std::array<std::size_t, 2> charts;
-    std::array<std::size_t, 3> lowest, highest; // the groups of its ends, by axis
+    std::array<std::size_t, 3> lowest, highest; // groups of charts at its ends, by axis
     Eigen::AlignedBox3d box;
     double length = 0;
 
@@ -146,7 +146,7 @@ private:
     }
   };
 
-  // A group of charts is known by one of them.
+  // Joins charts of an axis that meet in a corner to groups. The number of a group is that of one of its charts.
   void group_charts()
   {
     std::iota(m_group.begin(), m_group.end(), 0);
@@ -191,7 +191,7 @@ private:
   bool solve(const int axis)
   {
     const bool has_planes = m_planes.spacing > 0;
-    const double unit = has_planes ? m_planes.spacing : 1, origin = has_planes ? m_planes.origin[axis] : 0;
+    const double scale = has_planes ? m_planes.spacing : 1, origin = has_planes ? m_planes.origin[axis] : 0;
     Quadratic_program<double> program(LARGER, false, 0, false, 0);
     std::vector<std::size_t> groups;
     std::vector<int> variable(m_group.size(), -1);
@@ -200,7 +200,7 @@ private:
       {
         const int i = variable[c] = static_cast<int>(groups.size());
         program.set_d(i, i, 2 * m_area[c]);
-        program.set_c(i, -2 * (m_moment[c] - m_area[c] * origin) / unit);
+        program.set_c(i, -2 * (m_moment[c] - m_area[c] * origin) / scale);
         groups.push_back(c);
       }
 
@@ -213,7 +213,7 @@ private:
         return false;
       program.set_a(variable[order.first], row, -1);
       program.set_a(variable[order.second], row, 1);
-      program.set_b(row++, has_planes ? std::ceil(order.distance / unit) : order.distance);
+      program.set_b(row++, has_planes ? std::ceil(order.distance / scale) : order.distance);
     }
 
     const auto solution = solve_quadratic_program(program, Exact_rational());
@@ -222,14 +222,14 @@ private:
     auto value = solution.variable_values_begin();
     for(const std::size_t c : groups)
     {
-      m_coordinate[c] = origin + unit * (has_planes ? nearest_integer(*value) : CGAL::to_double(*value));
+      m_coordinate[c] = origin + scale * (has_planes ? nearest_integer(*value) : CGAL::to_double(*value));
       ++value;
     }
     return true;
   }
 
-  // Faces in one plane of the surface whose coordinates differ by rounding alone, as those of bodies side by side, are in
-  // one plane of the polycube, too: planes of a grid that differ so little would have a layer of slivers between them.
+  // Joins coordinates that differ by rounding alone, as of faces in one plane of bodies side by side: hexahedra between two
+  // planes so close would be a layer of slivers.
   void join_equal_coordinates()
   {
     std::vector<std::size_t> groups(m_group);
@@ -243,7 +243,7 @@ private:
         m_coordinate[groups[i]] = previous;
   }
 
-  // floor(x + 1/2)
+  // Returns floor(x + 1/2).
   template <typename NT>
   static double nearest_integer(const NT& x)
   {
@@ -258,7 +258,7 @@ private:
     m_order.add(order.first, order.second);
   }
 
-  // Returns whether there were any.
+  // Adds orders for edges of a face that intersect. Returns whether there are any new ones.
   bool separate_intersecting_edges()
   {
     const std::size_t n = m_orders.size();
@@ -279,7 +279,7 @@ private:
     return !a.has_corner_with(b);
   }
 
-  // Along the axis of the face along which their chains are farthest from each other, of those that other orders leave.
+  // Orders two edges along the axis of the face along which their chains are farthest apart, among the orders still possible.
   void separate(const Edge& a, const Edge& b, const std::size_t chart)
   {
     Order order = {};
@@ -297,7 +297,7 @@ private:
       add_order(order);
   }
 
-  // Is there for each face one outer polygon, with the others in it?
+  // Tells whether each face has one outer polygon, with its other polygons inside.
   bool are_faces_whole() const
   {
     const std::vector<std::vector<std::vector<Polycube_charts_3::Vertex> > > borders = m_charts.borders();
@@ -325,7 +325,7 @@ private:
     return result;
   }
 
-  // Polygons that do not meet: are the others, which lead clockwise, inside of one, and outside of each other?
+  // Tells whether disjoint polygons are one and its holes: holes lead clockwise, are inside of it, and outside of each other.
   static bool are_nested(std::vector<Polygon>& polygons)
   {
     const auto is_inside = [](const Polygon& inner, const Polygon& outer)
@@ -347,13 +347,13 @@ private:
     return true;
   }
 
-  static constexpr double smallest_part = 0.2;
+  static constexpr double smallest_part = 0.2; // a guess; length of an edge of the polycube, relative to its chain
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
   const Grid_planes_3& m_planes;
   const Budget& m_budget;
-  std::vector<double> m_coordinate; // of groups, as the next ones
+  std::vector<double> m_coordinate; // by group, as area and moment
   std::vector<double> m_area, m_moment;
   std::vector<std::size_t> m_group;
   std::vector<Edge> m_edges;

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Patch_relaxation_2.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_patch_to_polygon_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -22,14 +22,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is given such
-// that the longest side of its bounding box is 1, and the polycube made for the box that it had before.
+// Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is scaled such that
+// the longest side of its bounding box is 1; the polycube has the size of the box before scaling.
 class Polycube_map_3
 {
 public:
   using Face = Boundary_mesh_3::Face_index;
 
-  // The faces get multiples of the spacing as coordinates, or any if it is 0.
+  // Takes the spacing that coordinates of faces are multiples of, or 0 for any coordinates.
   Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
                  const double spacing)
     : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
@@ -47,7 +47,7 @@ public:
     return start(coordinates.of_charts(), budget);
   }
 
-  // Maps the charts harmonically to faces with these coordinates along their axes.
+  // Maps the charts harmonically to faces with the coordinates along their axes.
   Error_code start(const std::vector<double>& coordinates, const Budget& budget)
   {
     for(const auto v : m_charts.corners())
@@ -71,8 +71,8 @@ public:
   // Lowers the distortion, and checks the map.
   Error_code finish(const Budget& budget)
   {
-    for(Patch_relaxation_2& patch : m_patches)
-      patch.run(m_images, budget);
+    for(Chart_relaxation_2& relaxation : m_relaxations)
+      relaxation.run(m_images, budget);
     const auto faces = m_mesh.faces();
     std::copy_if(faces.begin(), faces.end(), std::back_inserter(m_flipped_faces),
                  [this](const Face f) { return !is_positive(f); });
@@ -92,11 +92,11 @@ public:
   const std::vector<Eigen::Vector3d>& images() const { return m_images; }
   const Polycube_charts_3& charts() const { return m_charts; }
 
-  // If the boundary is too coarse, some faces for which the edges of the polycube leave no place.
+  // Returns faces for which the edges of the polycube leave no room, if the boundary is too coarse.
   const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
 
-  // Of the harmonic maps: the integral of log(s)^2 + log(t)^2 over the surface, with the singular values s and t. Of
-  // several polycubes, the one where this is least had the least distortion inside, too, or nearly, in experiments.
+  // Returns the integral of log(s)^2 + log(t)^2 over the surface, s and t the singular values of the harmonic map. In
+  // experiments with several polycubes, the one of the least integral had (nearly) the least distortion inside, too.
   double distortion() const
   {
     double sum = 0;
@@ -135,7 +135,7 @@ private:
     for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
     {
       const auto [u, v] = m_charts.plane_axes(c);
-      m_patches.emplace_back(m_mesh, faces[c], is_on_edge, u, v, m_images);
+      m_relaxations.emplace_back(m_mesh, faces[c], is_on_edge, u, v, m_images);
     }
   }
 
@@ -166,7 +166,7 @@ private:
   const double m_spacing;
   const Polycube_charts_3 m_charts;
   std::vector<Eigen::Vector3d> m_images;
-  std::vector<Patch_relaxation_2> m_patches;
+  std::vector<Chart_relaxation_2> m_relaxations;
   std::vector<Face> m_flipped_faces;
 };
 

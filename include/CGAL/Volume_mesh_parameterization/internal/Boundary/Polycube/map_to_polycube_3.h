@@ -30,23 +30,23 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a surface onto a polycube. Without labels of the facets, which are the axes that their images are normal to, some
-// are proposed such that there are as many details as possible. The coordinates of the faces are multiples of the
-// spacing, or any if that is 0.
+// Maps a surface onto a polycube. Labels are the axis directions that the images of facets are normal to; without labels,
+// those that keep as many details as possible are proposed. The coordinates of the faces are multiples of the spacing, or
+// any if the spacing is 0.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels, double spacing,
                              std::vector<Eigen::Vector3d>& images, const Budget& budget);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
-// Proposes labels with more and more smoothing, and takes those whose map has the least distortion. Where the boundary
-// is too coarse, faces for which there is no place are given to neighbouring charts, and borders that fold are unfolded.
+// Proposes labels with more and more smoothing, and takes the map of the least distortion. Where the boundary is too coarse,
+// faces for which there is no room are given to neighboring charts, and borders that fold are unfolded.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                              const double spacing, std::vector<Eigen::Vector3d>& images,
                                              const Budget& budget)
 {
   Error_code status = ERROR_NO_POLYCUBE;
-  std::multimap<double, Polycube_map_3> maps; // by their distortion
+  std::multimap<double, Polycube_map_3> maps; // by distortion
   std::set<std::vector<std::size_t> > tried;
   Normal_labels_3 costs(mesh, budget);
   for(double smoothing = 0.001; smoothing < 0.1 && !budget.is_exhausted(); smoothing *= std::sqrt(2.))
@@ -81,7 +81,7 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
   return status;
 }
 
-// One of several bodies that share no point, and where its vertices are on the surface of all.
+// Body that shares no point with the other bodies of a surface, and the numbers of its vertices on the whole surface.
 struct Separate_body_3
 {
   Numbered_surface_3 surface;
@@ -121,8 +121,8 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
   return bodies;
 }
 
-// Maps several bodies, each for itself. Those whose polycubes would touch earlier ones are moved to the right of these, as linked
-// rings must be. There is no answer for a body with cavities.
+// Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
+// a ring linked with another one must be. A body with cavities has no polycube.
 inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
                                      std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
@@ -137,15 +137,15 @@ inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const doub
     std::vector<Eigen::Vector3d> part;
     if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, part, budget); status != OK)
       return status;
-    Eigen::AlignedBox3d box, others;
+    Eigen::AlignedBox3d box, other_boxes;
     for(const Eigen::Vector3d& p : part)
       box.extend(p);
     for(const Eigen::AlignedBox3d& other : boxes)
-      others.extend(other);
+      other_boxes.extend(other);
     double shift = 0;
     if(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
     {
-      const double distance = (others.max)().x() - (box.min)().x();
+      const double distance = (other_boxes.max)().x() - (box.min)().x();
       shift = spacing > 0 ? spacing * std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8;
     }
     boxes.push_back(box.translate(shift * Eigen::Vector3d::UnitX()));

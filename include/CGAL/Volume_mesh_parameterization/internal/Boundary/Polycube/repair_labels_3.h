@@ -19,7 +19,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// An edge inside a chart that joins two vertices of a chain around the chart.
+// Edge inside a chart that joins two vertices of a chain around the chart.
 struct Chain_chord_3
 {
   Boundary_mesh_3::Halfedge_index edge;
@@ -48,7 +48,7 @@ inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, cons
   return std::nullopt;
 }
 
-// The faces of a chart that a chord cuts off, together with a halfedge of the chain.
+// Returns the faces of a chart that a chord cuts off, together with a halfedge of the chain.
 inline std::vector<Boundary_mesh_3::Face_index> faces_cut_off(const Boundary_mesh_3& mesh,
                                                               const Polycube_charts_3& charts,
                                                               const Chain_chord_3& chord)
@@ -68,8 +68,8 @@ inline std::vector<Boundary_mesh_3::Face_index> faces_cut_off(const Boundary_mes
   return faces;
 }
 
-// The image of a chord would lie on the edge of the polycube, and the faces that it cuts off be flat: they
-// are given to the chart on the other side of the chain. Returns whether there were any.
+// Gives faces that chords cut off to the chart on the other side of the chain, as the image of a chord would lie on an edge
+// of the polycube, and the faces be flat. Returns whether there were any.
 inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                 std::vector<std::size_t>& labels)
 {
@@ -88,9 +88,8 @@ inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_char
   return std::find(has_changed.begin(), has_changed.end(), true) != has_changed.end();
 }
 
-// Gives charts that are not valid, and their neighbours, other labels, each at most once and to the cheapest one with
-// which there are fewer defects. If there is none, a chart that is not valid is merged into a neighbour. Returns whether
-// anything changed.
+// Gives charts that are not valid, and their neighbors, other labels, each at most once: the cheapest label with which there
+// are fewer defects. If there is none, a chart that is not valid is merged into a neighbor. Returns whether a label changed.
 inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
                            std::vector<std::size_t>& labels, const Budget& budget)
 {
@@ -121,13 +120,13 @@ inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Ch
   return true;
 }
 
-// Makes all charts valid: straightens their borders, and relabels those that are not valid, or their neighbours.
-// Returns whether that was possible.
+// Makes all charts valid: straightens their borders, and relabels invalid charts or their neighbors. Returns whether all are
+// valid.
 inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
                             std::vector<std::size_t>& labels, const Budget& budget)
 {
   const Polycube_charts_3 start(mesh, labels);
-  std::size_t steps = start.number_of_charts() + start.number_of_defects(); // each step takes one of them, or more
+  std::size_t steps = start.number_of_charts() + start.number_of_defects(); // each step removes a chart or a defect
   while(!budget.is_exhausted())
   {
     const Polycube_charts_3 charts(mesh, labels);
@@ -144,7 +143,7 @@ inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& 
   return false;
 }
 
-// Gives each of the faces to the neighbouring chart that suits it best. Returns whether any of them has one.
+// Gives each face to the neighboring chart that suits it best. Returns whether any face changed its chart.
 inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                             const Normal_labels_3& costs, std::vector<std::size_t>& labels)
 {
@@ -165,11 +164,10 @@ inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Bound
 
 using Boundary_line_3 = std::vector<Boundary_mesh_3::Halfedge_index>;
 
-// Part of a chain that leads back behind one of its corners, from which it begins, against the direction of the edge of the
-// polycube.
+// Part of a chain that begins at a corner and leads back behind it, against the direction of the edge of the polycube.
 struct Chain_fold_3
 {
-  double depth = 0; // how far
+  double depth = 0; // how far the part leads back
   Boundary_line_3 line;
   int axis = -1;
 };
@@ -198,7 +196,8 @@ inline Chain_fold_3 fold_of_chain(const Boundary_mesh_3& mesh, const Polycube_ch
       number = i + 1;
     }
   }
-  if(number < 2 || result.depth < length_of_fold / 2) // it is the mesh that is coarse, or the line leads elsewhere
+  // one edge is due to a coarse mesh, and a line that is not along the axis leads elsewhere
+  if(number < 2 || result.depth < length_of_fold / 2)
     return {};
   result.line.resize(number);
   return result;
@@ -214,7 +213,7 @@ inline Chain_fold_3 deepest_fold(const Boundary_mesh_3& mesh, const Polycube_cha
   return result;
 }
 
-// The faces to the left of a line that are joined to it within their chart, not across sharp edges, with centers that are
+// Returns the faces to the left of a line that are joined to it within their chart, not across sharp edges, with centers
 // between the ends of the line along an axis.
 inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                                              const Normal_labels_3& costs, const Boundary_line_3& line,
@@ -243,9 +242,9 @@ inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh
   return faces;
 }
 
-// Where a chain leads back behind one of its corners, the image would be folded along it, as borders of polycubes are
-// monotone (Livesu et al., PolyCut): the third chart at the corner is extended as far as the chain leads back, at the
-// expense of the chart beside it whose faces suit that best. Returns whether there was such a chain.
+// Unfolds the chain that leads back farthest behind one of its corners, as edges of polycubes are monotone (Livesu et al.,
+// PolyCut): the third chart at the corner is extended as far as the chain leads back, at the expense of the chart beside it
+// whose faces lose least. Returns whether labels changed.
 inline bool unfold_chain(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
                          std::vector<std::size_t>& labels)
 {
@@ -259,7 +258,7 @@ inline bool unfold_chain(const Boundary_mesh_3& mesh, const Polycube_charts_3& c
   for(const auto h : CGAL::halfedges_around_source(fold.line.front(), mesh))
     if(charts.chart(h) != charts.chart(fold.line.front()) && charts.chart(h) != charts.chart(other_side.front()))
       label = labels[mesh.face(h)];
-  std::map<double, std::vector<Boundary_mesh_3::Face_index> > sides; // by what a face of them loses
+  std::map<double, std::vector<Boundary_mesh_3::Face_index> > sides; // by the mean loss of their faces
   for(const Boundary_line_3& line : { fold.line, other_side })
   {
     const auto faces = faces_beside(mesh, charts, costs, line, fold.axis);

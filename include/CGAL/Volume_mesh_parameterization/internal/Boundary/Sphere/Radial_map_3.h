@@ -18,15 +18,15 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Is the triangle counterclockwise as seen from outside, the origin being inside? Decided by exact predicates.
+// Returns POSITIVE if the triangle is counterclockwise as seen from outside, the origin being inside; decided exactly.
 inline Orientation radial_orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
 {
   const auto point = [](const Eigen::Vector3d& p) { return Boundary_point_3(p[0], p[1], p[2]); };
   return CGAL::orientation(Boundary_point_3(0, 0, 0), point(a), point(b), point(c));
 }
 
-// Is the central projection of the image onto a sphere one to one? If all triangles are positive, it covers the
-// sphere everywhere equally often, and it suffices to count how often in one direction.
+// Tells whether the central projection of the image onto a sphere is one to one. If all triangles are positive, the
+// projection covers the sphere everywhere equally often, and a count in one direction suffices.
 inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& images)
 {
   std::vector<std::array<Eigen::Vector3d, 3> > triangles;
@@ -48,21 +48,20 @@ inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vect
          && std::count_if(triangles.begin(), triangles.end(), is_in_direction) == 1;
 }
 
-// The distortion of a triangle whose image a, b, c is seen from the origin, as a function of a:
-// f = Q (1 + 1 / D^2), with Q the Dirichlet energy of the map of the triangle, and D = det(a, b, c) / (2 weight).
-// If the weight is the area of the source, times the distance of the image from the origin, then D is the ratio
-// of the areas, and f the symmetric Dirichlet energy times the area.
-// It is infinite at the triangles whose plane contains the origin.
+// Distortion of a triangle whose image a, b, c is seen from the origin, as a function of a: f = Q (1 + 1 / D^2), with the
+// Dirichlet energy Q of the map of the triangle, and D = det(a, b, c) / (2 weight). If the weight is the area of the source
+// times the distance of the image from the origin, D is the ratio of the areas, and f the symmetric Dirichlet energy times
+// the area. A triangle whose plane contains the origin has infinite distortion.
 class Radial_distortion_3
 {
 public:
-  // The weight is the area of the source pqr times `scale`.
+  // Takes the area of the source pqr times `scale` as the weight.
   Radial_distortion_3(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r, const double scale,
                       const Eigen::Vector3d& b, const Eigen::Vector3d& c)
     : m_b(b), m_c(c)
   {
     double pq = (q - p).squaredNorm(), qr = (r - q).squaredNorm(), rp = (p - r).squaredNorm();
-    const double regular = 1e-6 * (pq + qr + rp); // a flat triangle gets a positive area
+    const double regular = 1e-6 * (pq + qr + rp); // gives a flat triangle a positive area; the size is a guess
     pq += regular;
     qr += regular;
     rp += regular;
@@ -100,7 +99,7 @@ private:
   double m_constant, m_cotangent_b, m_cotangent_c;
 };
 
-// A map of a surface onto a surface around the origin, which sees the image of each triangle from inside.
+// Map of a surface onto a surface around the origin, such that the image of each triangle is seen from inside.
 //
 // A `Domain` tells where the image of a vertex may move:
 //   Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const;   // columns may be zero
@@ -129,7 +128,7 @@ public:
         break;
   }
 
-  // Would all triangles around v be seen positive with this image of v?
+  // Tells whether all triangles around v are positive, as seen from the origin, with this image of v.
   bool is_admissible(const int v, const Eigen::Vector3d& image) const
   {
     const std::vector<int>& ring = m_rings[v];
@@ -139,8 +138,7 @@ public:
     return true;
   }
 
-  // Moves the image of v along a Newton step for the distortion of its triangles.
-  // Returns by how much the distortion falls.
+  // Moves the image of v along a Newton step for the distortion of its triangles. Returns by how much the distortion falls.
   double relax(const int v)
   {
     collect_triangles(v);
@@ -179,7 +177,7 @@ private:
   {
     double area = 0;
     for(int v = 0; v < m_rings.number_of_vertices(); ++v)
-      for_each_triangle(v, [&](const int b, const int c) // a third of it for each vertex
+      for_each_triangle(v, [&](const int b, const int c) // each vertex has a third of a triangle
       { area += (m_points[b] - m_points[v]).cross(m_points[c] - m_points[v]).norm() / 6; });
     m_area_scale = m_domain.area() / area;
   }
@@ -212,7 +210,7 @@ private:
     return sum;
   }
 
-  // The absolute values of the eigenvalues of the Hessian make it a direction of descent.
+  // Returns a direction of descent: the Hessian has the absolute values of its eigenvalues.
   Eigen::Vector3d newton_step(const Eigen::Vector3d& image) const
   {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
@@ -239,7 +237,7 @@ private:
   const Domain& m_domain;
   const Budget& m_budget;
   double m_area_scale = 1;
-  std::vector<Radial_distortion_3> m_triangles; // around the vertex in work
+  std::vector<Radial_distortion_3> m_triangles; // triangles around the vertex in work
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

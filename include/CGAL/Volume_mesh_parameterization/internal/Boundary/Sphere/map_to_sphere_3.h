@@ -25,11 +25,11 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Vertices of a surface, by their numbers in the body, and where they should be.
+// Vertices of a surface, by their numbers in the body, with the points that they should be near to.
 using Landmarks_3 = std::vector<std::pair<std::size_t, Eigen::Vector3d> >;
 
-// Maps a topological sphere onto the unit sphere, turned to the landmarks. It is a template, of `Numbered_surface_3`, for the
-// sake of those who include the default boundary but call another one.
+// Maps a topological sphere onto the unit sphere, turned to the landmarks. The surface, a `Numbered_surface_3`, is a template
+// parameter, so that units which include the default boundary but call another one do not compile this one.
 template <typename Surface>
 Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
                            const Budget& budget);
@@ -38,7 +38,7 @@ Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks,
 
 struct Unit_sphere_3
 {
-  static constexpr double curvature = 1;
+  static constexpr double curvature = 1; // the curvature of the unit sphere
 
   Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
   {
@@ -54,10 +54,9 @@ struct Unit_sphere_3
   double area() const { return 4 * CGAL_PI; }
 };
 
-// Maps a triangulated topological sphere onto the unit sphere, one to one, by the method of
-// Praun and Hoppe, Spherical parametrization and remeshing (2003): the surface is coarsened to a tetrahedron,
-// which is easy to map; then the vertices come back, each inside the kernel of its ring, and the map is
-// relaxed level by level.
+// Maps a triangulated topological sphere onto the unit sphere, one to one, by the method of Praun and Hoppe, Spherical
+// parametrization and remeshing (2003): the surface is coarsened to a tetrahedron, which is easy to map; then the vertices
+// come back, each inside the kernel of its ring, and the map is relaxed level by level.
 template <typename Domain = Unit_sphere_3> // compiled only where it is used
 class Spherical_map_3
 {
@@ -67,7 +66,7 @@ public:
       m_map(m_rings, m_points, m_images, m_domain, budget)
   {}
 
-  // Returns whether each vertex found its place, which can fail only by the limits of floating-point numbers or of time.
+  // Returns whether each vertex is mapped, which can fail only by the limits of floating-point numbers or of time.
   bool run()
   {
     const std::vector<std::vector<Removed_vertex> > levels = coarsen_surface_3(m_rings, m_points, m_budget);
@@ -100,7 +99,7 @@ private:
     m_map.relax(20, 1e-3);
   }
 
-  // The vertex onto which the removed one was collapsed sees its whole ring; so do the points close by inside.
+  // Inserts a vertex near the one that it was collapsed onto: this one sees the whole ring, and so do close points inside.
   bool insert(const Removed_vertex& removed)
   {
     m_rings.insert(removed);
@@ -153,8 +152,8 @@ Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& 
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 
-// Turns the sphere such that some of its points come as close as possible to others, in the sense of least squares:
-// Kabsch, A solution for the best rotation to relate two sets of vectors (1976).
+// Turns the sphere such that its points come as close as possible to the landmarks, in the sense of least squares: Kabsch,
+// A solution for the best rotation to relate two sets of vectors (1976).
 template <typename Points>
 void turn_to_landmarks_3(const Points& landmarks, std::vector<Eigen::Vector3d>& images)
 {

@@ -20,8 +20,8 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Gives each face of the surface of a body with handles the label and the coordinate that its image has on a box with as
-// many holes, which lead from the bottom to the top and are in a row from left to right. What the lines of the box leave
-// between them are the top, the bottom, and rings, each of which is divided into four sides.
+// many holes, which lead from the bottom to the top and are in a row from left to right. The lines of the box separate the
+// top, the bottom, and rings; each ring is divided into four sides.
 class Box_with_holes_3
 {
 public:
@@ -38,8 +38,8 @@ public:
     m_rings.push_back({ lines.box(true), lines.box(false), false, {} });
   }
 
-  // The corners of holes are moved along their lines by numbers of vertices. Returns whether there is place for all sides of the
-  // rings.
+  // Divides the surface, with the corners of each hole moved along its line by a number of vertices. Returns whether there is
+  // room for all sides of the rings.
   bool run(const std::vector<int>& turns)
   {
     for(const Ring& ring : m_rings)
@@ -84,7 +84,7 @@ public:
     return result;
   }
 
-  // The coordinates of the images of the pieces, along their axes.
+  // Returns the coordinates of the images of the pieces, along their axes.
   std::vector<double> coordinates(const bool may_be_long, const Grid_planes_3& planes) const
   {
     Measures_of_box_3 measures;
@@ -111,8 +111,8 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Between two lines. The other one is on the left of the first one, if that is of a hole, or on the right. The sides
-  // begin at corners, the vertices with these numbers; the last one is in front.
+  // Ring between two lines. The other line is to the left of the line of a hole, and to the right of the line of the box.
+  // Corners are numbers of vertices of the line at which the sides begin; the last side is in front.
   struct Ring
   {
     Surface_line_3 line, other_line;
@@ -131,8 +131,8 @@ private:
     }
   }
 
-  // A line of a hole leaves its meridian to the left. So the meridian goes on to the right there, and this is the upper part
-  // if the line of the box leaves to the left, too.
+  // Returns the line of a hole with the upper part to its left, reversed if need be. The line leaves its meridian to the left,
+  // so the meridian continues to its right: into the upper part if the line of the box leaves to the left, too.
   Surface_line_3 line_with_upper_part_on_left(const Crossing_3& crossing_of_box) const
   {
     Surface_line_3 line = m_lines.hole(crossing_of_box.meridian, true);
@@ -145,8 +145,8 @@ private:
     return line;
   }
 
-  // Near those of the holes on both ends, behind the last meridian: right in front, right behind, left behind, left in front. None
-  // if there are not four vertices.
+  // Returns the corners of the box: right in front, right behind, left behind, left in front. The corners are near those of
+  // the holes on both ends, behind the last meridian; none if there are not four vertices.
   std::optional<std::array<std::size_t, 4> > corners_of_box() const
   {
     const Surface_line_3& line = m_rings.back().line;
@@ -158,7 +158,8 @@ private:
     for(; rest > 0 && begin < line.size(); ++begin)
       rest -= length(m_mesh, line[begin]);
 
-    // The sum of distances is least for four places in this order: the best ones for the first k, by where the last of them is.
+    // Minimizes the sum of distances of four vertices in order to their goals: `sum[k][i]` is the least one for the first
+    // k + 1 vertices if the last of them is vertex i.
     std::array<std::vector<double>, 4> sum;
     std::array<std::vector<std::size_t>, 4> previous;
     for(std::size_t k = 0; k < 4; ++k)
@@ -192,18 +193,18 @@ private:
     return length_of_part(box, box.corners[3], box.line.size()) + length_of_part(box, 0, box.corners[0]);
   }
 
-  // Where the meridians cross the line of the box, as parts of its front.
+  // Returns at which parts of the front the meridians cross the line of the box.
   std::vector<double> middles_of_holes() const
   {
     const Ring& box = m_rings.back();
     const double before = length_of_part(box, box.corners[3], box.line.size()), front = length_of_front();
     std::vector<double> result;
-    for(const double place : m_lines.crossings_along_box())
-      result.push_back((before + place * length(m_mesh, box.line)) / front);
+    for(const double position : m_lines.crossings_along_box())
+      result.push_back((before + position * length(m_mesh, box.line)) / front);
     return result;
   }
 
-  // From each corner of a ring to the other line, along disjoint paths.
+  // Draws disjoint paths from the corners of a ring to its other line. Returns whether there are paths.
   bool draw_corners(const Ring& ring)
   {
     std::vector<bool> is_goal(m_mesh.number_of_vertices(), false);
@@ -231,7 +232,7 @@ private:
     return true;
   }
 
-  // Pieces are what the lines separate. Returns whether each is one, and there are no others.
+  // Finds the pieces that the lines separate. Returns whether they are the top, the bottom and the sides of rings alone.
   bool find_pieces()
   {
     std::vector<std::size_t> part(m_mesh.number_of_faces());
@@ -254,9 +255,9 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Lines_of_box_3& m_lines;
-  std::vector<Ring> m_rings; // of the holes from left to right, and of the box
+  std::vector<Ring> m_rings; // rings of the holes from left to right, and of the box
   std::vector<bool> m_is_on_line, m_is_line;
-  std::vector<std::size_t> m_piece; // of faces: the top, the bottom, and four sides of each ring
+  std::vector<std::size_t> m_piece; // pieces of faces: the top, the bottom, and four sides of each ring
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -20,14 +20,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Where a line crosses a meridian, at its vertex with this number, and whether it goes on to the left of the meridian.
+// Crossing of a line and a meridian at the vertex of the meridian with an index.
 struct Crossing_3
 {
-  std::size_t meridian, place;
-  bool leaves_left;
+  std::size_t meridian, index;
+  bool leaves_left; // whether the line continues to the left of the meridian
 };
 
-// A closed line on a surface, in parts from each crossing to the next one.
+// Closed line on a surface, in parts from each crossing to the next one.
 struct Closed_line_3
 {
   std::vector<Crossing_3> crossings;
@@ -43,20 +43,20 @@ struct Closed_line_3
 };
 
 // Disjoint lines on the surface of a body with handles that run as the edges of a box with holes from bottom to top. On the
-// box, a meridian is around the bar between each hole and the front. It crosses the two edges of its hole, and the two
-// of the box, once each; the latter cross all meridians. Whatever their paths, disjoint lines with these crossings divide
-// the surface as those edges do the box: into an upper and a lower part, and rings between them, all of genus zero.
-// And as the meridians bound discs that cut the body into a ball, the body is mapped to the box, too.
+// box, a meridian is around the bar between each hole and the front. A meridian crosses the two edges of its hole and the two
+// edges of the box once each; the edges of the box cross all meridians. Whatever their paths, disjoint lines with these
+// crossings divide the surface as the edges do the box: into an upper and a lower part, and rings between them, all of genus
+// zero. As the meridians bound discs that cut the body into a ball, the body is mapped to the box, too.
 //
-// The lines are routed again and again, each along a path that is short and away from the others, and the more expensive at
-// vertices of others the longer those are contended for, as nets on a chip (McMurchie, Ebeling, PathFinder, 1995).
+// The lines are routed again and again, each along a path that is short and away from the other lines. A vertex of another
+// line is the more expensive the longer lines contend for it, as nets on a chip (McMurchie, Ebeling, PathFinder, 1995).
 class Lines_of_box_3
 {
 public:
   using Vertex = Boundary_mesh_3::Vertex_index;
   using Halfedge = Boundary_mesh_3::Halfedge_index;
 
-  // Meridians are given by their vertices.
+  // Takes the meridians as loops of vertices.
   Lines_of_box_3(const Boundary_mesh_3& mesh, const std::vector<std::vector<std::size_t> >& meridians)
     : m_mesh(mesh), m_is_on_meridian(mesh.number_of_vertices(), false), m_uses(mesh.number_of_vertices(), 0)
   {
@@ -71,7 +71,7 @@ public:
     }
   }
 
-  // Returns whether there is place for all of them.
+  // Returns whether there is room for all lines.
   bool run(const Budget& budget)
   {
     const auto is_short = [](const Surface_line_3& line) { return line.size() < 4; };
@@ -84,21 +84,21 @@ public:
 
   std::size_t number_of_holes() const { return m_meridians.size(); }
   const Surface_line_3& meridian(const std::size_t k) const { return m_meridians[k]; }
-  const std::vector<Crossing_3>& crossings_of_box() const { return m_lines[0].crossings; } // from left to right
+  const std::vector<Crossing_3>& crossings_of_box() const { return m_lines[0].crossings; } // in their order from left to right
 
-  // The two edges of the box, and those of the holes, all beginning at a meridian: those of a hole at its own one, those
-  // of the box at that of the leftmost hole.
+  // Return the two edges of the box and of each hole, the first one being the upper one. An edge of a hole begins at the
+  // meridian of the hole, an edge of the box at that of the leftmost hole.
   const Surface_line_3& box(const bool is_first) const { return m_loops[is_first ? 0 : 1]; }
   const Surface_line_3& hole(const std::size_t k, const bool is_first) const { return m_loops[2 * k + (is_first ? 2 : 3)]; }
 
-  // Where the crossings are on the first line of the box, as parts of its length.
+  // Returns the positions of the crossings on the first line of the box, as parts of its length.
   std::vector<double> crossings_along_box() const
   {
     std::vector<double> result(1, 0.);
     for(const Surface_line_3& part : m_lines[0].parts)
       result.push_back(result.back() + length(m_mesh, part));
-    for(double& place : result)
-      place /= result.back();
+    for(double& position : result)
+      position /= result.back();
     result.pop_back();
     return result;
   }
@@ -108,7 +108,7 @@ private:
 
   static Vertex vertex(const std::size_t v) { return Vertex(static_cast<Boundary_mesh_3::size_type>(v)); }
 
-  // Finds the path of a line for lengths of halfedges. Returns whether there is one.
+  // Finds the path of a line, given the lengths of halfedges. Returns whether there is one.
   template <typename Length>
   bool route(Closed_line_3& line, const Length& length_of) const
   {
@@ -126,9 +126,9 @@ private:
   template <typename Length>
   Surface_line_3 path(const Crossing_3& from, const Crossing_3& to, const Length& length_of) const
   {
-    const auto first = leaving(m_mesh, m_meridians[from.meridian], from.place, from.leaves_left);
-    const auto last = leaving(m_mesh, m_meridians[to.meridian], to.place, !to.leaves_left);
-    const Vertex source = m_mesh.source(m_meridians[from.meridian][from.place]);
+    const auto first = leaving(m_mesh, m_meridians[from.meridian], from.index, from.leaves_left);
+    const auto last = leaving(m_mesh, m_meridians[to.meridian], to.index, !to.leaves_left);
+    const Vertex source = m_mesh.source(m_meridians[from.meridian][from.index]);
     const Shortest_paths_3 paths(m_mesh, { source }, [&](const Halfedge h)
     {
       const bool is_open = !m_is_on_meridian[m_mesh.target(h)]
@@ -147,24 +147,24 @@ private:
     return result;
   }
 
-  // Each line of a hole crosses its meridian where it is shortest, and those of the box on the other side of the bars, the next
-  // meridian each time being the nearest one. The upper part is to the left of the lines of the box.
+  // Chooses the crossings: a line of a hole crosses its meridian where the line is shortest, and the lines of the box cross on
+  // the other side of the bar, each time at the nearest meridian next. The upper part is to the left of the lines of the box.
   bool choose_crossings()
   {
     const std::size_t g = number_of_holes();
     m_lines.resize(2 + 2 * g);
-    std::vector<std::array<std::size_t, 4> > places(g); // of the lines: one of the hole, one in each part, one of the box
+    std::vector<std::array<std::size_t, 4> > indices(g); // crossings of a line of the hole, one in each part, one of the box
     for(std::size_t k = 0; k < g; ++k)
     {
       const auto [length, crossing] = nearest(crossings_of_meridian(k), [](const Crossing_3& c) { return c; });
       if(length == infinity)
         return false;
-      places[k] = quarters(m_mesh, m_meridians[k], crossing.place, 0);
+      indices[k] = quarters(m_mesh, m_meridians[k], crossing.index, 0);
     }
-    for(Crossing_3 crossing = { 0, places[0][2], true }; ; )
+    for(Crossing_3 crossing = { 0, indices[0][2], true }; ; )
     {
       const std::size_t k = crossing.meridian;
-      const auto [hole, one_side, box, other_side] = places[k];
+      const auto [hole, one_side, box, other_side] = indices[k];
       m_lines[0].crossings.push_back(crossing);
       m_lines[1].crossings.push_back({ k, crossing.leaves_left ? other_side : one_side, crossing.leaves_left });
       m_lines[2 + 2 * k].crossings.push_back({ k, hole, true });
@@ -173,7 +173,7 @@ private:
       for(std::size_t i = 0; i < g; ++i)
         for(const bool leaves_left : { true, false })
           if(m_lines[2 + 2 * i].crossings.empty())
-            next.push_back({ i, places[i][2], leaves_left });
+            next.push_back({ i, indices[i][2], leaves_left });
       if(next.empty())
         return true;
       crossing = nearest(next, [&](const Crossing_3&) { return crossing; }).second;
@@ -182,14 +182,15 @@ private:
 
   std::vector<Crossing_3> crossings_of_meridian(const std::size_t k) const
   {
-    constexpr std::size_t most = 8;
+    constexpr std::size_t maximal_number_of_crossings = 8; // a guess: each costs shortest paths on the whole surface
     std::vector<Crossing_3> result;
-    for(std::size_t i = 0; i < m_meridians[k].size(); i += (m_meridians[k].size() + most - 1) / most)
+    const std::size_t n = m_meridians[k].size();
+    for(std::size_t i = 0; i < n; i += (n + maximal_number_of_crossings - 1) / maximal_number_of_crossings)
       result.push_back({ k, i, true });
     return result;
   }
 
-  // That of some crossings to which the path is shortest, from where a function tells, and the length of this path.
+  // Returns the crossing whose path, from the crossing that `from` returns, is shortest, and the length of the path.
   template <typename From>
   std::pair<double, Crossing_3> nearest(const std::vector<Crossing_3>& crossings, const From& from) const
   {
@@ -219,8 +220,8 @@ private:
             exchange_between_meetings(a, b);
   }
 
-  // Exchanges what two parts of lines have between the vertices where they meet. If they cross each other there, where a
-  // narrow place keeps both on the wrong sides of each other, they touch then, and can be parted.
+  // Exchanges the pieces of two lines between the vertices where the lines meet. Lines that cross twice, kept on their wrong
+  // sides by a narrow part of the surface, only touch then, and can be parted.
   void exchange_between_meetings(Surface_line_3& a, Surface_line_3& b) const
   {
     std::vector<std::pair<std::size_t, std::size_t> > meetings;
@@ -241,23 +242,23 @@ private:
 
   bool separate(const Budget& budget)
   {
-    constexpr int least_number_of_rounds = 4, rounds_between_exchanges = 4, most = 40;
-    double quarter = 0; // of a meridian, in the mean
+    constexpr int minimal_number_of_rounds = 4, rounds_between_exchanges = 4, maximal_number_of_rounds = 40; // guesses
+    double quarter = 0; // mean quarter of a meridian
     for(const Surface_line_3& meridian : m_meridians)
       quarter += length(m_mesh, meridian) / 4 / static_cast<double>(number_of_holes());
     std::vector<double> history(m_uses.size(), 0);
-    for(int round = 1; round <= most && !budget.is_exhausted(); ++round)
+    for(int round = 1; round <= maximal_number_of_rounds && !budget.is_exhausted(); ++round)
     {
       for(Closed_line_3& line : m_lines)
       {
         use(line, -1);
-        std::vector<Vertex> others;
+        std::vector<Vertex> other_vertices;
         for(const Vertex v : m_mesh.vertices())
           if(m_uses[v] > 0)
-            others.push_back(v);
-        const Shortest_paths_3 from_others(m_mesh, others, [this](const Halfedge h) { return length(m_mesh, h); });
+            other_vertices.push_back(v);
+        const Shortest_paths_3 from_other_lines(m_mesh, other_vertices, [this](const Halfedge h) { return length(m_mesh, h); });
         const auto factor = [&](const Vertex v)
-        { return 1 + history[v] + (m_uses[v] > 0 ? 10 * round : std::pow(quarter / from_others.distance[v], 2)); };
+        { return 1 + history[v] + (m_uses[v] > 0 ? 10 * round : std::pow(quarter / from_other_lines.distance[v], 2)); };
         if(!route(line, [&](const Halfedge h) { return length(m_mesh, h) * factor(m_mesh.target(h)); }))
           return false;
         use(line, 1);
@@ -269,7 +270,7 @@ private:
           history[v] += 10;
           is_separate = false;
         }
-      if(is_separate && round >= least_number_of_rounds)
+      if(is_separate && round >= minimal_number_of_rounds)
         return true;
       if(!is_separate && round % rounds_between_exchanges == 0)
         exchange_between_meetings();
@@ -279,9 +280,9 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   std::vector<Surface_line_3> m_meridians, m_loops;
-  std::vector<Closed_line_3> m_lines; // two of the box, then two of each hole
+  std::vector<Closed_line_3> m_lines; // two lines of the box, then two of each hole
   std::vector<bool> m_is_on_meridian;
-  std::vector<int> m_uses;            // of vertices by lines
+  std::vector<int> m_uses;            // numbers of lines at vertices
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -21,14 +21,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Closed loops of vertices on the boundary of a body that bound disjoint discs inside, such that the body is a ball once it is
-// cut along the discs: one loop for each handle.
+// Closed loops of vertices on the boundary of a body that bound disjoint discs inside, one for each handle: cut along the
+// discs, the body is a ball.
 //
-// The body is filled from one of its cells, each other cell through one facet. What is filled is a ball, glued to
-// itself at all other facets. It remains a ball if one of them is opened that has an edge inside which no other closed facet
-// has; as long as there are such facets, the one nearest to the first cell is opened. So fronts from both sides of a handle
-// leave a disc where they meet. They may also leave discs that meet in a line; then discs that meet no other one become
-// walls, and the body is filled again, from another cell.
+// The body is filled from one of its cells, each other cell through one facet. The filled cells are a ball, glued to itself
+// at all other, closed facets. The ball remains one if a closed facet is opened with an edge inside that no other closed
+// facet has; as long as there are such facets, the one nearest to the first cell is opened. So fronts from both sides of a
+// handle leave a disc where they meet. If discs meet in a line, only discs that meet no other one become walls, and the body
+// is filled again, from another cell.
 class Meridians_3
 {
 public:
@@ -73,17 +73,17 @@ public:
     });
   }
 
-  // So many loops, or fewer if they are not found from a number of cells, one of which is given.
+  // Returns a number of loops, or fewer if no more are found. The body is filled from `first_cell` and other cells.
   std::vector<Loop> loops(const std::size_t number, const std::size_t first_cell, const Budget& budget)
   {
-    constexpr std::size_t most_fillings = 16;
+    constexpr std::size_t maximal_number_of_fillings = 16; // a guess
     m_loops.clear();
     m_is_wall.assign(m_cells.size(), false);
     m_is_on_wall.assign(m_edges.size(), false);
     m_is_used.clear();
-    for(std::size_t i = 0; i < most_fillings && m_loops.size() < number && !budget.is_exhausted(); ++i)
+    for(std::size_t i = 0; i < maximal_number_of_fillings && m_loops.size() < number && !budget.is_exhausted(); ++i)
     {
-      fill_from((first_cell + i * m_facets_of_cell.size() / most_fillings) % m_facets_of_cell.size());
+      fill_from((first_cell + i * m_facets_of_cell.size() / maximal_number_of_fillings) % m_facets_of_cell.size());
       open_facets();
       build_walls();
     }
@@ -94,7 +94,7 @@ private:
   struct Edge
   {
     std::array<std::size_t, 2> vertices;
-    std::vector<std::size_t> facets; // between two cells
+    std::vector<std::size_t> facets; // facets between two cells
     bool is_on_boundary;
   };
 
@@ -150,11 +150,11 @@ private:
     }
   }
 
-  // Those of closed facets that are joined by edges, if they are discs and do not touch others.
+  // Makes walls of closed facets that are joined by edges, where they are discs that touch no other ones.
   void build_walls()
   {
     Disjoint_sets parts(m_cells.size());
-    std::map<std::size_t, std::vector<std::size_t> > neighbors; // on the boundary, of the vertices there
+    std::map<std::size_t, std::vector<std::size_t> > neighbors; // along borders of closed facets
     for(const Edge& edge : m_edges)
     {
       std::vector<std::size_t> closed;
@@ -174,7 +174,7 @@ private:
         add_wall(part.second, loop);
   }
 
-  // Empty if the facets are no disc, or touch others.
+  // Returns the border of a disc of facets; an empty one if they are no disc, or touch other facets.
   Loop border_of_disc(const std::vector<std::size_t>& facets, const std::map<std::size_t, std::vector<std::size_t> >& neighbors) const
   {
     std::set<std::size_t> edges, vertices, border;
@@ -221,11 +221,11 @@ private:
     }
   }
 
-  std::vector<std::array<std::size_t, 2> > m_cells; // of the facets between two
+  std::vector<std::array<std::size_t, 2> > m_cells; // cells on both sides of a facet
   std::vector<Edge> m_edges;
   std::vector<std::vector<std::size_t> > m_edges_of_facet, m_facets_of_cell;
-  std::vector<int> m_level;      // of cells: the number of facets from the first one
-  std::vector<bool> m_is_closed, m_is_wall, m_is_on_wall; // of facets, the last one of edges
+  std::vector<int> m_level;      // number of facets between a cell and the first one
+  std::vector<bool> m_is_closed, m_is_wall, m_is_on_wall; // by facet, by facet and by edge
   std::set<std::size_t> m_is_used;                        // vertices of walls
   std::vector<Loop> m_loops;
 };

@@ -36,7 +36,7 @@ inline double length(const Boundary_mesh_3& mesh, const Surface_line_3& line)
   return std::accumulate(line.begin(), line.end(), 0., [&](const double sum, const auto h) { return sum + length(mesh, h); });
 }
 
-// The halfedges that leave a closed line to one side, where its i-th halfedge begins.
+// Returns the halfedges that leave a closed line to one side, where its i-th halfedge begins.
 inline Surface_line_3 leaving(const Boundary_mesh_3& mesh, const Surface_line_3& line, const std::size_t i, const bool is_left)
 {
   const auto next = line[i], back = mesh.opposite(line[(i + line.size() - 1) % line.size()]);
@@ -47,7 +47,8 @@ inline Surface_line_3 leaving(const Boundary_mesh_3& mesh, const Surface_line_3&
   return result;
 }
 
-// Different vertices that divide a closed line into quarters. The first one is behind a given vertex by a part of its length.
+// Returns four different vertices that divide a closed line into quarters. The first one is behind the vertex `first` by a part
+// of the length of the line.
 inline std::array<std::size_t, 4> quarters(const Boundary_mesh_3& mesh, const Surface_line_3& line, const std::size_t first,
                                            const double part)
 {
@@ -65,7 +66,7 @@ inline std::array<std::size_t, 4> quarters(const Boundary_mesh_3& mesh, const Su
   return result;
 }
 
-// A closed line where two sides of a face in a row are replaced by the third one.
+// Returns a closed line with two sides of a face in a row replaced by the third side.
 inline Surface_line_3 without_shortcuts(const Boundary_mesh_3& mesh, Surface_line_3 line)
 {
   for(std::size_t i = 0; i < line.size() && line.size() > 4; )
@@ -84,7 +85,8 @@ inline Surface_line_3 without_shortcuts(const Boundary_mesh_3& mesh, Surface_lin
   return line;
 }
 
-// Shortest paths on a surface from some vertices, along halfedges that have lengths; infinite ones are not used.
+// Shortest paths on a surface from several vertices, along halfedges that have lengths; halfedges of infinite length are not
+// used.
 struct Shortest_paths_3
 {
   using Vertex = Boundary_mesh_3::Vertex_index;
@@ -92,7 +94,7 @@ struct Shortest_paths_3
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
 
   std::vector<double> distance;
-  std::vector<Halfedge> last; // of the path to each vertex
+  std::vector<Halfedge> last; // last halfedge of the path to each vertex
 
   template <typename Length>
   Shortest_paths_3(const Boundary_mesh_3& mesh, const std::vector<Vertex>& sources, const Length& length)
@@ -121,7 +123,7 @@ struct Shortest_paths_3
     }
   }
 
-  // From the source, if the vertex has been reached.
+  // Returns the path from a source to a vertex that has been reached.
   Surface_line_3 path_to(const Boundary_mesh_3& mesh, Vertex v) const
   {
     Surface_line_3 result;

@@ -16,35 +16,35 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What is measured on a surface for a box with holes in a row from left to right.
+// Measures of a surface for a box with holes in a row from left to right.
 struct Measures_of_box_3
 {
-  double bar = 0;                      // a quarter of a meridian, in the mean
-  double front = 0;                    // the length of the edge in front
+  double bar = 0;                      // mean quarter of a meridian
+  double front = 0;                    // length of the edge in front
   double area_of_top = 0, area_of_sides = 0;
-  std::vector<double> widths, middles; // of the holes: a quarter of their edges, and places in front of them, from 0 to 1
+  std::vector<double> widths, middles; // quarters of edges of holes, and positions in front, from 0 to 1
 };
 
-// Such a length of the front that the holes, with bars between them, have their middles in their places.
+// Returns the length of the front with which the holes, with bars between them, have their middles at their positions.
 inline double length_of_divided_front(const Measures_of_box_3& measures, const double bar)
 {
-  constexpr double least_part = 0.01;
-  double result = 0, place = 0, half = 0; // of the last hole
+  constexpr double least_part = 0.01; // a guess; bounds the length where two holes have the same position
+  double result = 0, position = 0, half = 0; // position and half the width of the last hole
   for(std::size_t i = 0; i <= measures.widths.size(); ++i)
   {
     const bool is_hole = i < measures.widths.size();
-    const double next_place = is_hole ? measures.middles[i] : 1, next_half = is_hole ? measures.widths[i] / 2 : 0;
-    result = (std::max)(result, (half + bar + next_half) / (std::max)(least_part, next_place - place));
-    place = next_place;
+    const double next_position = is_hole ? measures.middles[i] : 1, next_half = is_hole ? measures.widths[i] / 2 : 0;
+    result = (std::max)(result, (half + bar + next_half) / (std::max)(least_part, next_position - position));
+    position = next_position;
     half = next_half;
   }
   return result;
 }
 
-// The coordinates of the top, the bottom, of four sides of each hole (left, back, right, front), and of the box (right,
-// back, left, front), along their axes. Bars are as thick as they are on the surface, and holes as wide. Their middles are where
-// they are in front of them, if the box may be so long, or else if there is place. The top has its area, and the middle
-// of the box is at the origin. With planes of a grid, distances are rounded up.
+// Returns the coordinates of the top, the bottom, of four sides of each hole (left, back, right, front), and of the box
+// (right, back, left, front), along their axes. Bars are as thick as on the surface, and holes as wide. The middles of holes
+// are at their positions along the front, if the box may be long enough, or as far as there is room. The top keeps its area,
+// and the middle of the box is at the origin. With planes of a grid, distances are rounded up.
 inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box_3& measures, const bool may_be_long,
                                                            const Grid_planes_3& planes)
 {
@@ -59,7 +59,7 @@ inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box
     largest = (std::max)(largest, widths.back());
     area += widths.back() * widths.back();
   }
-  double spare = -x; // what is left for gaps that are wider than a bar
+  double spare = -x; // length left for gaps that are wider than a bar
   x = (std::max)(x, rounded(may_be_long ? length_of_divided_front(measures, bar)
                                         : (std::min)(measures.front, 2 * std::sqrt(area))));
   spare += x;

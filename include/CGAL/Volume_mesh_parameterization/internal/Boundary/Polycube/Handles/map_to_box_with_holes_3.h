@@ -19,8 +19,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The coordinates of the charts of a box with holes, after some faces have been given to other ones; none if charts have been
-// divided, or edges are not along an axis.
+// Returns the coordinates of the charts of a box with holes, after some faces have changed their charts; none if charts have
+// been divided, or edges are not along an axis.
 inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const std::vector<std::size_t>& pieces,
                                                  const std::vector<std::size_t>& labels, const std::vector<double>& coordinates)
 {
@@ -35,22 +35,22 @@ inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts
   return are_whole && have_axes ? result : std::vector<double>();
 }
 
-// How a surface is mapped to a box with holes between lines.
+// Result of mapping a surface to a box with holes.
 struct Map_to_box_with_holes_3
 {
   std::size_t number_of_flipped_faces = (std::numeric_limits<std::size_t>::max)(); // between edges
-  std::vector<bool> has_flipped_face;                                             // each hole
+  std::vector<bool> has_flipped_face;                                             // for each hole
   std::vector<Eigen::Vector3d> images;                                            // none if they are not valid
   double distortion = (std::numeric_limits<double>::infinity)();
 };
 
-// Faces for which there is no place between the edges are given to neighbouring charts.
+// Maps a surface to the box with holes between lines. Faces without room between the edges are given to neighboring charts.
 inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                                           const double spacing, const Lines_of_box_3& lines,
                                                           const std::vector<int>& turns, const bool may_be_long,
                                                           const Normal_labels_3& costs, const Budget& budget)
 {
-  constexpr int most_attempts = 10;
+  constexpr int maximal_number_of_attempts = 10; // a guess
   const double size = box.sizes().maxCoeff();
   Map_to_box_with_holes_3 result;
   Box_with_holes_3 box_with_holes(mesh, lines);
@@ -60,7 +60,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
   const std::vector<double> coordinates_of_box
     = box_with_holes.coordinates(may_be_long, { -box.center() / size, spacing / size });
   std::vector<std::size_t> labels = labels_of_box;
-  for(int attempt = 0; attempt < most_attempts && !budget.is_exhausted(); ++attempt)
+  for(int attempt = 0; attempt < maximal_number_of_attempts && !budget.is_exhausted(); ++attempt)
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
@@ -92,8 +92,8 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
   return result;
 }
 
-// Where the surface is narrow, sides of a hole do not face those of the box or of another hole that they have edges with; then
-// the hole is turned, as long as that mends some of the faces that are flipped.
+// Maps a surface to a box whose holes are turned as long as fewer faces are flipped: where the surface is narrow, sides of a
+// hole may not face the sides of the box or of another hole that they have edges with.
 inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
                                                    const double spacing, const Lines_of_box_3& lines,
                                                    const bool may_be_long, const Normal_labels_3& costs,
@@ -122,15 +122,15 @@ inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, 
   return best;
 }
 
-// Maps the surface of a body with handles onto that of a box with as many holes. That is possible if the body can be cut
-// into a ball along discs and the mesh is fine enough. Of several ways to cut it, the one with the least distortion is taken.
-// Vertices of cells are points; `points` are those of the vertices of the surface.
+// Maps the surface of a body with handles onto that of a box with as many holes, if the body can be cut into a ball along
+// discs and the mesh is fine enough. Among several cuts, the one of the least distortion is taken. Vertices of cells are
+// numbers of points; `points` has the number of the point of each vertex of the surface.
 inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
                                           const std::vector<std::array<std::size_t, 4> >& cells,
                                           const std::vector<std::size_t>& points, std::vector<Eigen::Vector3d>& images,
                                           const Budget& budget)
 {
-  constexpr std::size_t most_ways = 16, most_maps = 3;
+  constexpr std::size_t maximal_number_of_cuts = 16, maximal_number_of_maps = 3; // guesses
   const std::size_t number_of_handles
     = (2 + mesh.number_of_edges() - mesh.number_of_vertices() - mesh.number_of_faces()) / 2;
   std::unordered_map<std::size_t, std::size_t> vertex_of_point;
@@ -140,9 +140,9 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const Eig
   Meridians_3 meridians(cells);
   bool has_meridians = false;
   Map_to_box_with_holes_3 best;
-  for(std::size_t i = 0, number_of_maps = 0; i < most_ways && number_of_maps < most_maps && !budget.is_exhausted(); ++i)
+  for(std::size_t i = 0, number_of_maps = 0; i < maximal_number_of_cuts && number_of_maps < maximal_number_of_maps && !budget.is_exhausted(); ++i)
   {
-    std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_handles, i * cells.size() / most_ways, budget);
+    std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_handles, i * cells.size() / maximal_number_of_cuts, budget);
     if(loops.size() < number_of_handles)
       continue;
     has_meridians = true;

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_PATCH_RELAXATION_2_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_PATCH_RELAXATION_2_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_CHART_RELAXATION_2_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_CHART_RELAXATION_2_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -20,16 +20,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Places the inner vertices of a plane image of a surface patch, first harmonically, then such that no triangle is
-// flipped and the distortion is low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of code (2021),
+// Moves the inner vertices of a plane image of a chart, first harmonically, then such that no triangle is flipped
+// and the distortion is low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of
+// code (2021),
 //   sum over triangles of area (|J|^2 + (D^2 + 1) / 2) / chi(D),   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2,
 // where J is the Jacobian of the map from the surface, D its determinant, and epsilon tends to zero; minimized by
 // Newton's method with Hessians that are made positive.
-class Patch_relaxation_2
+class Chart_relaxation_2
 {
 public:
-  // The axes u and v of the images give positive orientation. The patch is scaled to the area of its image.
-  Patch_relaxation_2(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
+  // Maps the chart harmonically. The axes u and v of the images give positive orientation; the chart is scaled to the area
+  // of its image.
+  Chart_relaxation_2(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                      const std::vector<bool>& is_on_border, const int u, const int v,
                      std::vector<Eigen::Vector3d>& images)
     : m_u(u), m_v(v)
@@ -82,7 +84,7 @@ private:
   struct Triangle
   {
     std::array<int, 3> vertices;
-    Eigen::Matrix2d to_rest; // edges of the image times this are the Jacobian
+    Eigen::Matrix2d to_rest; // the Jacobian is the edges of the image times this matrix
     double area;
   };
 
@@ -111,7 +113,7 @@ private:
     m_triangles.push_back(t);
   }
 
-  // Minimizes the sum over triangles of area |J|^2.
+  // Minimizes the sum over triangles of area |J|^2, with one linear system for both coordinates.
   void move_to_harmonic_map()
   {
     if(m_number_of_unknowns == 0)
@@ -211,11 +213,11 @@ private:
     const double slope = 1 / root;                                                              // chi' / chi
     const double curvature = m_epsilon * m_epsilon / (2 * root * root * root) * inverse;        // chi'' / chi
     const double value = (j.squaredNorm() + (D * D + 1) / 2) * inverse;
-    const double first = D * inverse - value * slope; // derivatives by D for fixed |J|
+    const double first = D * inverse - value * slope; // derivatives by D, |J| fixed
     const double second = inverse - 2 * D * inverse * slope + value * (2 * slope * slope - curvature);
 
-    // J is the sum of a similarity p and a reflected one q, its cofactors are p - q: in the basis of p, q and of what is
-    // orthogonal to them in both planes of similarities, all that the Hessian couples is p with q.
+    // J is the sum of a similarity p and a reflected one q, and its cofactors are p - q. In the basis of p, q and of the
+    // vectors orthogonal to them in both planes of similarities, the Hessian couples p with q alone.
     const Eigen::Vector2d p = (j + cofactors).head<2>() / 2, q = (j - cofactors).head<2>() / 2;
     const auto unit = [](const Eigen::Vector2d& x) -> Eigen::Vector2d
     { return x.isZero(0) ? Eigen::Vector2d(Eigen::Vector2d::UnitX()) : x.normalized(); };
@@ -226,7 +228,7 @@ private:
              -a[1],  b[1], -a[0],  b[0],
               a[0], -b[0], -a[1],  b[1];
     basis /= std::sqrt(2.);
-    const double pp = 2 * p.squaredNorm(), qq = 2 * q.squaredNorm(), pq = 2 * p.norm() * q.norm(); // of all four numbers
+    const double pp = 2 * p.squaredNorm(), qq = 2 * q.squaredNorm(), pq = 2 * p.norm() * q.norm(); // each number stands twice in J
     Eigen::Matrix2d coupled;
     coupled << 2 * inverse + first + (second - 4 * inverse * slope) * pp, -second * pq,
                -second * pq, 2 * inverse - first + (second + 4 * inverse * slope) * qq;
@@ -237,7 +239,7 @@ private:
     eigenvalues << eigen.eigenvalues(), 2 * inverse + first, 2 * inverse - first;
     const Eigen::Matrix4d H = basis * eigenvalues.cwiseMax(1e-6 * inverse).asDiagonal() * basis.transpose();
 
-    Eigen::Matrix<double, 4, 6> derivative = Eigen::Matrix<double, 4, 6>::Zero(); // of j by the images
+    Eigen::Matrix<double, 4, 6> derivative = Eigen::Matrix<double, 4, 6>::Zero(); // derivative of j by the images
     for(int k = 0; k < 2; ++k)
       for(int i = 0; i < 3; ++i)
         derivative.block<2, 2>(2 * k, 2 * i).diagonal().setConstant(
@@ -257,14 +259,14 @@ private:
   }
 
   int m_u, m_v;
-  std::vector<Boundary_mesh_3::Vertex_index> m_vertices; // of the mesh
+  std::vector<Boundary_mesh_3::Vertex_index> m_vertices; // vertices of the mesh
   std::vector<Triangle> m_triangles;
   Eigen::Matrix2Xd m_images;
-  std::vector<int> m_unknown; // the number of an inner vertex, or -1
+  std::vector<int> m_unknown; // number of an inner vertex, or -1
   int m_number_of_unknowns = 0;
   double m_epsilon = 1;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_PATCH_RELAXATION_2_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_CHART_RELAXATION_2_H

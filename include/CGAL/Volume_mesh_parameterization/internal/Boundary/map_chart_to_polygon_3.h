@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_CHART_TO_POLYGON_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_CHART_TO_POLYGON_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -32,8 +32,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-
-// A border parameterizer for CGAL's Surface_mesh_parameterization: the border keeps the coordinates it has.
+// Border parameterizer for CGAL's Surface_mesh_parameterization that keeps the coordinates of the border.
 class Prescribed_border_parameterizer_3
 {
 public:
@@ -71,22 +70,22 @@ void map_path_to_segment_3(const Boundary_mesh_3& mesh, const Path& path, const 
   }
 }
 
-// Part of a surface, and the numbers of its vertices and faces in the whole.
-struct Surface_patch_3
+// Part of a surface, with the numbers of its vertices and faces in the whole.
+struct Surface_chart_3
 {
   Boundary_mesh_3 mesh;
   std::vector<int> vertices;
   std::vector<Boundary_mesh_3::Face_index> faces;
 };
 
-inline Surface_patch_3 extract_patch(const Boundary_mesh_3& whole, const std::vector<std::size_t>& patch_of_face,
-                                     const std::size_t patch)
+inline Surface_chart_3 extract_chart(const Boundary_mesh_3& whole, const std::vector<std::size_t>& chart_of_face,
+                                     const std::size_t chart)
 {
-  Surface_patch_3 result;
+  Surface_chart_3 result;
   std::unordered_map<int, Boundary_mesh_3::Vertex_index> number;
   for(const auto f : whole.faces())
   {
-    if(patch_of_face[f] != patch)
+    if(chart_of_face[f] != chart)
       continue;
     std::vector<Boundary_mesh_3::Vertex_index> face;
     for(const auto v : CGAL::vertices_around_face(whole.halfedge(f), whole))
@@ -105,7 +104,7 @@ inline Surface_patch_3 extract_patch(const Boundary_mesh_3& whole, const std::ve
   return result;
 }
 
-// Closes all borders of a patch by fans, but the one whose image surrounds the others.
+// Closes all borders of a chart by fans, except the one whose image surrounds the others, and returns that border.
 inline Boundary_mesh_3::Halfedge_index fill_holes(Boundary_mesh_3& mesh, const std::vector<Boundary_point_2>& images)
 {
   std::vector<Boundary_mesh_3::Halfedge_index> borders;
@@ -130,10 +129,10 @@ inline Boundary_mesh_3::Halfedge_index fill_holes(Boundary_mesh_3& mesh, const s
   return borders.front();
 }
 
-// Maps the inner vertices of a patch into the polygon of its border, by mean value coordinates, which is one to one if
-// the polygon is convex. Uses the axes u and v of the images. Around holes of the patch, which keep their images,
-// the map is the one of the patch without holes. Returns whether the linear system was solved.
-inline bool map_patch_to_polygon_3(const Surface_patch_3& patch, const int u, const int v,
+// Maps the inner vertices of a chart into the polygon of its border by mean value coordinates: one to one if the polygon is
+// convex. The images have their coordinates u and v set. Holes are filled for the map, and keep their images. Returns whether
+// the linear system was solved.
+inline bool map_chart_to_polygon_3(const Surface_chart_3& chart, const int u, const int v,
                                    std::vector<Eigen::Vector3d>& images)
 {
   namespace SMP = Surface_mesh_parameterization;
@@ -141,29 +140,29 @@ inline bool map_patch_to_polygon_3(const Surface_patch_3& patch, const int u, co
   using Solver = Eigen_solver_traits<Eigen::SparseLU<Matrix> >;
 
   std::vector<Boundary_point_2> start;
-  for(const int w : patch.vertices)
+  for(const int w : chart.vertices)
     start.emplace_back(images[w][u], images[w][v]);
-  Boundary_mesh_3 mesh = patch.mesh;
+  Boundary_mesh_3 mesh = chart.mesh;
   const auto border = fill_holes(mesh, start);
   auto uv_map = mesh.add_property_map<Boundary_mesh_3::Vertex_index, Boundary_point_2>("v:uv").first;
-  for(const auto w : patch.mesh.vertices())
+  for(const auto w : chart.mesh.vertices())
     uv_map[w] = start[w];
 
   SMP::Mean_value_coordinates_parameterizer_3<Boundary_mesh_3, Prescribed_border_parameterizer_3, Solver> parameterizer;
   if(SMP::parameterize(mesh, parameterizer, border, uv_map) != SMP::OK)
     return false;
-  const auto vertices = patch.mesh.vertices();
+  const auto vertices = chart.mesh.vertices();
   if(!std::all_of(vertices.begin(), vertices.end(), [&](const auto w) { return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y()); }))
     return false;
-  for(const auto w : patch.mesh.vertices())
-    if(!patch.mesh.is_border(w))
+  for(const auto w : chart.mesh.vertices())
+    if(!chart.mesh.is_border(w))
     {
-      images[patch.vertices[w]][u] = uv_map[w].x();
-      images[patch.vertices[w]][v] = uv_map[w].y();
+      images[chart.vertices[w]][u] = uv_map[w].x();
+      images[chart.vertices[w]][v] = uv_map[w].y();
     }
   return true;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_PATCH_TO_POLYGON_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_CHART_TO_POLYGON_3_H
