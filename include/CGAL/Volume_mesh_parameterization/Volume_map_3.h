@@ -135,7 +135,7 @@ public:
   /// returns the differential in the cell that `image()` finds, a 3 x 3 matrix; empty if the point is outside.
   std::optional<Eigen::Matrix3d> differential(const Point_3& p) const
   {
-    const std::optional<internal::Place_3> place = m_source.find(p);
+    const std::optional<internal::Point_in_cell_3> place = m_source.find(p);
     if(!place)
       return std::nullopt;
     // D E = F for the edges E of the cell and F of its image
@@ -181,7 +181,7 @@ public:
 private:
   explicit Volume_map_3(const internal::Mapped_soup_3& map) : m_source(map.points, map.cells), m_target(map.images, map.cells) {}
 
-  static std::optional<Location> carried(const std::optional<internal::Place_3>& place,
+  static std::optional<Location> carried(const std::optional<internal::Point_in_cell_3>& place,
                                          const internal::Cell_locator_3& other)
   {
     if(!place)

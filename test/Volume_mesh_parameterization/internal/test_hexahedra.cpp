@@ -346,13 +346,13 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
       x += is_outer[v] ? 0 : noise(engine);
   const Points before = mesh.points;
   REQUIRE(smallest_determinant(mesh) < 0);
-  REQUIRE(VMP::internal::judged(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
+  REQUIRE(VMP::internal::evaluated_hexahedra(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
 
   Sliding_hexahedra sliding(box, mesh);
   for(int i = 0; i < 4; ++i)
     sliding.hexahedra.improve(30, false, 1);
   mesh = sliding.hexahedra.mesh();
-  const Hexahedral_mesh_result result = VMP::internal::judged(mesh, false);
+  const Hexahedral_mesh_result result = VMP::internal::evaluated_hexahedra(mesh, false);
   CHECK(result.status == VMP::OK);
   CHECK(result.minimal_scaled_jacobian > 0.9); // the cubes are the minimum
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -390,9 +390,9 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
 {
   const Body ball(8, 0, rounded);
   Sliding_hexahedra sliding(ball);
-  REQUIRE(VMP::internal::judged(sliding.start, false).minimal_scaled_jacobian < 0.11); // two faces of the cube on the sphere
+  REQUIRE(VMP::internal::evaluated_hexahedra(sliding.start, false).minimal_scaled_jacobian < 0.11); // two faces of the cube on the sphere
   sliding.hexahedra.smooth(0.3);
-  CHECK(VMP::internal::judged(sliding.hexahedra.mesh(), false).minimal_scaled_jacobian > 0.2);
+  CHECK(VMP::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimal_scaled_jacobian > 0.2);
   const std::vector<K::Triangle_3> facets = ball.boundary_facets();
   for(std::size_t v = 0; v < sliding.start.points.size(); ++v)
     if(sliding.freedoms[v] != VMP::internal::Freedom_3::SPACE)
@@ -490,14 +490,14 @@ TEST_CASE("Vertices that leave the surface come back to it, to its edges and its
       p = straight.surface.nearest(p, straight.freedoms[v]);
       mesh.points[v] = { p[0], p[1], p[2] };
     }
-    REQUIRE(VMP::internal::judged(mesh, false).number_of_inverted_corners > 0);
+    REQUIRE(VMP::internal::evaluated_hexahedra(mesh, false).number_of_inverted_corners > 0);
 
     VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
     VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
     const VMP::internal::Budget budget;
     VMP::internal::Sliding_hexahedra_3 tangled(mesh, straight.freedoms, straight.surface, linear_solver, false, budget);
     tangled.leave_and_return();
-    CHECK(VMP::internal::judged(tangled.mesh(), false).number_of_inverted_corners == 0);
+    CHECK(VMP::internal::evaluated_hexahedra(tangled.mesh(), false).number_of_inverted_corners == 0);
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       const Vector3d p = vector(tangled.mesh().points[v]);
@@ -582,7 +582,7 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     }
 
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result before = VMP::internal::judged(sliding.start, false), after = body.mesh(1, mesh);
+    const Hexahedral_mesh_result before = VMP::internal::evaluated_hexahedra(sliding.start, false), after = body.mesh(1, mesh);
     CHECK(after.number_of_inverted_corners <= before.number_of_inverted_corners);
     CHECK(after.minimal_scaled_jacobian >= (std::min)(0.3, before.minimal_scaled_jacobian));
 

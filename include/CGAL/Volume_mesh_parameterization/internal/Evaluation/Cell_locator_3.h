@@ -20,7 +20,7 @@
 #include <boost/config/pragma_message.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 
-// The R-tree of Boost 1.74 includes a header that Boost deprecates with a message, at each compilation.
+// Silences a message at each compilation: the R-tree of Boost 1.74 includes a header that Boost deprecates.
 #pragma push_macro("BOOST_PRAGMA_MESSAGE")
 #undef BOOST_PRAGMA_MESSAGE
 #define BOOST_PRAGMA_MESSAGE(x)
@@ -38,7 +38,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Corners_3 = std::array<Exact_point_3, 4>;
 
-// Six times the volumes of the four tetrahedra in which a point replaces one corner.
+// Returns six times the volumes of the four tetrahedra in which a point replaces one corner.
 template <typename FT>
 std::array<FT, 4> volumes_with_point_3(const Corners_3& corners, const Exact_point_3& p)
 {
@@ -51,9 +51,9 @@ std::array<FT, 4> volumes_with_point_3(const Corners_3& corners, const Exact_poi
   return { volume(1, 2, 3), volume(0, 3, 2), volume(0, 1, 3), volume(0, 2, 1) };
 }
 
-// The barycentric coordinates of a point in the closed tetrahedron: not negative, of sum 1 up to rounding. Rounding
-// errs by some 1e-15 L^3 in each volume, for a tetrahedron of size L. Where this is not small against their sum,
-// the volumes are computed exactly.
+// Returns the barycentric coordinates of a point in the closed tetrahedron: not negative, of sum 1 up to rounding. Rounding
+// errs by some 1e-15 L^3 in each volume, for a tetrahedron of size L; unless this is small against the sum of the volumes,
+// they are computed exactly.
 inline std::array<double, 4> barycentric_coordinates_3(const Corners_3& corners, const Exact_point_3& p)
 {
   double size = 0;
@@ -78,11 +78,11 @@ inline std::array<double, 4> barycentric_coordinates_3(const Corners_3& corners,
   return result;
 }
 
-// A point of the closed body.
-struct Place_3
+// Point of the closed body, by a cell that has it.
+struct Point_in_cell_3
 {
   std::size_t cell = 0;
-  std::array<double, 4> coordinates{}; // barycentric ones
+  std::array<double, 4> coordinates{}; // barycentric coordinates
 };
 
 // Finds the tetrahedra that contain points, by a packed R-tree of their bounding boxes. The boxes are exact, and exact
@@ -111,8 +111,8 @@ public:
   const std::array<std::size_t, 4>& vertices(const std::size_t cell) const { return m_cells[cell]; }
   const Exact_point_3& corner(const std::size_t cell, const std::size_t i) const { return m_points[m_cells[cell][i]]; }
 
-  // In the cell of smallest index, of those whose closure contains the point.
-  std::optional<Place_3> find(const Exact_point_3& p) const
+  // Finds the cell of smallest index whose closure contains the point.
+  std::optional<Point_in_cell_3> find(const Exact_point_3& p) const
   {
     if(!is_finite_point(p))
       return std::nullopt;
@@ -124,18 +124,18 @@ public:
     });
     if(cell == m_cells.size())
       return std::nullopt;
-    return Place_3{ cell, barycentric_coordinates_3(corners(cell), p) };
+    return Point_in_cell_3{ cell, barycentric_coordinates_3(corners(cell), p) };
   }
 
-  // The point itself, or the nearest one of the closed body, up to rounding; none if there are no cells, or
-  // the squared distance overflows.
-  std::optional<Place_3> find_nearest(const Exact_point_3& p) const
+  // Finds the point itself, or the nearest one of the closed body, up to rounding; none if there are no cells, or the squared
+  // distance overflows.
+  std::optional<Point_in_cell_3> find_nearest(const Exact_point_3& p) const
   {
     if(!is_finite_point(p) || m_tree.empty())
       return std::nullopt;
-    if(const std::optional<Place_3> place = find(p))
-      return place;
-    // The cell of the nearest box bounds the distance; then all cells that may be as near are compared.
+    if(const std::optional<Point_in_cell_3> found = find(p))
+      return found;
+    // the cell of the nearest box bounds the distance; then all cells that may be as near are compared
     const auto in_nearest_box = m_tree.qbegin(boost::geometry::index::nearest(to_tree(p), 1));
     std::size_t cell = in_nearest_box->second;
     Exact_point_3 nearest = nearest_on_facets(corners(cell), p);
@@ -155,7 +155,7 @@ public:
         nearest = candidate;
       }
     });
-    return Place_3{ cell, barycentric_coordinates_3(corners(cell), nearest) };
+    return Point_in_cell_3{ cell, barycentric_coordinates_3(corners(cell), nearest) };
   }
 
 private:

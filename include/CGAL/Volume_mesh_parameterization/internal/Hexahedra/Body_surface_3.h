@@ -28,18 +28,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Where a vertex may move.
+// Freedom of a vertex: anywhere, on the surface, along a line, or not at all.
 enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
 
-// The boundary of a body that is mapped to a domain whose facets are orthogonal to the axes, and its lines: the sharp edges
-// that are mapped to edges of the domain.
+// Boundary of a body that is mapped to a domain whose facets are orthogonal to the axes, and its lines: the sharp edges that
+// are mapped to edges of the domain.
 class Body_surface_3
 {
 public:
   Body_surface_3(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells,
                  const std::vector<std::array<double, 3> >& images)
   {
-    constexpr double sharp = 0.5; // the cosine of the angle between normals
+    constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
     const std::vector<std::array<std::size_t, 3> > facets = boundary_facets_3(cells);
     const auto triangle = [&](const std::size_t f, const std::vector<std::array<double, 3> >& positions)
     {
@@ -57,8 +57,8 @@ public:
     for_each_edge(facets, [&](const auto begin, const auto end)
     {
       const std::size_t f = begin->second[0] / 3, g = (end - 1)->second[0] / 3;
-      if(normal(m_triangles[f]).dot(normal(m_triangles[g])) < sharp
-         && normal(triangle(f, images)).dot(normal(triangle(g, images))) < sharp)
+      if(normal(m_triangles[f]).dot(normal(m_triangles[g])) < cosine_of_sharp_edge
+         && normal(triangle(f, images)).dot(normal(triangle(g, images))) < cosine_of_sharp_edge)
         m_segments.emplace_back(exact_point(points[begin->first[0]]), exact_point(points[begin->first[1]]));
     });
     m_surface.rebuild(m_triangles.begin(), m_triangles.end());
@@ -70,8 +70,8 @@ public:
 
   const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
 
-  // Where a vertex may move that lies on as many planes of the boundary of the domain: on an edge of it, or in a corner, it
-  // is held only if the body has a line there, too.
+  // Returns the freedom of a vertex by the number of planes of the boundary of the domain that its image is on. The image may be
+  // on an edge or in a corner: the vertex is held there only if the body has a line there, too.
   Freedom_3 freedom(const Eigen::Vector3d& p, const int number_of_planes) const
   {
     if(number_of_planes == 0)
@@ -81,14 +81,14 @@ public:
     return !is_on_line ? Freedom_3::SURFACE : number_of_planes == 2 ? Freedom_3::LINE : Freedom_3::NONE;
   }
 
-  // The nearest point of where the vertex may be.
+  // Returns the point nearest to p among those where a vertex may be.
   Eigen::Vector3d nearest(const Eigen::Vector3d& p, const Freedom_3 freedom) const
   {
     return freedom == Freedom_3::SURFACE ? to_vector(m_surface.closest_point(exact_point(p)))
          : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
-  // Onto the directions in which a vertex may move, from a point where it may be.
+  // Returns the projector onto the directions in which a vertex may move from a point where it may be.
   Eigen::Matrix3d projector(const Eigen::Vector3d& p, const Freedom_3 freedom) const
   {
     if(freedom == Freedom_3::SURFACE)
@@ -120,7 +120,7 @@ private:
   std::vector<Eigen::Vector3d> m_vertices;
   Triangles m_triangles;
   Segments m_segments;
-  double m_rounding; // of points on lines
+  double m_rounding; // distance of points on lines from the lines, by rounding
   Tree<AABB_triangle_primitive<Kernel, Triangles::const_iterator> > m_surface;
   Tree<AABB_segment_primitive<Kernel, Segments::const_iterator> > m_lines;
 };

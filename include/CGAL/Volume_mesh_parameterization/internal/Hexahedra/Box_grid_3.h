@@ -17,13 +17,12 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// A grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of
-// the grid, and between two of them planes are put at equal distances near the spacing. So a box is inside the domain
-// or outside, but not both.
+// Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the
+// grid, and between two of them planes are put at equal distances near the spacing. So no box is partly inside the domain.
 class Box_grid_3
 {
 public:
-  // The domain is the image of the cells.
+  // Finds the planes for the domain, the image of the cells.
   Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& images,
              const double spacing)
   {
@@ -42,8 +41,8 @@ public:
 
   const Input_check_3& check() const { return m_check; }
 
-  // The boxes for whose centers, all at once, `are_inside` returns a value that is true, in their order; none if it returns
-  // nothing.
+  // Returns the boxes inside. `are_inside` takes all centers at once and returns a value for each, true inside, or no values
+  // if it has been interrupted; then there are no boxes.
   template <typename Predicate>
   Hexahedron_soup_3 boxes(const Predicate& are_inside) const
   {
@@ -109,25 +108,25 @@ private:
     return false;
   }
 
-  // Refuses more boxes than memory has room for: where all are inside, the improvement of one takes 4 kB.
+  // Refuses more boxes than memory has room for: 4 kB a box while hexahedra are improved, if all boxes are inside.
   bool check_number_of_boxes(const double spacing)
   {
-    constexpr double most = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
-    if(number_of_boxes(spacing) <= most)
+    constexpr double maximal_number = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
+    if(number_of_boxes(spacing) <= maximal_number)
       return true;
-    if(number_of_boxes(infinity) > most)
+    if(number_of_boxes(infinity) > maximal_number)
       m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The planes of the faces of the domain alone make ",
-                             number_of_boxes(infinity), " boxes; at most ", most, " are allowed.");
+                             number_of_boxes(infinity), " boxes; at most ", maximal_number, " are allowed.");
     else
     {
       double coarser = spacing;
-      for(const std::vector<double>& planes : m_planes) // not finer than what one axis allows
-        coarser = (std::max)(coarser, (planes.back() - planes.front()) / most);
-      while(number_of_boxes(coarser) > most)
+      for(const std::vector<double>& planes : m_planes) // each axis alone has a finest spacing
+        coarser = (std::max)(coarser, (planes.back() - planes.front()) / maximal_number);
+      while(number_of_boxes(coarser) > maximal_number)
         coarser *= 1.1;
       m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes(spacing),
                              " boxes, which may take ", gigabytes_of_box * number_of_boxes(spacing),
-                             " GB of memory; at most ", most, " are allowed: a spacing of ", coarser, " would do.");
+                             " GB of memory; at most ", maximal_number, " are allowed: a spacing of ", coarser, " would do.");
     }
     return false;
   }
@@ -173,8 +172,8 @@ private:
     return m_planes[axis][i] + (m_planes[axis][i + 1] - m_planes[axis][i]) / 2;
   }
 
-  std::array<std::vector<double>, 3> m_planes; // their coordinates, along each axis
-  // Behind each plane: the first one between the same two planes of faces.
+  std::array<std::vector<double>, 3> m_planes; // coordinates of planes, along each axis
+  // First box of each box's block, along each axis: the first one between the same two planes of faces.
   std::array<std::vector<std::size_t>, 3> m_first_of_block;
   Input_check_3 m_check;
 };

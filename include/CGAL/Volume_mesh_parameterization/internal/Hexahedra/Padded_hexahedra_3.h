@@ -18,11 +18,11 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// An edge of a hexahedron on an edge of the domain, with the quadrangles on both sides.
+// Edge of a hexahedron on an edge of the domain, with the quadrangles on both sides.
 struct Edge_of_domain_3
 {
   std::array<std::size_t, 2> vertices, facets;
-  bool is_manifold; // otherwise there are more quadrangles
+  bool is_manifold; // whether no more quadrangles have the edge
 };
 
 inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedron_soup_3& domain)
@@ -42,7 +42,7 @@ inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedron_soup_3& 
   return result;
 }
 
-// The axis that a quadrangle of the boundary of the domain is orthogonal to.
+// Returns the axis that a quadrangle of the boundary of the domain is orthogonal to.
 inline std::size_t axis_of_facet(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& facet)
 {
   std::size_t axis = 0;
@@ -52,7 +52,7 @@ inline std::size_t axis_of_facet(const std::vector<std::array<double, 3> >& poin
   return axis;
 }
 
-// The patches of the faces of the domain that a layer of hexahedra is put along.
+// Faces of the domain, by their numbers in `facet_patches`, that a layer of hexahedra is put along.
 using Layer_3 = std::set<std::size_t>;
 
 inline Layer_3 layer_along_boundary(const Hexahedron_soup_3& domain)
@@ -61,14 +61,14 @@ inline Layer_3 layer_along_boundary(const Hexahedron_soup_3& domain)
 }
 
 // Chooses layers of hexahedra such that no corner of a hexahedron on the boundary needs to be almost straight. Where two
-// quadrangles are nearly in one plane at a convex edge of the domain, a layer covers both sides. It ends at other convex
-// edges, on the faces behind, which then have two quadrangles in places where their corners are straight; at a vertex only
-// if it covers one part of the faces around it, and there is a direction into which it can get its depth. (After Cherchi,
-// Alliez, Scateni, Lyon, Bommes: Selective padding for polycube-based hexahedral meshing, 2019, who minimize a distortion.)
+// quadrangles are nearly in one plane at a convex edge of the domain, a layer covers both sides. The layer ends at other
+// convex edges, on the faces behind, which then have two quadrangles where a corner of one would be straight. At a vertex, a
+// layer ends only if it covers one part of the faces there, and there is a direction for its depth. (After Cherchi, Alliez,
+// Scateni, Lyon, Bommes: Selective padding for polycube-based hexahedral meshing, 2019, who minimize a distortion.)
 class Layer_choice_3
 {
 public:
-  // The hexahedra of the body, with their images in the domain.
+  // Takes the hexahedra of the body, with their images in the domain.
   explicit Layer_choice_3(const Hexahedron_soup_3& mesh)
     : m_mesh(mesh), m_edges(edges_of_domain_3(mesh)), m_patches(layer_along_boundary(mesh)), m_sets(m_patches.size() + 1)
   {
@@ -119,9 +119,9 @@ private:
 
   bool needs_layer(const Edge_of_domain_3& edge) const
   {
-    constexpr double flat = 0.7; // the cosine of the angle between normals
+    constexpr double cosine_of_smooth_edge = 0.7; // a guess; 45 degrees between normals
     const Eigen::Vector3d n = normal(m_mesh.points, m_mesh.facets[edge.facets[0]]);
-    return !is_concave(edge) && n.dot(normal(m_mesh.points, m_mesh.facets[edge.facets[1]])) > flat;
+    return !is_concave(edge) && n.dot(normal(m_mesh.points, m_mesh.facets[edge.facets[1]])) > cosine_of_smooth_edge;
   }
 
   Layer_3 layer_of(const std::size_t set)
@@ -133,10 +133,10 @@ private:
     return result;
   }
 
-  // Adds to a layer what is at vertices where it cannot end. Returns whether there was such a vertex.
+  // Adds faces to a layer at vertices where it cannot end. Returns whether there was such a vertex.
   bool grow(const Layer_3& layer)
   {
-    constexpr std::size_t none = 0;
+    constexpr std::size_t none = 0; // faces are numbered from 1
     std::vector<int> number_of_ends(m_mesh.points.size(), 0);
     std::vector<std::array<bool, 3> > is_held(m_mesh.points.size());
     std::vector<std::size_t> covered(m_mesh.points.size(), none);
@@ -163,14 +163,15 @@ private:
 
   const Hexahedron_soup_3& m_mesh;
   const std::vector<Edge_of_domain_3> m_edges;
-  const Layer_3 m_patches; // they are numbered from 1
-  Disjoint_sets m_sets; // of patches that belong to one layer
+  const Layer_3 m_patches; // all faces, numbered from 1
+  Disjoint_sets m_sets; // faces that belong to one layer
 };
 
-// Where the hexahedra get copies of the vertices of a layer, in the planes of those facets at the vertices that have none.
+// Returns the points of the copies of vertices that the hexahedra under a layer get. Copies remain in the planes of the facets at
+// a vertex that have no layer.
 inline std::vector<Eigen::Vector3d> inner_points_3(const Hexahedron_soup_3& domain, const Layer_3& layer)
 {
-  constexpr double depth = 0.5; // on the way to the mean center of the hexahedra around the vertex
+  constexpr double depth = 0.5; // a guess; part of the way to the mean center of the hexahedra around the vertex
   std::vector<Eigen::Vector3d> result(domain.points.size(), Eigen::Vector3d::Zero());
   std::vector<int> number(domain.points.size(), 0);
   for(const std::array<std::size_t, 8>& cell : domain.cells)
@@ -193,9 +194,9 @@ inline std::vector<Eigen::Vector3d> inner_points_3(const Hexahedron_soup_3& doma
   return result;
 }
 
-// Adds a layer: each vertex of the faces that it covers stays where it is, and the hexahedra around it get a
-// copy further inside; a hexahedron is put between each quadrangle and its copy. Where the layer ends, its sides are
-// on the boundary, too, behind all the other quadrangles.
+// Adds a layer: each vertex of the covered faces stays, and the hexahedra around the vertex get a copy further inside; a
+// hexahedron is put between each quadrangle and its copy. Where the layer ends, its sides are on the boundary, too; their
+// quadrangles follow all others in the arrays.
 inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh, const Layer_3& layer)
 {
   const auto is_padded = [&](const std::size_t f) { return layer.count(mesh.facet_patches[f]) > 0; };
@@ -215,7 +216,7 @@ inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh, const Layer_3& la
   for(std::array<std::size_t, 8>& cell : result.cells)
     for(std::size_t& v : cell)
       v = inner[v];
-  std::map<std::array<std::size_t, 2>, std::size_t> blocks; // of a patch on a block
+  std::map<std::array<std::size_t, 2>, std::size_t> blocks; // by block and face
   const std::size_t number_of_blocks = *std::max_element(mesh.cell_blocks.begin(), mesh.cell_blocks.end());
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
   {

@@ -19,6 +19,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
+// tried, and corners below the third one are almost flat, which steps avoid.
 constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1;
 
 // Hexahedra of a body whose vertices move inside, on its boundary and along its lines.
@@ -45,22 +47,22 @@ public:
     });
     m_order = set_numbered_mesh(corners, points, is_fixed, m_numbered);
     m_numbered.target = m_numbered.source;
-    std::vector<int> places(m_order.size());
+    std::vector<int> index(m_order.size());
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
       m_freedom.push_back(freedom[m_order[i]]);
-      places[m_order[i]] = static_cast<int>(i);
+      index[m_order[i]] = static_cast<int>(i);
     }
     for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
       for(const std::size_t k : { 1, 2 })
-        m_boundary.push_back({ places[quadrangle[0]], places[quadrangle[k]], places[quadrangle[k + 1]] });
+        m_boundary.push_back({ index[quadrangle[0]], index[quadrangle[k]], index[quadrangle[k + 1]] });
   }
 
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
 
-  // Some steps of Newton's method for all vertices at once, or for those inside. Those on the boundary move in its tangent
-  // planes, or along lines, are put back, and are pulled such that the boundary is covered; once all corners are positive,
-  // as it hinders untangling, also such that nothing is far from it. Hexahedra whose corners are positive keep them so.
+  // Makes steps of Newton's method for all vertices at once, or, unless `do_slide`, for those inside. Vertices on the boundary
+  // move in its tangent planes, or along lines, are put back, and are pulled to cover the boundary; once all corners are
+  // positive, also to approach it, which hinders untangling. Hexahedra whose corners are all positive keep them so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent)
   {
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
@@ -82,12 +84,12 @@ public:
     write_points();
   }
 
-  // Lets vertices leave the surface, where corners are untangled easily, and draws them back to it by a weight that grows
+  // Lets vertices leave the surface, where corners are untangled easily, and draws the vertices back by a weight that grows,
   // while corners stay positive (the penalty method; Nocedal and Wright, Numerical Optimization, section 17.1).
   void leave_and_return()
   {
-    constexpr double first_weight = 100, last_weight = 1e10, growth = 3;
-    constexpr std::size_t number_of_steps = 20;
+    constexpr double first_weight = 100, last_weight = 1e10, growth = 3; // guesses
+    constexpr std::size_t number_of_steps = 20;                          // a guess
     for(double weight = first_weight; weight <= last_weight && !m_budget.is_exhausted(); weight *= growth)
     {
       Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
@@ -104,7 +106,7 @@ public:
     write_points();
   }
 
-  // Moves vertices one after the other, those around corners whose scaled Jacobian is below the target.
+  // Moves the vertices of corners whose scaled Jacobian is below the target, one after the other.
   void smooth(const double target)
   {
     smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surface,
@@ -113,8 +115,8 @@ public:
     write_points();
   }
 
-  // Lets vertices of inverted corners leave the lines, from which perhaps no way leads to positive corners, if any of them
-  // is on one.
+  // Lets vertices of inverted corners leave the lines, on which corners perhaps cannot become positive. Returns whether any
+  // vertex was on a line.
   bool leave_lines()
   {
     bool is_on_line = false;
@@ -130,12 +132,12 @@ public:
   }
 
 private:
-  static constexpr double pull = 5; // hardly makes corners worse
+  static constexpr double pull = 5; // weight of covering the boundary: hardly makes corners worse
 
-  // Hexahedra keep the mean lengths of their edges along each axis, if these are not too short.
+  // Sets the goal for edges: the mean length of the edges of a hexahedron along each axis, or a bound for short ones.
   void set_edges(Corner_goals_3& goals) const
   {
-    constexpr double shortest = 0.5; // relative to the mean
+    constexpr double shortest = 0.5; // a guess; relative to the mean edge
     std::vector<Eigen::Vector3d> edges(m_mesh.cells.size(), Eigen::Vector3d::Zero());
     const auto length = [&](const std::size_t corner, const std::size_t i) -> double&
     {
@@ -154,7 +156,7 @@ private:
         goals.edges[c][i] = (std::max)(length(c, i), shortest * goals.mean_edge);
   }
 
-  // Pulls vertices that slide to where they were at first.
+  // Pulls sliding vertices to their first positions.
   void hold_boundary(Corner_goals_3& goals) const
   {
     for(std::size_t i = 0; i < m_order.size(); ++i)
@@ -164,17 +166,17 @@ private:
                                         m_numbered.source(axis, i) });
   }
 
-  // The nearest point to a vertex of where it may be; one that may not move was there at first.
+  // Returns the point nearest to a vertex among those where it may be: the first position of one that may not move.
   Eigen::Vector3d nearest(const std::size_t i) const
   {
     return m_surface.nearest(m_freedom[i] == Freedom_3::NONE ? m_numbered.source.col(i) : m_numbered.target.col(i),
                              m_freedom[i]);
   }
 
-  // Pulls vertices to the nearest points of where they may be, mostly in the directions in which they may not move there.
+  // Pulls vertices to the nearest points where they may be, mostly in the directions in which they may not move there.
   void return_to_surface(const double factor, Corner_goals_3& goals) const
   {
-    constexpr double part_along = 0.1;
+    constexpr double part_along = 0.1; // a guess; how much less a vertex is held in the directions in which it may move
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
       if(m_freedom[i] == Freedom_3::SPACE)
@@ -187,16 +189,16 @@ private:
     }
   }
 
-  // Pulls a point of a triangle to one on the body's surface that is far from it, along the way between them only, so that
-  // it may slide across this (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
+  // Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
+  // may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
   // multiple range images, 1992).
   void pull_point(const Eigen::Vector3d& q, const std::array<int, 3>& triangle, const Eigen::Vector3d& p,
                   Corner_goals_3& goals) const
   {
-    constexpr double far = 0.2, most = 1; // relative to the mean edge
-    const double factor = std::sqrt(200.); // of the residual
+    constexpr double smallest_distance = 0.2, longest_pull = 1; // guesses; relative to the mean edge
+    const double factor = std::sqrt(200.);                      // a guess; scales the residual
     const double distance = (p - q).norm();
-    if(distance < far * goals.mean_edge)
+    if(distance < smallest_distance * goals.mean_edge)
       return;
     const auto& [a, b, c] = triangle;
     Eigen::Matrix<double, 3, 2> sides;
@@ -207,7 +209,7 @@ private:
     const Eigen::Vector2d st = products.inverse() * (sides.transpose() * (q - m_numbered.target.col(a)));
     const Eigen::Vector3d way = factor * (p - q) / distance;
     goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
-                                  way.dot(q) + factor * (std::min)(distance, most * goals.mean_edge) });
+                                  way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
   }
 
   // Pulls quadrangles to the vertices of the body's surface.
@@ -218,8 +220,8 @@ private:
                      { pull_point(q, triangle, p, goals); });
   }
 
-  // Pulls the middles of quadrangles and of their edges to the body's surface, from which those are far that span a
-  // valley.
+  // Pulls the middles of quadrangles and of their edges to the body's surface: a quadrangle that spans a valley has its middle
+  // far away.
   void approach_surface(Corner_goals_3& goals) const
   {
     for(const std::array<int, 3>& triangle : m_boundary)
@@ -230,13 +232,13 @@ private:
       }
   }
 
-  // Takes positions, put back onto the boundary. Where this inverts a corner, or makes it almost flat, which would take all
-  // of the next steps, vertices go a part of their way only, and in the end none of it; while corners are inverted anyway,
-  // that is left to the next steps.
+  // Takes positions, put back onto the boundary. Where a corner would be inverted, or so flat that the next steps would serve
+  // it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
+  // steps are left to mend them.
   void put_back(const Eigen::Matrix3Xd& moved, const bool was_valid)
   {
-    constexpr int number_of_attempts = 5;
-    constexpr double most_lost = 0.9; // of a scaled Jacobian
+    constexpr int number_of_attempts = 5; // a guess
+    constexpr double largest_loss = 0.9;  // a guess; part of a scaled Jacobian that a step may lose
     const Eigen::Matrix3Xd before = m_numbered.target;
     const bool may_shorten = was_valid || inverted_cells(m_numbered, moved).number == 0;
     const auto quality = [&](const Eigen::Matrix3Xd& positions, const std::size_t c)
@@ -245,7 +247,7 @@ private:
     };
     std::vector<double> least(m_numbered.cells.size(), 0), part(m_order.size(), 1);
     for(std::size_t c = 0; c < least.size() && was_valid; ++c)
-      least[c] = (std::min)({ flat_scaled_jacobian, (1 - most_lost) * quality(before, c), quality(before, c) });
+      least[c] = (std::min)({ flat_scaled_jacobian, (1 - largest_loss) * quality(before, c), quality(before, c) });
     for(int attempt = 1; ; ++attempt)
     {
       for(std::size_t i = 0; i < m_order.size(); ++i)
@@ -276,10 +278,10 @@ private:
 
   Hexahedron_soup_3 m_mesh;
   const Body_surface_3& m_surface;
-  Numbered_mesh_3 m_numbered; // the corners; the source is where vertices were at first, the target where they are
+  Numbered_mesh_3 m_numbered; // corners as cells; the source has the first positions of vertices, the target the present ones
   std::vector<std::size_t> m_order;
-  std::vector<Freedom_3> m_freedom; // in this order
-  Triangles_of_boundary m_boundary; // two of each quadrangle, in this order
+  std::vector<Freedom_3> m_freedom; // freedom of the vertices in `m_order`
+  Triangles_of_boundary m_boundary; // two triangles of each quadrangle, by indices in `m_order`
   Linear_solver_3& m_solver;
   const Budget& m_budget;
 };

@@ -28,7 +28,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-using Triangles_of_boundary = std::vector<std::array<int, 3> >; // of hexahedra
+using Triangles_of_boundary = std::vector<std::array<int, 3> >; // triangles of hexahedra on the boundary
 
 inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const Eigen::Matrix3Xd& positions,
                                                                              const std::array<int, 3>& triangle)
@@ -37,26 +37,26 @@ inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(con
   return { exact_point(positions.col(a)), exact_point(positions.col(b)), exact_point(positions.col(c)) };
 }
 
-// Calls `f` with each point, the nearest one on the triangles, and the triangle that has it.
+// Calls `f` with each point, the nearest point of the triangles, and the triangle of the latter.
 template <typename Function>
 void for_each_nearest(const std::vector<Eigen::Vector3d>& points, const Triangles_of_boundary& triangles,
                       const Eigen::Matrix3Xd& positions, const Function& f)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Triangle_3> places;
+  std::vector<Kernel::Triangle_3> triangles_in_space;
   for(const std::array<int, 3>& triangle : triangles)
-    places.push_back(triangle_at(positions, triangle));
+    triangles_in_space.push_back(triangle_at(positions, triangle));
   using Primitive = AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
-  AABB_tree<AABB_traits<Kernel, Primitive> > tree(places.cbegin(), places.cend());
+  AABB_tree<AABB_traits<Kernel, Primitive> > tree(triangles_in_space.cbegin(), triangles_in_space.cend());
   tree.accelerate_distance_queries();
   for(const Eigen::Vector3d& p : points)
   {
-    const auto& [nearest, place] = tree.closest_point_and_primitive(exact_point(p));
-    f(p, to_vector(nearest), triangles[place - places.cbegin()]);
+    const auto& [nearest, primitive] = tree.closest_point_and_primitive(exact_point(p));
+    f(p, to_vector(nearest), triangles[primitive - triangles_in_space.cbegin()]);
   }
 }
 
-// The triangles around a vertex, and the points that are nearest to one of them.
+// Triangles around a vertex, and the points that are nearest to one of the triangles.
 struct Cover_of_vertex_3
 {
   Triangles_of_boundary triangles;
@@ -80,8 +80,8 @@ inline std::vector<Cover_of_vertex_3> covers_of_vertices_3(const std::vector<Eig
   return result;
 }
 
-// The sum of squares of how much farther than `far` the points are from the triangles.
-inline double uncovered(const Eigen::Matrix3Xd& positions, const Cover_of_vertex_3& cover, const double far)
+// Returns the sum of the squares of the distances of points from the triangles, as far as they exceed a tolerance.
+inline double uncovered(const Eigen::Matrix3Xd& positions, const Cover_of_vertex_3& cover, const double tolerance)
 {
   double sum = 0;
   for(const Eigen::Vector3d& p : cover.points)
@@ -89,7 +89,7 @@ inline double uncovered(const Eigen::Matrix3Xd& positions, const Cover_of_vertex
     double least = (std::numeric_limits<double>::infinity)();
     for(const std::array<int, 3>& triangle : cover.triangles)
       least = (std::min)(least, squared_distance(exact_point(p), triangle_at(positions, triangle)));
-    sum += std::pow((std::max)(0., std::sqrt(least) - far), 2);
+    sum += std::pow((std::max)(0., std::sqrt(least) - tolerance), 2);
   }
   return sum;
 }

@@ -25,8 +25,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Hexahedra of a map to a domain whose boundary facets are orthogonal to the axes, with the layers that it needs or
-// others. The mesh is written if all corners are positive, as the status then tells, and only then.
+// Finds hexahedra by a map to a domain whose boundary facets are orthogonal to the axes, with the layers that the mesh needs or
+// with one along the whole boundary. The mesh is written if and only if all corners are positive: the status is OK then.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
                                         bool is_parallel, const Budget& budget, Hexahedron_soup_3& mesh);
@@ -45,14 +45,14 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     return refused_result(grid.check());
 
   const Volume_map_3 map(soup.points, soup.cells, soup.images);
-  Locations_3 places;
+  Locations_3 locations;
   Hexahedron_soup_3 boxes = grid.boxes([&](const std::vector<std::array<double, 3> >& centers)
   {
-    return places = preimages_3(map, centers, is_parallel, budget);
+    return locations = preimages_3(map, centers, is_parallel, budget);
   });
-  for(const std::optional<Volume_map_3::Location>& place : places)
-    if(place)
-      boxes.cell_references.push_back(soup.cell_references[place->cell]);
+  for(const std::optional<Volume_map_3::Location>& location : locations)
+    if(location)
+      boxes.cell_references.push_back(soup.cell_references[location->cell]);
   if(boxes.cells.empty() && !budget.is_exhausted())
     return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
                                        get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));

@@ -23,19 +23,20 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Each corner of a hexahedron as a tetrahedron: the corner, and its neighbors such that a cube has positive ones.
+// Corners of a hexahedron as tetrahedra: each corner and its neighbors, in an order that makes those of a cube positive.
 constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
   = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
        {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
 
-// The axis of the unit cube along which two of its neighboring vertices differ.
+// Returns the axis of the unit cube along which two of its neighboring vertices differ.
 constexpr int axis_of_edge(const std::size_t k, const std::size_t l)
 {
   const auto x = [](const std::size_t i) { return i % 4 == 1 || i % 4 == 2; };
   return k / 4 != l / 4 ? 2 : x(k) != x(l) ? 0 : 1;
 }
 
-// The quadrangles of a hexahedron, seen from outside, from the first vertex along the axes of the hexahedron; and these.
+// Quadrangles of a hexahedron, counterclockwise as seen from outside, and the axes of the hexahedron along which the second and
+// the last vertex of each lie from its first one.
 constexpr std::array<std::array<std::size_t, 4>, 6> quadrangles_of_hexahedron
   = {{ {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {3, 7, 6, 2}, {0, 4, 7, 3} }};
 constexpr std::array<std::array<std::size_t, 2>, 6> axes_of_quadrangle
@@ -50,7 +51,7 @@ void for_each_corner(const Hexahedron_soup_3& mesh, const Function& f)
       f(std::array<std::size_t, 4>{ cell[corner[0]], cell[corner[1]], cell[corner[2]], cell[corner[3]] });
 }
 
-// Is the corner neither flat nor inverted? Decided by exact predicates on the coordinates as they are.
+// Tells whether a corner is neither flat nor inverted, by exact predicates on the coordinates as they are.
 inline bool is_positive_corner(const Hexahedron_soup_3& mesh, const std::array<std::size_t, 4>& corner)
 {
   const auto point = [&](const std::size_t i)
@@ -68,7 +69,7 @@ inline double scaled_jacobian(Eigen::Matrix3d edges)
   return edges.determinant();
 }
 
-// The scaled Jacobian of each hexahedron.
+// Returns the scaled Jacobian of each hexahedron, the least one of its corners.
 inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
 {
   std::vector<double> of_corners;
@@ -85,7 +86,7 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
   return result;
 }
 
-// A quadrangle: the index of a hexahedron, and its own one there.
+// Quadrangle of a hexahedron: the index of the hexahedron, and that of the quadrangle there.
 struct Quadrangle_of_hexahedron
 {
   std::size_t cell, side;
@@ -99,7 +100,7 @@ inline std::array<std::size_t, 4> vertices_of(const Hexahedron_soup_3& mesh, con
   return result;
 }
 
-// Which quadrangle of its hexahedron is a facet of the boundary? One of six, or 6 if it is none.
+// Returns which of the six quadrangles of its hexahedron a facet of the boundary is, or 6 if it is none.
 inline std::size_t side_of_facet(const Hexahedron_soup_3& mesh, const std::size_t f)
 {
   std::size_t side = 0;
@@ -122,7 +123,7 @@ inline void check_hexahedra(const Hexahedron_soup_3& mesh)
       throw Input_error(sentence("quadrangle ", f, " (counted from 0) is none of its hexahedron"));
 }
 
-// Those that belong to one hexahedron only.
+// Returns the quadrangles that belong to one hexahedron only.
 inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahedron_soup_3& mesh)
 {
   std::vector<Quadrangle_of_hexahedron> result;
@@ -136,7 +137,7 @@ inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahe
   return result;
 }
 
-// Of each vertex: is it on the boundary?
+// Tells for each vertex whether it is on the boundary.
 inline std::vector<bool> is_on_boundary(const Hexahedron_soup_3& mesh)
 {
   std::vector<bool> result(mesh.points.size(), false);
@@ -150,7 +151,7 @@ inline std::vector<bool> is_on_boundary(const Hexahedron_soup_3& mesh)
 // same direction.
 inline void set_facets(Hexahedron_soup_3& domain)
 {
-  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t> > edges; // with their directions, and quadrangles
+  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t> > edges; // vertices and direction, quadrangle
   for(const Quadrangle_of_hexahedron& quadrangle : boundary_quadrangles_3(domain))
   {
     const std::array<std::size_t, 4> v = vertices_of(domain, quadrangle);

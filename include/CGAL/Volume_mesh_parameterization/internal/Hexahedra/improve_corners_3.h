@@ -19,7 +19,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The reference of each cell is the corner of a box.
+// Returns cells whose references are corners of boxes, with the edges that are the goals.
 inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals)
 {
   const double unit = std::exp2(-std::round(std::log2(goals.mean_edge)));
@@ -29,7 +29,7 @@ inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_go
   return result;
 }
 
-// The penalty of the constraints on vertices that move, in a sum over corners where each has the energy 1.
+// Returns the penalty of the constraints on vertices that move, relative to a sum over corners with the energy 1 each.
 inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
                                               const Unknowns_3& unknowns, const double unit)
 {
@@ -50,14 +50,14 @@ inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const
   return Quadratic_penalty_3(std::move(result), goals.weight / static_cast<double>(mesh.cells.size()));
 }
 
-// Moves the vertices of hexahedra, whose corners are the cells and overlap, from their targets on: untangles corners,
-// and if none is inverted then, brings them nearer to those of boxes, all alike or the worst ones first. An exhausted
-// budget ends it at the next step. Vertices that are not free stay where they are.
+// Moves the vertices of hexahedra, whose corners are the cells and overlap, starting at their targets: untangles corners, and
+// if none is inverted then, brings them nearer to corners of boxes, all alike or (with an exponent) the worst ones first. An
+// exhausted budget ends the search at the next step. Vertices that are not free stay.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
                                    Linear_solver_3& solver, const Budget& budget)
 {
-  constexpr double theta = 0.5; // how much volumes count
+  constexpr double theta = 0.5; // a guess; how much volumes count beside shapes
   Unknowns_3 unknowns(goals.projectors);
   if(unknowns.size() == 0 || budget.is_exhausted())
     return mesh.target;
@@ -70,7 +70,7 @@ Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
     positions = untangle_cells_3(system, positions, theta, untangling).positions;
   if(inverted_cells(mesh, positions).number > 0)
     return positions;
-  const Untangling_energy_3 energy(0, theta); // of corners that are positive
+  const Untangling_energy_3 energy(0, theta); // its barrier: all corners are positive now
   return goals.exponent > 1
     ? minimize_energy_3(system, Cell_energy_of<Power_energy_3<Untangling_energy_3> >(Power_energy_3(goals.exponent, energy)),
                         positions, progress).positions

@@ -22,7 +22,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;
 
-// Has the map a cell, and only finite coordinates at the vertices of cells, of a size for which numbers have room?
+// Checks that a map has a cell, and at the vertices of cells only finite coordinates of sizes that numbers have room for.
 inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
 {
   if(soup.cells.empty())
@@ -47,11 +47,11 @@ inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
   return check.status == OK ? check_size(image, "images") : check;
 }
 
-// The preimages of points, in blocks between which the budget is asked; none at all once it is exhausted.
+// Returns the preimages of points, in blocks between which the budget is asked; none at all once it is exhausted.
 inline Locations_3 preimages_3(const Volume_map_3& map, const std::vector<std::array<double, 3> >& points,
                                const bool is_parallel, const Budget& budget)
 {
-  constexpr std::size_t size_of_block = 4096;
+  constexpr std::size_t size_of_block = 4096; // a guess
   Locations_3 result;
   result.reserve(points.size());
   std::vector<Volume_map_3::Point_3> block;
@@ -69,7 +69,7 @@ inline Locations_3 preimages_3(const Volume_map_3& map, const std::vector<std::a
   return result;
 }
 
-// Finds the images of vertices; coordinates that have not changed but for rounding, as those of planes, stay as they are.
+// Finds the images of vertices. Coordinates that differ from the old ones by rounding alone, as on planes, keep their value.
 inline void set_images(const Volume_map_3& map, const bool is_parallel, Hexahedron_soup_3& mesh)
 {
   double rounding = 0;
@@ -85,7 +85,7 @@ inline void set_images(const Volume_map_3& map, const bool is_parallel, Hexahedr
   });
 }
 
-// The result where the input does not allow a mesh.
+// Returns the result for input that does not allow a mesh.
 inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
 {
   Hexahedral_mesh_result result;
@@ -94,8 +94,8 @@ inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
   return result;
 }
 
-// The result for a mesh.
-inline Hexahedral_mesh_result judged(const Hexahedron_soup_3& mesh, const bool has_padding)
+// Returns the result for a mesh.
+inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh, const bool has_padding)
 {
   Hexahedral_mesh_result result;
   result.number_of_vertices = mesh.points.size();
@@ -104,23 +104,23 @@ inline Hexahedral_mesh_result judged(const Hexahedron_soup_3& mesh, const bool h
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
 
-  std::string place;
+  std::string where;
   for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
   {
     if(!is_positive_corner(mesh, corner) && result.number_of_inverted_corners++ == 0)
-      place = " The first one is at " + describe(to_vector(mesh.points[corner[0]]))
+      where = " The first one is at " + describe(to_vector(mesh.points[corner[0]]))
               + (is_outer[corner[0]] ? ", on the boundary." : ", inside.");
   });
   const std::vector<double> quality = scaled_jacobians(mesh);
   result.minimal_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
   result.status = result.number_of_inverted_corners == 0 ? OK : ERROR_INVERTED_HEXAHEDRON;
-  result.message = get_error_message(result.status) + place;
+  result.message = get_error_message(result.status) + where;
   return result;
 }
 
-// The one with fewer inverted corners, or where the worst one, as long as it does not suffice, and the mean are better:
-// what one of the two gains must not cost as much of the other.
+// Tells whether a mesh has fewer inverted corners than another one, or the larger sum of the least scaled Jacobian, up to the
+// sufficient one, and the mean: a gain in one of both must not cost as much of the other.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
 {
   const auto quality = [](const Hexahedral_mesh_result& result)
@@ -131,7 +131,7 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
          ? a.number_of_inverted_corners < b.number_of_inverted_corners : quality(a) > quality(b);
 }
 
-// The best hexahedra so far.
+// Best hexahedra so far.
 struct Best_hexahedra_3
 {
   Hexahedral_mesh_result result;
@@ -147,7 +147,7 @@ struct Best_hexahedra_3
   }
 };
 
-// The hexahedra of a domain, pulled back to the body; none once the budget is exhausted.
+// Returns the hexahedra of a domain, pulled back to the body; none once the budget is exhausted.
 inline Hexahedron_soup_3 pulled_back(const Volume_map_3& map, const Hexahedron_soup_3& domain, const bool is_parallel,
                                      const Budget& budget)
 {
@@ -165,7 +165,7 @@ inline Hexahedron_soup_3 pulled_back(const Volume_map_3& map, const Hexahedron_s
   return result;
 }
 
-// Where each vertex may move.
+// Returns the freedom of each vertex.
 inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Body_surface_3& surface)
 {
   std::vector<std::array<bool, 3> > is_in_plane(mesh.points.size());
@@ -181,45 +181,46 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
   return result;
 }
 
-// Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the
-// mean gains little. Where corners are inverted or almost flat in between, or poor in the end, vertices around them move one
-// after the other; if that is in vain, as it does not halve the number of inverted corners, those on lines may leave them.
-// Where vertices may leave the surface, that comes first.
+// Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
+// gains little. Where corners are inverted or almost flat in between, or poor in the end, their vertices move one after the
+// other. Rounds that do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines. If
+// vertices may leave the surface, they do so before all else.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
-  constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3;
-  constexpr std::size_t first_steps = 10, steps = 3, few = 100; // times as few as all corners
-  constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
-  constexpr double least_gain = 0.002; // of the mean, in a round
-  const auto judge = [&]
+  constexpr int number_of_rounds = 10, number_of_first_rounds = 3, patience = 3; // guesses
+  constexpr std::size_t first_steps = 10, steps = 3;                             // guesses
+  constexpr std::size_t corners_per_inverted_corner = 100; // a guess; with fewer, not lines but the map is to blame
+  constexpr double gain = 0.2;                             // a target far above the worst corners would not serve them most
+  constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
+  const auto evaluate = [&]
   {
-    const Hexahedral_mesh_result result = judged(hexahedra.mesh(), has_padding);
+    const Hexahedral_mesh_result result = evaluated_hexahedra(hexahedra.mesh(), has_padding);
     best.take(result, hexahedra.mesh());
     return result;
   };
   const auto smooth = [&](const Hexahedral_mesh_result& result)
   {
     hexahedra.smooth((std::max)(0., result.minimal_scaled_jacobian) + gain);
-    return judge();
+    return evaluate();
   };
-  Hexahedral_mesh_result result = judge();
+  Hexahedral_mesh_result result = evaluate();
   if(may_leave_surface)
   {
     hexahedra.leave_and_return();
-    result = judge();
+    result = evaluate();
   }
   std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
   for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
   {
-    const bool are_few = result.number_of_inverted_corners * few <= 8 * result.number_of_cells; // if not, it is the map
+    const bool are_few = result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * result.number_of_cells;
     if(in_vain == patience - 1 && are_few && hexahedra.leave_lines())
       in_vain = 0;
     if(round > 0 && result.minimal_scaled_jacobian < flat_scaled_jacobian)
       result = smooth(result);
     const double mean = result.mean_scaled_jacobian;
     hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
-    result = judge();
+    result = evaluate();
     in_vain = result.number_of_inverted_corners <= fewest_inverted_corners / 2 ? 0 : in_vain + 1;
     fewest_inverted_corners = (std::min)(fewest_inverted_corners, result.number_of_inverted_corners);
     if(round >= number_of_first_rounds && result.number_of_inverted_corners == 0

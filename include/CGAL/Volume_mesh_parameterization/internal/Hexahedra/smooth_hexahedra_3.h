@@ -22,9 +22,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-using Corners_of_vertex = std::vector<std::array<int, 4> >; // those to which it belongs
+using Corners_of_vertex = std::vector<std::array<int, 4> >; // corners that have the vertex
 
-// The sum of squares of what the scaled Jacobians lack, or a part of it that reaches the bound.
+// Returns the sum of the squares by which scaled Jacobians are below the target, or a part of the sum that reaches the bound.
 inline double shortage(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners, const double target,
                        const double bound = (std::numeric_limits<double>::infinity)())
 {
@@ -43,22 +43,22 @@ inline double mean_length_of_edges(const Eigen::Matrix3Xd& positions, const Corn
 }
 
 // Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
-// scaled Jacobians of the corners around them come nearer to the target: local optimization (Freitag and Ollivier-Gooch
-// 1997) by pattern search (Hooke and Jeeves 1961). It counts, too, what they cover, or vertices would leave tips.
+// scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
+// search (Hooke and Jeeves 1961). Uncovered points of the surface have a price, or vertices would leave tips.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
                                const Body_surface_3& surface, const std::vector<Cover_of_vertex_3>& covers,
                                const double target, const Budget& budget, Eigen::Matrix3Xd& positions)
 {
-  constexpr int number_of_sweeps = 10;
-  constexpr double first_width = 0.25, smallest_width = 0.004; // relative to the edges
-  constexpr double far = 0.3, price = 0.1; // of points: relative to the mean edge, and of one that is an edge farther
+  constexpr int number_of_sweeps = 10;                         // a guess
+  constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges
+  constexpr double tolerance = 0.3, price = 0.1;               // guesses; relative to the mean edge
   std::vector<Corners_of_vertex> corners_of_vertex(freedom.size());
   for(const std::array<int, 4>& corner : corners)
     for(const int v : corner)
       corners_of_vertex[v].push_back(corner);
   const double edge = mean_length_of_edges(positions, corners);
   const auto price_of_uncovered = [&](const std::size_t v)
-  { return price * uncovered(positions, covers[v], far * edge) / (edge * edge); };
+  { return price * uncovered(positions, covers[v], tolerance * edge) / (edge * edge); };
   std::vector<double> widths(freedom.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(std::size_t v = 0; v < freedom.size() && !budget.is_exhausted(); ++v)
