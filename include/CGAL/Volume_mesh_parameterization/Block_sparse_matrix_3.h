@@ -24,7 +24,7 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
-What a model of `NewtonSolverTraits_3` answers.
+Answer of a model of `NewtonSolverTraits_3`.
 */
 enum class Linear_solver_status
 {
@@ -69,7 +69,7 @@ public:
   {
     m_row_begin = std::move(row_begin);
     m_columns = std::move(columns);
-    // not written here, so that the threads which share the rows share the system's work of clearing pages, too;
+    // values are not written here, so that threads which share the rows share the system's work of clearing pages, too;
     // one number more: a product reads its 3-vectors as 4-vectors
     m_values.resize(9 * m_columns.size() + 1);
     m_values[m_values.size() - 1] = NT(0);

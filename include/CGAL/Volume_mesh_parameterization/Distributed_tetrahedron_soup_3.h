@@ -22,8 +22,8 @@ namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationDistributed
 ///
-/// A tetrahedral mesh of which each process has a slice. Points are numbered from 0, those of rank 0 first. Cells may be
-/// with any process, whatever points they have.
+/// A tetrahedral mesh of which each process has a slice. Points are numbered from 0 in the order of the ranks. Any process
+/// may have a cell, whatever its points.
 struct Distributed_tetrahedron_soup_3
 {
   MPI_Comm communicator = MPI_COMM_WORLD;        ///< the processes that share the mesh

@@ -23,9 +23,8 @@
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
-// The lines of a file that begin in the range of bytes of this process. So that it does not depend on the number of processes
-// what can be read, no slice ends before its first word, or between a keyword of MEDIT and its number: it takes lines from
-// the next ones.
+// Lines of a file that begin in the range of bytes of this process. No slice ends before its first word, or between a keyword
+// of MEDIT and its number, but takes lines from the next ones: any number of processes can read the same files.
 class Text_slice
 {
 public:
@@ -77,7 +76,7 @@ private:
   std::size_t m_first_line;
 };
 
-// The cells of all processes with their smallest vertex in the slice of this one, as a set of vertex sets.
+// Returns the cells of all processes with their smallest vertex in the slice of this one, as a set of vertex sets.
 inline std::vector<std::array<std::size_t, 4> > sorted_cells(const MPI_communicator_3& communicator,
                                                              const std::vector<std::size_t>& begins,
                                                              const std::vector<std::array<std::size_t, 4> >& cells)
@@ -88,7 +87,7 @@ inline std::vector<std::array<std::size_t, 4> > sorted_cells(const MPI_communica
   return sorted_cells(communicator.exchanged(to_holders));
 }
 
-// Of the points of the slice that begins at `begins[rank]`.
+// Reads the targets of the points of the slice of this process.
 inline std::vector<std::array<double, 3> > read_boundary_targets(const MPI_communicator_3& communicator,
                                                                  const std::string& filename,
                                                                  const Distributed_tetrahedron_soup_3& soup,
@@ -114,7 +113,7 @@ inline std::vector<std::array<double, 3> > read_boundary_targets(const MPI_commu
   return communicator.redistributed(target.points, begins);
 }
 
-// The cells of this process with their points and the images of these, as `IO::write_VTU()` writes them.
+// Writes the cells of this process with their points and images, as `IO::write_VTU()` does.
 inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator,
                         const Distributed_tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
 {
@@ -123,12 +122,13 @@ inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator
   Tetrahedron_soup_3 piece = { star_forest.get(soup.points), soup.cells, soup.cell_references, {}, {} };
   for(std::array<std::size_t, 4>& cell : piece.cells)
     for(std::size_t& v : cell)
-      v = place(vertices, static_cast<PetscInt>(v));
+      v = index_in(vertices, static_cast<PetscInt>(v));
   const std::vector<std::array<double, 3> > images = star_forest.get(uvw);
   write_VTU(os, piece, images,
             communicator.sum(volume(piece.cells, images)) / communicator.sum(volume(piece.cells, piece.points)));
 }
 
+// Returns a text with the characters that XML reserves in attributes replaced.
 inline std::string in_quotes_of_XML(const std::string& text)
 {
   std::string result;
@@ -137,7 +137,7 @@ inline std::string in_quotes_of_XML(const std::string& text)
   return result;
 }
 
-// Names the pieces and their arrays.
+// Writes the file that names the pieces and their arrays.
 inline void write_PVTU(std::ostream& os, const std::vector<std::string>& pieces)
 {
   os << "<?xml version=\"1.0\"?>\n"
@@ -230,7 +230,7 @@ inline std::string name_of_piece(const std::string& filename, const int rank)
 /// writes a distributed mesh with its parameterization for ParaView: a file `.vtu` for the cells of each process,
 /// as `write_VTU()` does, and one that names them. All files appear when all are complete.
 ///
-/// \param filename the name of the latter, `NAME.pvtu`; `name_of_piece()` tells the others
+/// \param filename the name of the file that names the others, `NAME.pvtu`; `name_of_piece()` returns those
 /// \param soup the mesh
 /// \param uvw the image of each point of the slice
 ///
@@ -239,7 +239,7 @@ inline void write_PVTU(const std::string& filename, const Distributed_tetrahedro
                        const std::vector<std::array<double, 3> >& uvw)
 {
   const internal::MPI_communicator_3 communicator(soup.communicator);
-  std::vector<std::string> pieces; // of all processes
+  std::vector<std::string> pieces; // pieces of all processes
   for(int rank = 0; rank < communicator.size(); ++rank)
     pieces.push_back(name_of_piece(filename, rank));
   communicator.together([&]()

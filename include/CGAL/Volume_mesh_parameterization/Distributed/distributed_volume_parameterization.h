@@ -21,7 +21,7 @@ namespace CGAL {
 
 namespace Volume_mesh_parameterization::internal {
 
-// From the slices of a mesh to the images of their points.
+// Finds the images of the points of the slices of a mesh.
 template <typename IsConstrained>
 Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3& communicator,
                                                         const Distributed_tetrahedron_soup_3& soup,

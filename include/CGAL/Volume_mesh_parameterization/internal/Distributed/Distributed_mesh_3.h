@@ -23,13 +23,13 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The part of a mesh that a process computes on: the vertices that it owns, and all cells around them.
+// Part of a mesh that a process computes on: the vertices that the process owns, and all cells around them.
 class Distributed_mesh_3
 {
 public:
   using Point = std::array<double, 3>;
 
-  // The target of a vertex on the boundary, or of one that `is_constrained` tells by its index, is read.
+  // Reads the targets of vertices on the boundary, and of those for whose index `is_constrained` is true.
   template <typename IsConstrained>
   Distributed_mesh_3(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup,
                      const std::vector<Point>& targets, const IsConstrained& is_constrained, const bool has_volume_weights,
@@ -42,50 +42,50 @@ public:
     const std::vector<Global_cell_3> slice = cells_of_slice(soup);
     const std::vector<int> owner_in_slice = partition_3(communicator, slice, m_size_of_slice, communicator.size());
     const std::vector<Global_cell_3> global_cells = cells_around_own_vertices(slice, owner_in_slice);
-    // from here on, a vertex is its place among those of all cells of this process
+    // hereafter, vertices are indices in this sorted array of the vertices of all cells of this process
     const std::vector<PetscInt> vertices = sorted_vertices(global_cells);
     const auto [cells, numbers] = renumbered(global_cells, vertices);
     const Star_forest all(communicator, m_size_of_slice, vertices);
     const std::vector<int> owner = all.get(owner_in_slice);
-    // of the own vertices; the other cell of a facet without one may be with another process
+    // true for the own vertices only: the other cell of a facet may be with another process
     const std::vector<bool> is_on_boundary = used_points(
       facets_of_sides(cells.cells, Facet_matching_3(cells, numbers).sides_on_boundary()), cells.points.size());
     std::vector<PetscInt> own;
-    std::vector<std::size_t> places_of_own;
+    std::vector<std::size_t> indices_of_own;
     std::vector<char> is_own_prescribed, is_prescribed_in_slice(m_size_of_slice, 0);
     double number_of_own_boundary_vertices = 0;
     for(std::size_t v = 0; v < vertices.size(); ++v)
       if(owner[v] == communicator.rank())
       {
         own.push_back(vertices[v]);
-        places_of_own.push_back(v);
+        indices_of_own.push_back(v);
         is_own_prescribed.push_back(is_on_boundary[v] || is_constrained(static_cast<std::size_t>(vertices[v])));
         number_of_own_boundary_vertices += is_on_boundary[v];
       }
     m_own = std::make_unique<Star_forest>(communicator, m_size_of_slice, own);
     m_own->put(is_own_prescribed, is_prescribed_in_slice);
-    const std::vector<int> places
+    const std::vector<int> mesh_numbers
       = number(cells, numbers, all.get(soup.points), all.get(targets), owner, all.get(is_prescribed_in_slice));
-    for(const std::size_t v : places_of_own)
-      m_own_numbers.push_back(places[v]);
-    m_mesh.vertex_numbers.resize(places.size());
-    for(std::size_t v = 0; v < places.size(); ++v)
-      m_mesh.vertex_numbers[places[v]] = vertices[v];
-    set_rows(all, places);
+    for(const std::size_t v : indices_of_own)
+      m_own_numbers.push_back(mesh_numbers[v]);
+    m_mesh.vertex_numbers.resize(mesh_numbers.size());
+    for(std::size_t v = 0; v < mesh_numbers.size(); ++v)
+      m_mesh.vertex_numbers[mesh_numbers[v]] = vertices[v];
+    set_rows(all, mesh_numbers);
 
     m_number_of_vertices = communicator.begins(own.size()).back();
     m_number_of_boundary_vertices = static_cast<std::size_t>(communicator.sum(number_of_own_boundary_vertices));
   }
 
   const Numbered_mesh_3& mesh() const { return m_mesh; }
-  std::size_t number_of_vertices() const { return m_number_of_vertices; } // of all processes, and of cells
+  std::size_t number_of_vertices() const { return m_number_of_vertices; } // vertices of cells, of all processes
   std::size_t number_of_boundary_vertices() const { return m_number_of_boundary_vertices; }
 
-  // The row of each free vertex in the systems of all processes; those of this one's own vertices are consecutive.
+  // Returns the row of each free vertex in the systems of all processes; the rows of own vertices are consecutive.
   const std::vector<PetscInt>& global_rows() const { return m_rows; }
   int number_of_own_rows() const { return m_mesh.number_of_free_vertices - m_mesh.number_of_copied_vertices; }
 
-  // The images of the points of the slice; those without a cell have coordinates that are not numbers.
+  // Writes the images of the points of the slice; points without a cell get coordinates that are not numbers.
   void write(const Eigen::Matrix3Xd& positions, std::vector<Point>& images) const
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -119,10 +119,10 @@ private:
   {
     const std::vector<PetscInt> vertices = sorted_vertices(slice);
     const std::vector<int> owner = Star_forest(m_communicator, m_size_of_slice, vertices).get(owner_in_slice);
-    return cells_of_owners(m_communicator, slice, [&](const PetscInt v) { return owner[place(vertices, v)]; });
+    return cells_of_owners(m_communicator, slice, [&](const PetscInt v) { return owner[index_in(vertices, v)]; });
   }
 
-  // Cells of the places of their vertices, and their numbers.
+  // Returns cells with the indices of their vertices in `vertices`, and the numbers of the cells.
   static std::pair<Tetrahedron_soup_3, std::vector<std::size_t> >
   renumbered(const std::vector<Global_cell_3>& cells, const std::vector<PetscInt>& vertices)
   {
@@ -130,15 +130,15 @@ private:
     result.first.points.resize(vertices.size());
     for(const Global_cell_3& cell : cells)
     {
-      std::array<std::size_t, 4>& places = result.first.cells.emplace_back();
-      std::transform(cell.begin(), cell.end(), places.begin(), [&](const PetscInt v) { return place(vertices, v); });
+      std::array<std::size_t, 4>& indices = result.first.cells.emplace_back();
+      std::transform(cell.begin(), cell.end(), indices.begin(), [&](const PetscInt v) { return index_in(vertices, v); });
       result.second.push_back(cell.number);
     }
     return result;
   }
 
-  // Own free vertices come first, in an order of space, then copies of free ones, then prescribed ones. Returns the number
-  // of each vertex in the mesh.
+  // Numbers the vertices: own free vertices in a spatial order, then copies of free ones, then prescribed ones. Returns the
+  // number of each vertex in the mesh.
   std::vector<int> number(const Tetrahedron_soup_3& soup, const std::vector<std::size_t>& numbers,
                           const std::vector<Point>& points, const std::vector<Point>& targets,
                           const std::vector<int>& owner, const std::vector<char>& is_prescribed)
@@ -147,7 +147,7 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     const auto end_of_free
       = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return is_prescribed[v] == 0; });
-    const std::vector<int> places = places_in(order);
+    const std::vector<int> positions = places_in(order);
     std::vector<bool> is_not_own_free;
     Eigen::Matrix3Xd source(3, order.size());
     for(const std::size_t v : order)
@@ -156,10 +156,10 @@ private:
       is_not_own_free.push_back(is_prescribed[v] || owner[v] != m_communicator.rank());
     }
     std::vector<std::array<int, 4> > cells;
-    std::vector<bool> is_copy; // the owner of its first vertex owns a cell
+    std::vector<bool> is_copy; // the owner of the first vertex of a cell owns the cell
     for(const std::array<std::size_t, 4>& c : soup.cells)
     {
-      cells.push_back({ places[c[0]], places[c[1]], places[c[2]], places[c[3]] });
+      cells.push_back({ positions[c[0]], positions[c[1]], positions[c[2]], positions[c[3]] });
       is_copy.push_back(owner[*std::min_element(c.begin(), c.end())] != m_communicator.rank());
     }
     const std::vector<std::size_t> last_order = set_numbered_mesh(cells, source, is_not_own_free, m_mesh);
@@ -184,7 +184,7 @@ private:
     return result;
   }
 
-  // Own cells come first; the numbers for messages are those of the whole mesh.
+  // Moves own cells to the front. Numbers for messages are those of the whole mesh.
   void move_copies_to_end(const std::vector<bool>& is_copy, const std::vector<std::size_t>& numbers)
   {
     std::vector<std::array<int, 4> > cells;
@@ -201,8 +201,8 @@ private:
     m_mesh.user_numbers.swap(user_numbers);
   }
 
-  // Each owner tells the rows of its vertices to all.
-  void set_rows(const Star_forest& all, const std::vector<int>& places)
+  // Sets the rows: each owner tells those of its vertices to all.
+  void set_rows(const Star_forest& all, const std::vector<int>& mesh_numbers)
   {
     const std::size_t first = m_communicator.begins(number_of_own_rows())[m_communicator.rank()];
     std::vector<PetscInt> of_own, of_slice(m_size_of_slice, -1);
@@ -211,15 +211,15 @@ private:
     m_own->put(of_own, of_slice);
     const std::vector<PetscInt> rows = all.get(of_slice);
     m_rows.resize(m_mesh.number_of_free_vertices);
-    for(std::size_t v = 0; v < places.size(); ++v)
-      if(m_mesh.is_free(places[v]))
-        m_rows[places[v]] = rows[v];
+    for(std::size_t v = 0; v < mesh_numbers.size(); ++v)
+      if(m_mesh.is_free(mesh_numbers[v]))
+        m_rows[mesh_numbers[v]] = rows[v];
   }
 
   const MPI_communicator_3& m_communicator;
   std::size_t m_size_of_slice;
-  std::unique_ptr<Star_forest> m_own; // the slices and the vertices that this process owns, in the order of their indices
-  std::vector<int> m_own_numbers;     // of those vertices, in the numbered mesh
+  std::unique_ptr<Star_forest> m_own; // slices and the vertices that this process owns, in the order of their indices
+  std::vector<int> m_own_numbers;     // numbers of own vertices in the numbered mesh
   Numbered_mesh_3 m_mesh;
   std::vector<PetscInt> m_rows;
   std::size_t m_number_of_vertices, m_number_of_boundary_vertices;

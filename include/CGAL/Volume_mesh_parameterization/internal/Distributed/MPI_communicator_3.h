@@ -29,7 +29,7 @@ class MPI_communicator_3 final : public Communicator_3
 public:
   explicit MPI_communicator_3(const MPI_Comm communicator)
   {
-    MPI_Comm_dup(communicator, &m_communicator); // messages of others are never mistaken for ours
+    MPI_Comm_dup(communicator, &m_communicator); // messages of other code are never mistaken for ours
     MPI_Comm_rank(m_communicator, &m_rank);
     MPI_Comm_size(m_communicator, &m_size);
     m_messages.resize(m_size);
@@ -43,7 +43,7 @@ public:
   int rank() const override { return m_rank; }
   int size() const { return m_size; }
 
-  // Also with one process, so that the same is computed with any number of them.
+  // Returns false with one process, too, so that the same is computed with any number of processes.
   bool is_alone() const override { return false; }
 
   std::vector<double> gathered(const double x) const override { return gathered(x, Failure()); }
@@ -60,7 +60,7 @@ public:
     return { static_cast<int>(*first), text_of(static_cast<int>(first - codes.begin()), sentence) };
   }
 
-  // Where the slices of all processes begin if they are put one behind the other, and where the last one ends.
+  // Returns where the slices of all processes begin, one behind the other, and where the last one ends.
   std::vector<std::size_t> begins(const std::size_t size_of_slice) const
   {
     std::vector<std::size_t> result = { 0 };
@@ -69,10 +69,10 @@ public:
     return result;
   }
 
-  // Has no process failed? To be called before communication that is not ours.
+  // Throws if a process has failed. Is called before communication that is not ours.
   void synchronize() const { gathered(0); }
 
-  // Where parts of these sizes begin, and where the last one ends. MPI counts in `int`.
+  // Returns where parts of the sizes begin, and where the last one ends. MPI counts in `int`.
   static std::vector<int> begins_of(const std::vector<std::uint64_t>& sizes)
   {
     std::vector<int> result = { 0 };
@@ -87,7 +87,7 @@ public:
     return result;
   }
 
-  // The elements for each process; returns those for this one, in the order of the ranks that they come from.
+  // Sends elements to each process; returns those for this one, in the order of the ranks that they come from.
   template <typename T>
   std::vector<T> exchanged(const std::vector<std::vector<T> >& elements) const
   {
@@ -113,11 +113,11 @@ public:
     return received;
   }
 
-  // The process whose slice has an element of the whole, by where the slices begin.
+  // Returns the process whose slice has element i of the whole, by the begins of the slices.
   static std::size_t holder(const std::vector<std::size_t>& begins, const std::size_t i)
   { return static_cast<std::size_t>(std::upper_bound(begins.begin(), begins.end(), i) - begins.begin()) - 1; }
 
-  // The same elements in slices that begin there, those of the ranks one behind the other before and after.
+  // Returns the elements in slices with new begins. Before and after, the slices are in the order of the ranks.
   template <typename T>
   std::vector<T> redistributed(const std::vector<T>& elements, const std::vector<std::size_t>& new_begins) const
   {
@@ -128,7 +128,7 @@ public:
     return exchanged(parts);
   }
 
-  // The same in slices of equal length.
+  // Returns the elements in slices of equal length, up to one element.
   template <typename T>
   std::vector<T> evenly(const std::vector<T>& elements) const
   {
@@ -177,7 +177,7 @@ private:
     return numbers;
   }
 
-  // The first failure of all processes, of which this is one.
+  // Returns the first failure of all processes; this one has failed.
   Failure told(const Failure& mine) const
   {
     try { gathered(0, mine); }
@@ -207,7 +207,7 @@ private:
 
   MPI_Comm m_communicator;
   int m_rank, m_size;
-  mutable std::vector<Message> m_messages; // of all processes; no memory is asked for to tell that there is none
+  mutable std::vector<Message> m_messages; // messages of all processes; memory for them is there when memory is out
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -27,7 +27,7 @@ public:
   PETSc_solver_3(const MPI_communicator_3& communicator, const Distributed_mesh_3& mesh)
     : m_communicator(communicator), m_mesh(mesh)
   {
-    constexpr int maximal_number_of_iterations = 2000;
+    constexpr int maximal_number_of_iterations = 2000; // a guess; users may pass -ksp_max_it
     communicator.synchronize();
     const PetscInt n = number_of_own_rows();
     const std::vector<PetscInt>& rows = mesh.global_rows();
@@ -76,7 +76,7 @@ public:
     return std::string("PETSc, -ksp_type ") + solver + " -pc_type " + type;
   }
 
-  // Patches of the mesh are systems of one process.
+  // Makes a system: one of this process alone for a patch of the mesh.
   std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) override
   {
     if(&communicator != &m_communicator)
@@ -84,7 +84,7 @@ public:
     return std::make_unique<System>(*this, std::move(pattern));
   }
 
-  // With those for patches, on whichever process.
+  // Returns the number of iterations, including those for patches of all processes.
   std::size_t number_of_iterations() const override
   {
     PetscInt result;
@@ -100,7 +100,7 @@ public:
 
 private:
   using Matrix = Block_sparse_matrix_3<float>;
-  using Default_solver = Conjugate_gradient_solver_traits_3<Sequential_tag>; // of one process
+  using Default_solver = Conjugate_gradient_solver_traits_3<Sequential_tag>; // for one process
 
   class System final : public Linear_system_3
   {
@@ -116,7 +116,7 @@ private:
     Linear_solver_status factorize() override { return m_solver.factorize(std::get<Matrix>(m_matrix)); }
 
     Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
-                               const Budget&) override // which processes may see differently
+                               const Budget&) override // processes may see different budgets
     { return m_solver.solve(b, x, tolerance); }
 
   private:
@@ -127,18 +127,18 @@ private:
   void analyze_pattern(const Matrix& matrix)
   {
     const PetscInt n = number_of_own_rows();
-    std::vector<PetscInt> own(n), others(n);
+    std::vector<PetscInt> own_columns(n), other_columns(n);
     int longest = 0;
     for(PetscInt row = 0; row < n; ++row)
     {
       for(int k = matrix.row_begin(row); k < matrix.row_end(row); ++k)
-        ++(matrix.column(k) < n ? own : others)[row];
+        ++(matrix.column(k) < n ? own_columns : other_columns)[row];
       longest = (std::max)(longest, matrix.row_end(row) - matrix.row_begin(row));
     }
     m_columns.resize(longest);
     m_values.resize(9 * longest);
     m_communicator.synchronize();
-    check(MatXAIJSetPreallocation(m_matrix, 3, own.data(), others.data(), nullptr, nullptr));
+    check(MatXAIJSetPreallocation(m_matrix, 3, own_columns.data(), other_columns.data(), nullptr, nullptr));
     check(MatSetOption(m_matrix, MAT_ROW_ORIENTED, PETSC_FALSE));
     check(MatSetOption(m_matrix, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE)); // each process has all cells around its vertices
   }
@@ -163,7 +163,7 @@ private:
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
   {
     x.setZero(b.size());
-    if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // for which KSPSTCG finds no direction
+    if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // KSPSTCG finds no direction for zero
       return Linear_solver_status::SUCCESS;
     check(KSPSetTolerances(m_ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
     check(VecPlaceArray(m_b, b.data()));
@@ -197,7 +197,7 @@ private:
     }
   }
 
-  // PETSc's errors are those of one process, while others may wait for it: all end.
+  // Ends all processes after an error of PETSc in one, as others may wait for it.
   void check(const PetscErrorCode error) const { PetscCallAbort(m_communicator.get(), error); }
 
   const MPI_communicator_3& m_communicator;
@@ -205,8 +205,8 @@ private:
   Vec m_x, m_b;
   Mat m_matrix;
   KSP m_ksp;
-  std::vector<PetscInt> m_columns;   // of one row
-  std::vector<PetscScalar> m_values; // of one row
+  std::vector<PetscInt> m_columns;   // columns of one row
+  std::vector<PetscScalar> m_values; // values of one row
   std::size_t m_number_of_cut_solutions = 0;
   Default_solver m_default_solver;
   Linear_solver_of<Default_solver> m_solver_for_patches{ m_default_solver };

@@ -21,7 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The vertices of cells, sorted. Each cell is a range of indices.
+// Returns the vertices of cells, sorted. Each cell is a range of indices.
 template <typename Cells>
 std::vector<PetscInt> sorted_vertices(const Cells& cells)
 {
@@ -35,11 +35,12 @@ std::vector<PetscInt> sorted_vertices(const Cells& cells)
   return result;
 }
 
-// The index of an element of a sorted array.
-inline std::size_t place(const std::vector<PetscInt>& sorted, const PetscInt v)
+// Returns the index of an element of a sorted array.
+inline std::size_t index_in(const std::vector<PetscInt>& sorted, const PetscInt v)
 { return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), v) - sorted.begin()); }
 
-// Each process holds a slice of an array, those of the ranks one behind the other, and has a list of indices of the whole.
+// Communication of slices: each process holds a slice of an array, in the order of the ranks, and has a list of indices of the
+// whole array.
 class Star_forest
 {
 public:
@@ -60,37 +61,37 @@ public:
   Star_forest& operator=(const Star_forest&) = delete;
   ~Star_forest() { PetscSFDestroy(&m_sf); }
 
-  // The elements with these indices.
+  // Returns the elements with the indices of this process.
   template <typename T>
   std::vector<T> get(const std::vector<T>& slice) const
   {
     std::vector<T> result(m_size);
     m_communicator.synchronize();
-    const Unit unit(sizeof(T));
-    check(PetscSFBcastBegin(m_sf, unit.type, slice.data(), result.data(), MPI_REPLACE));
-    check(PetscSFBcastEnd(m_sf, unit.type, slice.data(), result.data(), MPI_REPLACE));
+    const Element element(sizeof(T));
+    check(PetscSFBcastBegin(m_sf, element.type, slice.data(), result.data(), MPI_REPLACE));
+    check(PetscSFBcastEnd(m_sf, element.type, slice.data(), result.data(), MPI_REPLACE));
     return result;
   }
 
-  // Writes the elements with these indices, which no other process may write.
+  // Writes the elements with the indices of this process, which no other process may write.
   template <typename T>
   void put(const std::vector<T>& elements, std::vector<T>& slice) const
   {
     m_communicator.synchronize();
-    const Unit unit(sizeof(T));
-    check(PetscSFReduceBegin(m_sf, unit.type, elements.data(), slice.data(), MPI_REPLACE));
-    check(PetscSFReduceEnd(m_sf, unit.type, elements.data(), slice.data(), MPI_REPLACE));
+    const Element element(sizeof(T));
+    check(PetscSFReduceBegin(m_sf, element.type, elements.data(), slice.data(), MPI_REPLACE));
+    check(PetscSFReduceEnd(m_sf, element.type, elements.data(), slice.data(), MPI_REPLACE));
   }
 
 private:
-  struct Unit
+  struct Element
   {
-    explicit Unit(const std::size_t size)
+    explicit Element(const std::size_t size)
     {
       MPI_Type_contiguous(static_cast<int>(size), MPI_BYTE, &type);
       MPI_Type_commit(&type);
     }
-    ~Unit() { MPI_Type_free(&type); }
+    ~Element() { MPI_Type_free(&type); }
     MPI_Datatype type;
   };
 
@@ -101,7 +102,7 @@ private:
   PetscSF m_sf;
 };
 
-// A cell with the indices of its vertices in the whole mesh, and its own.
+// Cell with the indices of its vertices in the whole mesh, and its own number there.
 struct Global_cell_3
 {
   std::array<PetscInt, 4> vertices;
@@ -128,8 +129,8 @@ std::vector<Global_cell_3> cells_of_owners(const MPI_communicator_3& communicato
   return communicator.exchanged(to_owners);
 }
 
-// The part to which each vertex of this slice is to belong, such that few edges of the cells, which may be with any
-// process, join vertices of two parts.
+// Returns the part that each vertex of this slice is to belong to, such that few edges of cells, which may be with any process,
+// join vertices of two parts.
 inline std::vector<int> partition_3(const MPI_communicator_3& communicator, const std::vector<Global_cell_3>& cells,
                                     const std::size_t size_of_slice, const int number_of_parts)
 {

@@ -31,13 +31,13 @@
 #include <type_traits>
 #include <utility>
 
-// Vectors are an extension of GNU's compilers. Without it, a register is a double; so one can ask for elsewhere, too.
+// Vectors are an extension of GNU's compilers. Without vectors a register is a double, which a macro can ask for, too.
 #if defined(__GNUC__) && !defined(CGAL_VOLUME_MESH_PARAMETERIZATION_NO_EXTENSIONS)
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS
 #endif
 
-// The instructions for which this unit is compiled, and the doubles in a register of theirs. The namespace of the
-// arithmetic is named after them, so that units for different processors do not share functions.
+// Instructions for which this unit is compiled, and the number of doubles in their registers. The namespace of the
+// arithmetic is named after the instructions, so that units for different processors do not share functions.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS avx512
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 8
@@ -60,7 +60,7 @@ inline bool any(const bool condition) { return condition; }
 namespace CGAL::Volume_mesh_parameterization::internal {
 namespace CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS {
 
-// By Eigen's vectorized functions.
+// Computes exponentials (and below logarithms) by Eigen's vectorized functions.
 inline Pack exp(const Pack& a)
 {
   Eigen::Array<double, Pack::size, 1> values;
@@ -94,7 +94,7 @@ struct NumTraits<CGAL::Volume_mesh_parameterization::internal::Pack>
 
 } // namespace Eigen
 
-// The arithmetic with the instructions of this unit, which is also the one for single cells.
+// Arithmetic with the instructions of this unit, for packs and for single cells.
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Kernels/Distortion_derivatives_3.inc>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -112,14 +112,14 @@ inline arithmetic_of_unit::Signed_singular_values_3<double> decomposed(const Eig
   return result;
 }
 
-// The signed singular values of a matrix, the smallest of which has the sign of its determinant.
+// Returns the signed singular values of a matrix, the smallest of which has the sign of its determinant.
 inline Eigen::Vector3d signed_singular_values_3(const Eigen::Matrix3d& J)
 {
   const auto s = decomposed(J).s;
   return Eigen::Vector3d(s[0], s[1], s[2]);
 }
 
-// The rotation R Q^T that is nearest to a matrix R diag(s) Q^T, and the sum of s.
+// Rotation R Q^T nearest to a matrix R diag(s) Q^T, and the sum of s.
 struct Rotation_and_stretch_3
 {
   Eigen::Matrix3d rotation;

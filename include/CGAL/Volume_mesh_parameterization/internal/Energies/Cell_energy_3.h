@@ -21,25 +21,25 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Numbers of several cells side by side: as many as the longest vector instructions take in two registers.
+// Number of cells side by side: as many as the longest vector instructions take in two registers.
 constexpr int cells_per_pack = 16;
 using Packed_number = double[cells_per_pack];
 using Packed_vector_3 = double[3][cells_per_pack];
-using Packed_matrix_3 = double[9][cells_per_pack]; // by columns
+using Packed_matrix_3 = double[9][cells_per_pack]; // column by column
 
-// Several cells, with all that an evaluation needs of them. A cell that only fills up the last pack repeats another
-// one with weight 0, and none of its vertices is unknown. It begins with a line of the cache.
+// Pack of cells, with all that an evaluation reads. Cells that fill up the last pack repeat another cell with weight 0 and
+// without unknown vertices. A pack begins with a line of the cache.
 struct alignas(64) Cell_pack_3
 {
   using Indices = std::array<int, cells_per_pack>;
 
-  Cell_pack_3() {} // a pack is first written by the thread that fills it
+  Cell_pack_3() {} // leaves the first write to the thread that fills the pack
 
-  Packed_matrix_3 inverse_source;   // X^{-1}, times the factor that gives both meshes one volume
+  Packed_matrix_3 inverse_source;   // X^{-1}, times the factor that gives both meshes the same volume
   Packed_number weight;
   std::array<Indices, 4> vertices;  // sorted by rows, which changes the orientation, but not J
-  std::array<Indices, 4> rows;      // of the matrix; -1 if the vertex is not unknown
-  std::array<Indices, 10> blocks;   // the positions in the matrix of the pairs a <= b; -1 if a vertex is not unknown
+  std::array<Indices, 4> rows;      // rows in the matrix; -1 if the vertex is not unknown
+  std::array<Indices, 10> blocks;   // positions in the matrix of the pairs a <= b; -1 if a vertex is not unknown
 
   static constexpr int index_of_block(const int a, const int b) { return a * (7 - a) / 2 + b; }
 
@@ -47,7 +47,7 @@ struct alignas(64) Cell_pack_3
   { return { vertices[0][lane], vertices[1][lane], vertices[2][lane], vertices[3][lane] }; }
 };
 
-// What one pass over the cells tells.
+// Result of one pass over the cells.
 struct Energy_evaluation
 {
   double energy = 0;                                                  // sum of weight times psi
@@ -64,8 +64,8 @@ struct Energy_evaluation
   }
 };
 
-// An energy as the engine knows it: psi and its derivatives by the singular values s, for a pack of cells at a time.
-// This is the seam between energies of any type and an engine that is compiled once.
+// Energy as the engine knows it: psi and its derivatives by the singular values s, for a pack of cells at a time. The class
+// is the seam between energies of any type and an engine that is compiled once.
 class Cell_energy_3
 {
 public:
@@ -74,10 +74,10 @@ public:
   virtual void gradient(const Packed_vector_3& s, Packed_vector_3& g) const = 0;
   virtual void derivatives(const Packed_vector_3& s, Packed_vector_3& g, Packed_matrix_3& H) const = 0;
 
-  // Does psi follow from |J|^2, |J^{-1}|^2 and det J, which cost far less than the singular values?
+  // Tells whether psi follows from |J|^2, |J^{-1}|^2 and det J, which cost far less than the singular values.
   virtual bool is_of_norms() const = 0;
   virtual void value_of_norms(const Packed_vector_3& norms, Packed_number& psi) const = 0;
-  virtual bool is_squared_norm() const = 0; // psi = |J|^2, with constant second derivatives
+  virtual bool is_squared_norm() const = 0; // whether psi = |J|^2, with constant second derivatives
 };
 
 template <typename Energy, typename T>
@@ -100,8 +100,8 @@ struct Is_energy<Energy, T, std::enable_if_t<
   : std::true_type
 {};
 
-// A model of `DistortionEnergy_3`, as such an energy. It is evaluated with the instructions for which the unit that
-// names the energy is compiled, those of its `Pack`.
+// Energy of a model of `DistortionEnergy_3`. A unit that names the model evaluates it with the instructions for which the unit
+// is compiled, those of its `Pack`.
 template <typename Energy, typename Pack = internal::Pack>
 class Cell_energy_of final : public Cell_energy_3
 {
@@ -162,7 +162,7 @@ private:
   Energy m_energy;
 };
 
-// An energy as the engine knows it; `Any_energy_3` has another such function.
+// Returns an energy as the engine knows it. An overload takes `Any_energy_3`.
 template <typename Energy>
 Cell_energy_of<Energy> cell_energy_3(const Energy& energy) { return Cell_energy_of<Energy>(energy); }
 

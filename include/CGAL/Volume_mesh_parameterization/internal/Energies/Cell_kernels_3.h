@@ -16,8 +16,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The passes over the packs of cells, from the first one to the end of a range; `u` and `d` hold three coordinates a
-// vertex, the gradient as many a row. They are described where they are defined, in Kernels/Cell_kernels_3.inc.
+// Passes over the packs of cells, from the first one to the end of a range; `u` and `d` hold three coordinates a vertex, the
+// gradient three a row. Kernels/Cell_kernels_3.inc defines and describes the passes.
 struct Cell_kernels_3
 {
   using Range = const Cell_pack_3*;
@@ -31,8 +31,8 @@ struct Cell_kernels_3
   double (*largest_step)(Range, Range, const double* u, const double* d);
 };
 
-// A number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its first root, less at most the
-// resolution times that root, however small it is. Bisects by de Casteljau's algorithm.
+// Returns a number in [0, 1] up to which the polynomial with Bernstein coefficients b is positive: its first root, less at most
+// the resolution times the root, however small it is. Bisects by de Casteljau's algorithm.
 inline double positive_until(const std::array<double, 4>& b, const double resolution = 1. / 1024)
 {
   if((std::min)((std::min)(b[0], b[1]), (std::min)(b[2], b[3])) > 0)
@@ -51,8 +51,8 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-// The kernels are compiled for the instructions of this unit, and, if it is one for any processor, for longer ones that the
-// processor may have.
+// Kernels are compiled for the instructions of this unit, and, if the unit is for any processor, for longer instructions that
+// the processor may have.
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Kernels/Cell_kernels_3.inc>
 
 #if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS) && defined(__x86_64__) && !(defined(__AVX2__) && defined(__FMA__))
@@ -98,7 +98,7 @@ inline double positive_until(const std::array<double, 4>& b, const double resolu
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The kernels for this processor.
+// Returns the kernels for this processor.
 inline const Cell_kernels_3& cell_kernels_3()
 {
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_CHOOSES_INSTRUCTIONS

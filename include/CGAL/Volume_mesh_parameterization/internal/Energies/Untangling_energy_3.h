@@ -21,10 +21,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Untangling after Garanzha et al., Foldover-free Maps in 50 Lines of Code (TOG 2021): in an energy that tends to infinity
-// when D = det J tends to 0, D is replaced by
-//   chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2,
-// which is positive, also for inverted cells; epsilon tends to 0. Computed without cancellation for D < 0.
+// Returns chi(D) = (D + sqrt(D^2 + epsilon^2)) / 2, without cancellation for D < 0. Untangling after Garanzha et al.,
+// Foldover-free Maps in 50 Lines of Code (TOG 2021), replaces D = det J by chi(D), which is positive also for inverted cells,
+// in an energy that tends to infinity when D tends to 0; epsilon tends to 0.
 template <typename T>
 T regularized_determinant(const T& D, const double epsilon)
 {
@@ -35,8 +34,8 @@ T regularized_determinant(const T& D, const double epsilon)
   return select(D < T(0), T(0.25 * epsilon * epsilon) / larger, larger);
 }
 
-// The rule of their section 4, with the smallest determinants of all cells. It makes the energy tend to infinity at
-// inverted cells; `decrease` is the part by which the last step, from `D_before` to `D_after`, lowered the energy.
+// Returns epsilon by the rule of Garanzha et al., section 4, with the smallest determinants of all cells: the energy tends to
+// infinity at inverted cells. The last step, from `D_before` to `D_after`, lowered the energy by the part `decrease`.
 inline double first_epsilon(const double D) { return std::sqrt(1e-12 + 0.04 * D * D); }
 
 inline double next_epsilon(const double epsilon, const double decrease, const double D_before, const double D_after)
@@ -45,8 +44,8 @@ inline double next_epsilon(const double epsilon, const double decrease, const do
   return D_after < mu ? 2 * std::sqrt(mu * (mu - D_after)) : 1e-10;
 }
 
-// Their energy of a cell, f = |J|^2 / chi^(2/3) + theta (D^2 + 1) / chi. Their theta is 1/2; a small one makes it nearly
-// independent of scale, so that parts that must shrink a million times do not dominate it.
+// Energy of a cell by Garanzha et al., f = |J|^2 / chi^(2/3) + theta (D^2 + 1) / chi. Theta is 1/2 there; with a small one the
+// energy is nearly independent of scale, so that parts that must shrink a million times do not dominate it.
 class Untangling_energy_3
 {
 public:
@@ -87,12 +86,12 @@ public:
   }
 
 private:
-  // With f(s, D) = |s|^2 p(D) + theta q(D), p = chi^(-2/3), q = (D^2 + 1) / chi
+  // Terms of the derivatives of f(s, D) = |s|^2 p(D) + theta q(D), p = chi^(-2/3), q = (D^2 + 1) / chi.
   template <typename T>
   struct Terms
   {
     T power, power_first;                // p, p'
-    T first, second;                     // the first and second derivative of f by D at fixed |s|
+    T first, second;                     // first and second derivative of f by D at fixed |s|
     Eigen::Matrix<T, 3, 1> cofactors;    // dD / ds
 
     Terms(const Untangling_energy_3& energy, const Eigen::Matrix<T, 3, 1>& s)

@@ -17,18 +17,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Corrects residuals where they are smooth, which a block diagonal hardly does: on nested aggregates of contiguous rows, over
-// which corrections are constant. Eight neighboring aggregates share a dense inverse of their part of the Galerkin matrix, and
-// are an aggregate of the next level. These inverses and the next level together precondition two Chebyshev steps, as in
-// algebraic multilevel iterations (Axelsson and Vassilevski, Algebraic multilevel preconditioning methods II, SIAM Journal on
-// Numerical Analysis 27, 1990); the matrices of all levels together have a twentieth of the blocks. The iterations then grow
-// hardly with the number of rows. Small systems get no levels. Single precision suffices, whatever that of the system is.
+// Corrects smooth residuals, which a block diagonal hardly does, on nested aggregates of contiguous rows, over which
+// corrections are constant. Eight neighboring aggregates share a dense inverse of their part of the Galerkin matrix, and are
+// an aggregate of the next level. The inverses and the next level together precondition two Chebyshev steps, as in algebraic
+// multilevel iterations (Axelsson and Vassilevski, Algebraic multilevel preconditioning methods II, SIAM Journal on Numerical
+// Analysis 27, 1990); the matrices of all levels together have a twentieth of the blocks. Iterations then hardly grow with
+// the number of rows. Small systems get no levels. Single precision suffices, whatever the precision of the system.
 class Aggregate_hierarchy_3
 {
   static auto at(Eigen::VectorXf& v, const int i) { return v.segment<3>(3 * std::size_t(i)); }
 
 public:
-  static constexpr int rows_per_aggregate = 32; // of the matrix, on the first level
+  static constexpr int rows_per_aggregate = 32; // a guess; rows of the matrix, on the first level
 
   explicit Aggregate_hierarchy_3(const bool is_parallel) : m_is_parallel(is_parallel) {}
 
@@ -38,7 +38,7 @@ public:
   void analyze_pattern(const Matrix& A)
   {
     constexpr int smallest_number_of_rows = 30000; // below, block diagonals do as well
-    constexpr int largest_last_level = 64;
+    constexpr int largest_last_level = 64;         // a guess; rows of the last matrix, which is inverted
     m_levels.clear();
     if(A.size() < smallest_number_of_rows)
       return;
@@ -62,7 +62,7 @@ public:
     }
   }
 
-  // The residual of the rows from `first` to `last`, which begin and end with an aggregate.
+  // Restricts the residual of the rows from `first` to `last`, which begin and end with an aggregate.
   template <typename Vector>
   void restrict_rows(const Vector& residual, const int first, const int last)
   {
@@ -70,25 +70,25 @@ public:
              (last + rows_per_aggregate - 1) / rows_per_aggregate, m_levels.front().residual);
   }
 
-  // The corrections for the residual that was restricted.
+  // Computes the corrections for the restricted residual.
   void correct() { correct(0); }
 
-  // That of a row of the matrix.
+  // Returns the correction of a row of the matrix.
   auto correction(const int row) const
   { return m_levels.front().correction.segment<3>(3 * std::size_t(row / rows_per_aggregate)); }
 
 private:
-  static constexpr int aggregates_per_group = 8; // they are an aggregate of the next level
+  static constexpr int aggregates_per_group = 8; // a guess; a group is an aggregate of the next level
 
   struct Level
   {
     Block_sparse_matrix_3<float> matrix;
     int aggregates_per_group;
-    std::vector<Eigen::MatrixXf> inverses; // of groups
+    std::vector<Eigen::MatrixXf> inverses; // inverses of groups
     Eigen::VectorXf residual, step, correction;
   };
 
-  // Its matrix has a block for each pair of aggregates that share one.
+  // Makes a level, whose matrix has a block for each pair of aggregates between which A has one.
   template <typename Matrix>
   Level level_of(const Matrix& A, const int size) const
   {
@@ -103,9 +103,9 @@ private:
       result.erase(std::unique(result.begin(), result.end()), result.end());
     });
     std::vector<int> row_begin(1, 0), all_columns;
-    for(const std::vector<int>& some : columns)
+    for(const std::vector<int>& columns_of_row : columns)
     {
-      all_columns.insert(all_columns.end(), some.begin(), some.end());
+      all_columns.insert(all_columns.end(), columns_of_row.begin(), columns_of_row.end());
       row_begin.push_back(static_cast<int>(all_columns.size()));
     }
     Level level;
@@ -116,14 +116,14 @@ private:
     return level;
   }
 
-  // The Galerkin matrix: each block is the sum of those between two aggregates.
+  // Computes the Galerkin matrix: each block is the sum of the blocks between two aggregates.
   template <typename Matrix>
   void sum_blocks(const Matrix& A, const int size, Block_sparse_matrix_3<float>& sums) const
   {
     for_each_range(m_is_parallel, A.size(), size, [&](const std::size_t aggregate, const int first, const int last)
     {
       const int begin = sums.row_begin(static_cast<int>(aggregate)), end = sums.row_end(static_cast<int>(aggregate));
-      std::vector<Eigen::Matrix3d> blocks(end - begin, Eigen::Matrix3d::Zero()); // much of the sums cancels out
+      std::vector<Eigen::Matrix3d> blocks(end - begin, Eigen::Matrix3d::Zero()); // double precision, as much of the sums cancels out
       for(int row = first; row < last; ++row)
         for(int k = A.row_begin(row), position = begin; k < A.row_end(row); ++k)
         {
@@ -136,10 +136,10 @@ private:
     });
   }
 
-  // A group whose part of the matrix is not positive definite gets no correction.
+  // Inverts the parts of the matrix of groups. A group whose part is not positive definite gets no correction.
   void invert_groups(Level& level) const
   {
-    constexpr double shift = 1e-6; // relative, against rounding
+    constexpr double shift = 1e-6; // a guess; relative to the diagonal, above rounding in single precision
     const Block_sparse_matrix_3<float>& A = level.matrix;
     level.inverses.resize((A.size() + level.aggregates_per_group - 1) / level.aggregates_per_group);
     for_each_range(m_is_parallel, A.size(), level.aggregates_per_group, [&](const std::size_t group, const int first, const int last)
@@ -157,8 +157,8 @@ private:
     });
   }
 
-  // Sweeps one row after the other, which are few; says whether all pivots are positive. A factorization by Eigen would
-  // add some 50 kB of machine code to each header-only unit.
+  // Inverts a small matrix by sweeps of one row after the other, and returns whether all pivots are positive. A factorization
+  // by Eigen would add some 50 kB of machine code to each header-only unit.
   static bool invert_positive_definite(Eigen::MatrixXd& B)
   {
     for(Eigen::Index k = 0; k < B.rows(); ++k)
@@ -176,9 +176,9 @@ private:
     return true;
   }
 
-  // Two Chebyshev steps from 0 on; the last level is solved. A cell has its vertices in four groups at most, so the inverses of
-  // groups have eigenvalues up to 4 where all cells are convex, and the next level adds 1.5: below `highest + lowest`, the
-  // polynomial is positive. (On meshes, the largest one is about 3.)
+  // Makes two Chebyshev steps starting at 0; the last level is solved. A cell has its vertices in four groups at most, so the
+  // inverses of groups have eigenvalues up to 4 if all cells are convex, and the next level adds 1.5: the polynomial is
+  // positive below `highest + lowest`. (On meshes, the largest eigenvalue is about 3.)
   void correct(const std::size_t l)
   {
     constexpr float lowest = 0.5f, highest = 5, mean = (highest + lowest) / 2, radius = (highest - lowest) / 2;
@@ -200,7 +200,7 @@ private:
     level.correction = (1 + factor / ratio) * level.correction + (2 * factor / radius) * level.step;
   }
 
-  // By the inverses of groups and the next level.
+  // Sets the step by the inverses of groups and the next level.
   void set_step(const std::size_t l)
   {
     Level& level = m_levels[l];
@@ -223,8 +223,8 @@ private:
   template <typename Function>
   void for_each_group(const Level& level, const Function& f) const
   {
-    constexpr int many = 1000; // threads gain nothing with fewer
-    for_each_range(m_is_parallel && level.matrix.size() >= many, level.matrix.size(), level.aggregates_per_group, f);
+    constexpr int smallest_size = 1000; // threads gain nothing with fewer rows
+    for_each_range(m_is_parallel && level.matrix.size() >= smallest_size, level.matrix.size(), level.aggregates_per_group, f);
   }
 
   template <typename Vector>
@@ -241,7 +241,7 @@ private:
   }
 
   bool m_is_parallel;
-  std::vector<Level> m_levels; // from fine to coarse
+  std::vector<Level> m_levels; // in the order from fine to coarse
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -20,8 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The work of `Conjugate_gradient_solver_traits_3`: the same code with one thread and with many, hence the same bits, however
-// a compiler contracts products and sums.
+// Work of `Conjugate_gradient_solver_traits_3`: one code for one thread and many, hence the same bits, however a compiler
+// contracts products and sums.
 template <typename NT>
 class Conjugate_gradient_3
 {
@@ -48,7 +48,7 @@ public:
     {
       const Eigen::Matrix3d D = A.block(A.position(row, row)).template cast<double>();
       Eigen::Matrix<NT, 3, 3> inverse = D.inverse().template cast<NT>();
-      // the iteration must meet the negative curvature of this block, or what rounding makes of hardly a positive one
+      // the iteration must meet the negative curvature of a block, also of one that is positive but for rounding
       if(!is_positive_definite(D) || !is_positive_definite(inverse.template cast<double>()))
         inverse = Eigen::Matrix<NT, 3, 3>::Identity() * static_cast<NT>(D.norm() > 0 ? 1 / D.norm() : 0);
       inverse_diagonal(row) = inverse;
@@ -58,7 +58,7 @@ public:
     return Linear_solver_status::SUCCESS;
   }
 
-  // Ends as at the limit of iterations where `goes_on()` says no, which it is asked now and then.
+  // Solves the system. Asks `goes_on()` every 16 iterations, and ends as at the limit of iterations if the answer is no.
   Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
                              const std::function<bool()>& goes_on)
   {
@@ -99,7 +99,8 @@ public:
 private:
   using Vector = Eigen::Matrix<NT, Eigen::Dynamic, 1>;
 
-  // Rows are processed in ranges of fixed length, each with its own partial sum.
+  // Length of ranges of rows, a guess. The length is fixed, and each range has its own partial sum, so that sums have the same
+  // bits for any number of threads.
   static constexpr int rows_per_range = 1024;
   static_assert(rows_per_range % Aggregate_hierarchy_3::rows_per_aggregate == 0);
 
@@ -117,7 +118,7 @@ private:
     return sum;
   }
 
-  // Sylvester's criterion.
+  // Tells by Sylvester's criterion whether D is positive definite.
   static bool is_positive_definite(const Eigen::Matrix3d& D)
   { return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0; }
 
@@ -130,7 +131,7 @@ private:
   static double dot(Vector& a, Vector& b, const int first, const int last)
   { return static_cast<double>(range(a, first, last).dot(range(b, first, last))); }
 
-  // z = M^{-1} r on a range; returns its part of r.z
+  // Sets z = M^{-1} r on a range, and returns its part of r.z.
   double precondition(const int first, const int last)
   {
     for(int row = first; row < last; ++row)
@@ -143,7 +144,7 @@ private:
     return dot(m_residual, m_preconditioned, first, last);
   }
 
-  // Calls f(first_row, last_row), which may change r, then z = M^{-1} r; returns r.z
+  // Calls f(first_row, last_row), which may change r, sets z = M^{-1} r, and returns r.z.
   template <typename Function>
   double precondition_after(const Function& f)
   {
@@ -163,7 +164,7 @@ private:
     return sum_over_row_ranges([&](const int first, const int last) { return precondition(first, last); });
   }
 
-  // q = A p; returns p.q
+  // Sets q = A p, and returns p.q.
   double multiply()
   {
     return sum_over_row_ranges([&](const int first, const int last)
@@ -174,7 +175,7 @@ private:
     });
   }
 
-  // x += step p, r -= step q, z = M^{-1} r; returns r.z
+  // Sets x += step p, r -= step q, z = M^{-1} r, and returns r.z.
   double advance(const NT step)
   {
     return precondition_after([&](const int first, const int last)
@@ -184,7 +185,7 @@ private:
     });
   }
 
-  // p = z + ratio p
+  // Sets p = z + ratio p.
   void turn(const NT ratio)
   {
     sum_over_row_ranges([&](const int first, const int last)
