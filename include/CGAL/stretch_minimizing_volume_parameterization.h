@@ -31,8 +31,8 @@ distortion of angles and volumes. The map is linear on each cell and given by th
 
 The method is the stretch-minimizing parameterization of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
 harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps that never invert a
-cell. With soft boundary, the method of the paper, no cell is inverted from the beginning, and the boundary may be missed.
-That no cell is inverted is checked at the end with exact predicates on the coordinates that are written.
+cell. With soft boundary, the method of the paper, no cell is ever inverted, and the boundary may be missed. At the end,
+exact predicates on the coordinates that are written check that no cell is inverted.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -53,32 +53,32 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamDescription{the image of each vertex of the boundary of the complex}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
-    \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`; if
-                      there is none, the result has the status that it returns}
+    \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`, whose
+                      status the result has if it fails}
     \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target. For a container, pass
                     `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
                     `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
-                    forgotten, which is undefined behaviour and may end as `OK`. Prescribed vertices receive exactly
+                    forgotten, which is undefined behavior and may end as `OK`. Prescribed vertices receive exactly
                     the points given, those of an exact kernel rounded to `double`, unless they slide or the boundary
                     is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{initial_map}
-    \cgalParamDescription{the image of each vertex from which the search starts, as of a map to a boundary nearby}
+    \cgalParamDescription{the images of the vertices at which the search starts, for instance of a map to a similar boundary}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamDefault{the harmonic map}
-    \cgalParamExtra{Vertices with a target are put there, and the displacements are extended to the others by a harmonic
-                    function. Where this inverts cells, untangling starts from it; if it fails, all goes on as if there
-                    were no initial map. A point with a coordinate that is not a number stands for a missing image, also
+    \cgalParamExtra{Vertices with a target are moved there, and the displacements are extended to the others by a harmonic
+                    function. If cells are inverted then, they are untangled; if untangling fails, the search starts again
+                    without an initial map. A point with a coordinate that is not a number stands for a missing image, also
                     of a vertex that refinement has inserted: the start is harmonic there. Infinite
-                    coordinates are answered by `ERROR_NON_FINITE_COORDINATE`. A soft boundary does not start from this
-                    map. It is read before `uvw_map` is written, so both may be the same.}
+                    coordinates are answered by `ERROR_NON_FINITE_COORDINATE`. A soft boundary ignores the initial map.
+                    `initial_map` is read before `uvw_map` is written, so both may be the same.}
   \cgalParamNEnd
   \cgalParamNBegin{energy}
     \cgalParamDescription{the energy whose mean over the cells is minimized}
     \cgalParamType{a model of `DistortionEnergy_3`}
     \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
-    \cgalParamExtra{Source and target are scaled to the same volume for this.}
+    \cgalParamExtra{The energy is evaluated with source and target scaled to the same volume.}
   \cgalParamNEnd
   \cgalParamNBegin{use_volume_weights}
     \cgalParamDescription{whether a cell counts by its volume in the source, as in the mean distortions of
@@ -88,22 +88,21 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{energy_tolerance}
-    \cgalParamDescription{the part of the energy that does not matter: the minimization ends where five Newton steps gain
-                          less, or after a step that promises less than a hundredth of it}
+    \cgalParamDescription{the part of the energy that does not matter: the minimization ends when five Newton steps gain
+                          less than this part, or a step promises less than a hundredth of it}
     \cgalParamType{`double`}
     \cgalParamDefault{`0.001`}
-    \cgalParamExtra{With 0 it goes on to a minimum, which may take hundreds of steps for the last percent.}
+    \cgalParamExtra{With 0, the minimization continues to a minimum, which may take hundreds of steps for the last percent.}
     \cgalParamPrecondition{The value is not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{maximal_angle_distortion}
-    \cgalParamDescription{a bound below which the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of
-                          every cell is brought}
+    \cgalParamDescription{a bound for the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of every cell}
     \cgalParamType{`double`}
     \cgalParamDefault{no bound}
     \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further
                     if a cell exceeds the bound: relaxed as long as one does, then as a barrier that no cell passes.
-                    Whether this succeeded is told by the status, what was reached by
-                    `Volume_mesh_parameterization::Parameterization_result`. Prescribed facets may force more than
+                    The status tells whether the bound is met, and the distortion of
+                    `Volume_mesh_parameterization::Parameterization_result` what is reached. Prescribed facets may force more than
                     the bound; then the message says so. Ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
@@ -112,7 +111,7 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
     \cgalParamExtra{Bounds as for `maximal_angle_distortion` are tried by bisection, which takes several times as long as
-                    the minimization; among the maps below the last one that is reached, it is the one of least energy.
+                    the minimization; the result is the map of least energy below the lowest bound that is met.
                     `Volume_mesh_parameterization::Parameterization_result` has the largest bound that was missed.
                     Ignored if the boundary is missed.}
   \cgalParamNEnd
@@ -122,9 +121,9 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamDefault{`Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<ConcurrencyTag>`}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_mode}
-    \cgalParamDescription{how the boundary is met}
+    \cgalParamDescription{the way in which the boundary is met}
     \cgalParamType{`Volume_mesh_parameterization::Boundary_mode`}
-    \cgalParamDefault{`Boundary_mode::AUTO`: fixed, and soft where there is no valid map with fixed boundary}
+    \cgalParamDefault{`Boundary_mode::AUTO`: fixed, and soft if no valid map with fixed boundary is found}
   \cgalParamNEnd
   \cgalParamNBegin{do_refine}
     \cgalParamDescription{whether the complex may be refined where the boundary cannot be reached otherwise:
@@ -143,15 +142,15 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
                           the targets describe is planar. As soon as a map with the boundary at its targets inverts no cell,
                           a vertex whose facets are coplanar moves in their plane, one whose facets lie in two planes along
-                          their common line, and every other one stays. So the images of planar patches, of the edges
+                          their common line, and every other one stays. So the images of planar regions, of the edges
                           between them and of the complex remain the same, and remain one to one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{Facets are joined to a patch where they are exactly coplanar, or enclose an angle below 0.001. A
-                    patch is planar if its vertices are in its plane up to 1e-7 times the diagonal of the bounding box;
-                    they move parallel to the plane. In planes orthogonal to an axis, that coordinate keeps its bits.
-                    Vertices that `vertex_is_constrained_map` tells stay at their targets, also on the
-                    boundary. Nothing slides if the boundary is missed.}
+    \cgalParamExtra{Neighboring facets are in one region if they are exactly coplanar, or enclose an angle below 0.001. A
+                    region is planar if its vertices are in its plane up to 1e-7 times the diagonal of the bounding box;
+                    they move parallel to the plane. In a plane orthogonal to an axis, the coordinate along the axis keeps
+                    its bits. Vertices of `vertex_is_constrained_map` stay at their targets, also on the boundary. No
+                    vertex slides if the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{soft_boundary_parameters}
     \cgalParamDescription{the parameters of the map with soft boundary}
@@ -169,8 +168,8 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamPrecondition{The vertices belong to cells of the complex; otherwise `std::out_of_range` is thrown.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{tells the vertices inside the complex that `boundary_map` prescribes as well,
-                          and those of the boundary that must not slide}
+    \cgalParamDescription{a map that is `true` for the vertices inside the complex that `boundary_map` prescribes as well,
+                          and for vertices of the boundary that must not slide}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
     \cgalParamPrecondition{`boundary_map` is given as well.}
@@ -191,7 +190,7 @@ That no cell is inverted is checked at the end with exact predicates on the coor
     \cgalParamPrecondition{The value is a number.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is told of each step, and may end the computation}
+    \cgalParamDescription{an object that is told of each step, and may end the computation}
     \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd
@@ -202,8 +201,8 @@ That no cell is inverted is checked at the end with exact predicates on the coor
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return how it went, with the distortions and the running times. What depends on the complex or on the boundary is
-        told by `Parameterization_result::status`, in words by `Parameterization_result::message`; nothing is thrown.
+\return the status, the distortions and the running times. Failures that depend on the complex or on the boundary are
+        reported by `Parameterization_result::status` and, in words, by `Parameterization_result::message`, not thrown.
 
 Named parameters that break a precondition are answered by `CGAL::Precondition_exception`, also in programs that are
 compiled with `NDEBUG`; those that are not listed above are not compiled. Exceptions of property
@@ -261,7 +260,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
     if(result.status != VMP::OK)
     {
       const VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
-      result.message = VMP::get_error_message(result.status) + VMP::internal::place_of_boundary_error(body, result.status);
+      result.message = VMP::get_error_message(result.status) + VMP::internal::where_boundary_fails(body, result.status);
       return result;
     }
   }

@@ -29,7 +29,7 @@ With the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03} the surface is coar
 collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
 energy, which compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
 
-Unless landmarks are given, how the sphere is turned is arbitrary.
+Unless landmarks are given, the sphere is turned arbitrarily.
 
 `parameterize()` writes points of the unit sphere, up to rounding, and returns `OK`; or, with nothing written,
 `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
@@ -61,7 +61,7 @@ public:
   /// as close to given points as a map of this distortion allows, in the sense of least squares.
   ///
   /// \param c3t3 the complex
-  /// \param landmarks vertices of the boundary, each with the point of the unit sphere where it should be
+  /// \param landmarks vertices of the boundary, each with the point of the unit sphere that it should be near to
   /// \param target receives the images
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`
@@ -98,7 +98,7 @@ public:
 private:
   using Given = internal::Landmarks_3;
 
-  template <typename Surface> // as what it calls
+  template <typename Surface> // a template, as `map_to_sphere_3()`
   Error_code map(const Surface& surface, const internal::Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
                  const internal::Budget& budget) const
   { return internal::map_to_sphere_3(surface, landmarks, images, budget); }

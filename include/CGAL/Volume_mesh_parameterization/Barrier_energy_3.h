@@ -18,9 +18,9 @@
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
-// The function phi(x) = 1 / g(x) - 1 with the spline g(x) = 1 - (1 - x)^3 of Schueller et al., Locally
-// Injective Mappings (CGF 2013), and its derivatives. For x -> 0+ it tends to infinity, from x = 1 on it
-// is 0; it is twice continuously differentiable.
+// Function phi(x) = 1 / g(x) - 1 with the spline g(x) = 1 - (1 - x)^3 of Schueller et al., Locally Injective Mappings (CGF
+// 2013), and its derivatives. For x -> 0+ phi tends to infinity, and phi(x) = 0 for x >= 1; phi is twice continuously
+// differentiable.
 template <typename T>
 struct Inverse_spline_barrier
 {
@@ -37,8 +37,8 @@ struct Inverse_spline_barrier
     second = T(2) * slope * slope * inverse * inverse * inverse + T(6) * y * inverse * inverse;
   }
 
-  // The same, but the parabola that touches phi at `smallest` below that point: finite everywhere. For
-  // `smallest` = 0 it is phi itself, which is not finite from 0 downwards.
+  // Returns phi, replaced by the parabola that touches phi at `smallest` below there, which is finite everywhere. For
+  // `smallest` = 0 the result is phi itself, which is not finite at 0 and below.
   static Inverse_spline_barrier relaxed(const T& x, const T& smallest)
   {
     Inverse_spline_barrier result(maximum(x, smallest));
@@ -117,7 +117,7 @@ private:
   internal::Inverse_spline_barrier<T> barrier(const Eigen::Matrix<T, 3, 1>& s) const
   { return internal::Inverse_spline_barrier<T>(s[0] * s[1] * s[2] * T(1 / m_lambda)); }
 
-  // the derivative of D
+  // Returns the derivative of D by the singular values.
   template <typename T>
   static Eigen::Matrix<T, 3, 1> cofactors(const Eigen::Matrix<T, 3, 1>& s)
   { return Eigen::Matrix<T, 3, 1>(s[1] * s[2], s[2] * s[0], s[0] * s[1]); }

@@ -28,15 +28,15 @@ where singular values are equal; the sum over all pairs has none: it is twice co
 to \f$\psi_0\f$ where \f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. So the minimization, which
 accepts only steps that lower the energy, never exceeds the bound if it starts below it.
 
-To get there, \f$\varphi\f$ can be relaxed: where its argument is below \f$\varepsilon > 0\f$, it is continued by
-the parabola that touches it there. Then the energy is finite, the minimization may start from a map that exceeds
-the bound, and leads below it, or beyond it by little, the less the smaller \f$\varepsilon\f$ is. Whether the bound is
-met is told by the result. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
+For a start above the bound, \f$\varphi\f$ can be relaxed: below an argument \f$\varepsilon > 0\f$, the function is
+continued by the parabola that touches it there. Then the energy is finite, and the minimization leads from a map that
+exceeds the bound to one below it, or beyond it by little, the less the smaller \f$\varepsilon\f$ is. The result tells
+whether the bound is met. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
 
 A facet with three prescribed vertices limits what can be asked for: the distortion in its cell is not
 below the one of the map of the facet. Cells whose four vertices are prescribed are not influenced at all.
 
-It tends to infinity when a cell becomes flat, and when it collapses if \f$\psi_0\f$ does.
+The energy tends to infinity when a cell becomes flat, and when a cell collapses if \f$\psi_0\f$ does.
 
 To be used where angles matter more than the mean of \f$\psi_0\f$. The closer \f$K\f$ is to what is
 possible, the more Newton steps are needed. The named parameter `maximal_angle_distortion` relaxes the
@@ -117,12 +117,12 @@ private:
     return internal::Inverse_spline_barrier<T>::relaxed(argument, T(m_relaxation));
   }
 
-  // of a / b + b / a by a
+  // Returns the derivative of a / b + b / a by a.
   template <typename T>
   static T derivative(const T& a, const T& b) { return (a - b) * (a + b) / (a * a * b); }
 
   Energy m_energy;
-  double m_slope; // of the argument of phi, by k
+  double m_slope; // derivative of the argument of phi by k
   double m_relaxation;
 };
 

@@ -23,7 +23,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
-// The lower triangle of a matrix with blocks of 3x3 in both, of which there is one on each place of the diagonal.
+// Returns the number of entries of the lower triangle of a symmetric matrix of 3x3 blocks with one in each diagonal position.
 constexpr std::size_t number_of_entries_of_lower_triangle(const std::size_t number_of_rows, const std::size_t number_of_blocks)
 { return 9 * ((number_of_blocks - number_of_rows) / 2) + 6 * number_of_rows; }
 
@@ -70,7 +70,7 @@ public:
   }
 
   /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, or if the lower triangle of `A` has
-  /// \f$2^{31}\f$ entries or more, which CHOLMOD counts in `int` here, `factorize()` will tell.
+  /// \f$2^{31}\f$ entries or more, which CHOLMOD counts in `int` here, `factorize()` will fail.
   void analyze_pattern(const Matrix& A)
   {
     cholmod_free_factor(&m_factor, &m_common);
@@ -91,7 +91,7 @@ public:
   /// \return `SUCCESS`, `NOT_POSITIVE_DEFINITE`, `OUT_OF_MEMORY` or `FAILED`
   Linear_solver_status factorize(const Matrix& A)
   {
-    if(A.size() == 0) // nothing to do, and CHOLMOD fails
+    if(A.size() == 0) // CHOLMOD fails for empty matrices
       return Linear_solver_status::SUCCESS;
     if(m_factor == nullptr)
       return Linear_solver_status::OUT_OF_MEMORY;

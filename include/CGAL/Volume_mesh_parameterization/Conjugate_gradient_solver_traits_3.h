@@ -39,8 +39,7 @@ public:
   using NT = NT_;                           ///< the number type
   using Matrix = Block_sparse_matrix_3<NT>; ///< the type of the matrix
 
-  /// limits the number of iterations of each call of `solve()`. Where the limit is reached, what was found so far is
-  /// the solution.
+  /// limits the number of iterations of each call of `solve()`, which at the limit returns the last iterate.
   explicit Conjugate_gradient_solver_traits_3(const int maximal_number_of_iterations = 2000)
     : m_solver(internal::is_parallel<ConcurrencyTag>(), maximal_number_of_iterations)
   {}

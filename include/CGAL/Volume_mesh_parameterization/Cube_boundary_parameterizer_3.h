@@ -23,20 +23,20 @@ namespace CGAL::Volume_mesh_parameterization {
 
 maps the boundary of a complex that is a topological sphere onto the boundary of a cube, or of a box, around the origin.
 
-Eight vertices become the corners of the box, twelve disjoint paths along edges of the boundary its edges, and the
-six patches between them its faces: the coordinates that are constant on a face or an edge of the box are so
-exactly, bit by bit. No triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
+Eight vertices become the corners of the box, twelve disjoint paths along edges of the boundary its edges, and the six
+charts between the paths its faces. A coordinate that is constant on a face or an edge of the box has exactly the same bits
+in all images there. No triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
 
 The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are shortest paths on the
-sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the patches
+sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the charts
 are mapped from the sphere by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
 \ref PkgSurfaceMeshParameterization. Finally the symmetric Dirichlet energy of the map from the boundary, scaled
 to the area of the box, is lowered: vertices move in their face or along their edge of the box, in at most 100 sweeps
 over all vertices.
 
-Unless corners are given, they are chosen such that the patches have areas in the ratio of those of the faces of the box,
-turned such that the map is similar to the scaling of the bounding box of the boundary to the box, and close to the
-corners of the bounding box.
+Unless corners are given, eight vertices are chosen such that the charts have areas in the ratio of the faces of the box,
+the map is turned like the scaling of the bounding box of the boundary to the box, and the vertices are close to the corners
+of the bounding box.
 
 `parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
@@ -56,7 +56,7 @@ public:
   /// chooses the unit cube.
   Cube_boundary_parameterizer_3() : Cube_boundary_parameterizer_3(1, 1, 1) {}
 
-  /// chooses the box with these lengths of its sides, in the unit of the images. Its center is the origin.
+  /// chooses the box with the lengths of its sides, in the unit of the images. The origin is its center.
   /// \pre The lengths are positive and finite.
   Cube_boundary_parameterizer_3(const double x_length, const double y_length, const double z_length)
     : m_half_lengths(x_length / 2, y_length / 2, z_length / 2)
@@ -77,7 +77,7 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const;
 #endif
 
-  /// writes the image of each vertex of the boundary of the complex, for given corners.
+  /// writes the image of each vertex of the boundary of the complex, with the corners of the caller.
   ///
   /// \param c3t3 the complex
   /// \param corners the vertices for the corners of the box: bit 0 of the index is set if x is positive at the corner,
@@ -86,9 +86,8 @@ public:
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`
   ///
-  /// \return the same as without corners, `ERROR_INVALID_CORNERS` if the corners are not different vertices of the
-  ///         boundary, or `ERROR_MIRRORED_CORNERS` if no disjoint paths between them were found, but between those of
-  ///         the mirrored box
+  /// \return what `parameterize()` returns without corners, `ERROR_INVALID_CORNERS` if the corners are not different vertices
+  ///         of the boundary, or `ERROR_MIRRORED_CORNERS` if disjoint paths were found only for the mirrored box
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
                           VertexPointMap target, const CGAL_NP_CLASS& np = parameters::default_values()) const
@@ -100,7 +99,7 @@ public:
     return this->parameterize_complex(body, target, np, points);
   }
 
-  /// writes the image of each point on the boundary of a mesh that is given by arrays, for given corners, as for a complex.
+  /// writes the image of each point on the boundary of a mesh that is given by arrays, with the corners of the caller.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
             typename = internal::If_range<PointRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, const std::array<std::size_t, 8>& corners,

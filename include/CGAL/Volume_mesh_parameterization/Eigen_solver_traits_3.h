@@ -104,7 +104,7 @@ private:
   { return solver.info() != Eigen::Success || solver.vectorD().minCoeff() > 0; }
 
   template <typename Solver>
-  static bool has_positive_pivots(const Solver&, long) { return true; } // it has no pivots, or does not tell them
+  static bool has_positive_pivots(const Solver&, long) { return true; } // solvers that have no pivots, or do not tell them
 
   Linear_solver_status status() const
   {

@@ -19,11 +19,11 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-How a parameterization ended.
+The ways in which a parameterization can end.
 
 With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map
 without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
-`Parameterization_result::has_valid_map`. With the other values there is none. Those from
+`Parameterization_result::has_valid_map`. With the other values there is none. The values from
 `ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last two from
 `Volume_mesh_parameterization::hexahedral_mesh()`.
 */
@@ -52,7 +52,7 @@ enum Error_code
   ERROR_NO_POLYCUBE,                 ///< no polycube was found whose faces have the directions of the labels
   ERROR_INVALID_CORNERS,             ///< the corners of a cube are not eight different vertices of the boundary
   ERROR_MIRRORED_CORNERS,            ///< the corners of a cube fit its mirror image
-  ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or where it should be is no point
+  ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
   ERROR_INVERTED_HEXAHEDRON          ///< a hexahedron has a corner that is flat or inverted

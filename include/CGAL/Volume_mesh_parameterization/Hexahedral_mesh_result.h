@@ -23,25 +23,25 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-What `hexahedral_mesh()` returns.
+The result of `hexahedral_mesh()`.
 
 The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges divided by their lengths: 1 if
-they are orthogonal, and positive if and only if the corner is neither flat nor inverted. That of a hexahedron is the
-smallest one of its eight corners.
+they are orthogonal, and positive if and only if the corner is neither flat nor inverted. A hexahedron has the smallest
+scaled Jacobian of its eight corners.
 */
 struct Hexahedral_mesh_result
 {
-  Error_code status = OK;                ///< how it ended
+  Error_code status = OK;                ///< how the computation ended
   std::string message;                   ///< sentences about the status, with its place
-  std::size_t number_of_vertices = 0;          ///< of the mesh
-  std::size_t number_of_boundary_vertices = 0; ///< those of them on the boundary of the body
+  std::size_t number_of_vertices = 0;          ///< all vertices of the mesh
+  std::size_t number_of_boundary_vertices = 0; ///< vertices on the boundary of the body
   std::size_t number_of_cells = 0;             ///< hexahedra
-  std::size_t number_of_inverted_corners = 0;  ///< or flat ones, by exact predicates
-  bool has_padding = false;                    ///< has a layer of hexahedra been added along faces of the domain?
-  bool is_interrupted = false;                 ///< has a limit of time, or a visitor, ended the search for better ones?
-  /// of all hexahedra; not a number if there is none
+  std::size_t number_of_inverted_corners = 0;  ///< inverted or flat corners, by exact predicates
+  bool has_padding = false;                    ///< whether a layer of hexahedra has been added along faces of the domain
+  bool is_interrupted = false;                 ///< whether a limit of time or a visitor ended the search for better hexahedra
+  /// the least one of all hexahedra; not a number if there is none
   double minimal_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
-  /// of all hexahedra; not a number if there is none
+  /// the mean of all hexahedra; not a number if there is none
   double mean_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -20,24 +20,24 @@ namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// A mesh of hexahedra as arrays, with what it inherits from a polycube: the planes of all faces of a polycube cut it into
-/// blocks, and a block is a regular grid of hexahedra. So is a layer of padding on what a block, or another layer, has of a face.
+/// A mesh of hexahedra as arrays, with its blocks: the planes of all faces of a polycube cut it into blocks, and a block is a
+/// regular grid of hexahedra. The part of a layer of padding over a face of one block, or of another layer, is a block, too.
 /// Blocks and faces are numbered from 1.
 struct Hexahedron_soup_3
 {
   std::vector<std::array<double, 3> > points; ///< the coordinates of the vertices
-  std::vector<std::array<double, 3> > images; ///< the places of the vertices in the domain
+  std::vector<std::array<double, 3> > images; ///< the positions of the vertices in the domain
   /// eight indices of points each, in the order of VTK: around one quadrangle and, in the same order, around the
   /// opposite one, into whose direction the first one turns counterclockwise
   std::vector<std::array<std::size_t, 8> > cells;
   std::vector<std::size_t> cell_blocks;       ///< the block of each hexahedron
-  /// the place (i, j, k) of each hexahedron in its block, from 0: i + 1 is behind the quadrangle of the vertices 1, 2, 6
+  /// the indices (i, j, k) of each hexahedron in its block, from 0: i + 1 is behind the quadrangle of the vertices 1, 2, 6
   /// and 5 of the hexahedron, j + 1 behind 2, 3, 7 and 6, and k + 1 behind 4, 5, 6 and 7
   std::vector<std::array<std::size_t, 3> > cell_indices;
   std::vector<int> cell_references;           ///< the subdomain that the center of each hexahedron is mapped to
   std::vector<std::array<std::size_t, 4> > facets; ///< the quadrangles of the boundary, counterclockwise seen from outside
-  std::vector<std::size_t> facet_cells;       ///< the index of the hexahedron of each of them
-  std::vector<std::size_t> facet_patches;     ///< the face of the polycube of each of them
+  std::vector<std::size_t> facet_cells;       ///< the index of the hexahedron of each quadrangle
+  std::vector<std::size_t> facet_patches;     ///< the face of the polycube of each quadrangle
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -58,7 +58,7 @@ struct LSCM_energy_3
   }
 
 private:
-  // twice the derivative of psi by the squares of the singular values
+  // Returns twice the derivative of psi by the squares of the singular values.
   template <typename T>
   static Eigen::Matrix<T, 3, 1> derivative_by_squares(const Eigen::Matrix<T, 3, 1>& s)
   {

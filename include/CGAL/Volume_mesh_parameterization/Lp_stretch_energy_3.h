@@ -75,11 +75,11 @@ public:
   }
 
 private:
-  // |s_i|^{-p}, divided by the largest of the three, which keeps them between 0 and 1
+  // Powers |s_i|^{-p}, divided by the largest one, which keeps them between 0 and 1.
   template <typename T>
   struct Powers
   {
-    T largest; // of the squares s_i^{-2}
+    T largest; // largest square s_i^{-2}
     Eigen::Matrix<T, 3, 1> power;
     T sum;
 

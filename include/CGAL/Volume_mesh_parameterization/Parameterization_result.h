@@ -58,45 +58,45 @@ struct Cell_quality_3
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-What `CGAL::stretch_minimizing_volume_parameterization()` returns. Times are wall-clock times in seconds.
+The result of `CGAL::stretch_minimizing_volume_parameterization()`. Times are wall-clock times in seconds.
 */
 struct Parameterization_result
 {
-  Error_code status = OK;     ///< how it ended
-  bool has_valid_map = false; ///< has the map been written? Only maps without inverted cells are.
+  Error_code status = OK;     ///< how the computation ended
+  bool has_valid_map = false; ///< whether the map, one without inverted cells, has been written
   std::string message;        ///< sentences about the status, with its data: an index, a volume, a number of cells
 
   std::size_t number_of_vertices = 0;          ///< vertices of cells, those that refinement has added included
   std::size_t number_of_cells = 0;             ///< cells of the complex, after refinement
   std::size_t number_of_boundary_vertices = 0; ///< vertices of facets between the complex and the outside
-  std::size_t number_of_added_vertices = 0;    ///< by refinement
-  std::size_t number_of_sliding_vertices = 0;  ///< on the boundary, if `do_slide_boundary(true)` was passed
+  std::size_t number_of_added_vertices = 0;    ///< vertices that refinement has added
+  std::size_t number_of_sliding_vertices = 0;  ///< vertices that slide on the boundary, if `do_slide_boundary(true)` was passed
 
-  /// exact proofs that no map with this connectivity meets this boundary, of which one would do
+  /// number of exact proofs that no map with this connectivity meets this boundary; one suffices
   std::size_t number_of_infeasibility_proofs = 0;
 
-  std::size_t number_of_inverted_cells_at_start = 0; ///< of the harmonic or the initial map
-  std::size_t number_of_inverted_cells = 0;          ///< or flat ones, of the result, by exact predicates
+  std::size_t number_of_inverted_cells_at_start = 0; ///< inverted cells of the harmonic or the initial map
+  std::size_t number_of_inverted_cells = 0;          ///< inverted or flat cells of the result, by exact predicates
   /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
   /// that slide, to the plane or line through their point, where rounding counts as 0; not a number without a valid map
   double boundary_residual = std::numeric_limits<double>::quiet_NaN();
 
   std::size_t number_of_iterations = 0;            ///< Newton steps, in all stages
-  std::size_t number_of_untangling_iterations = 0; ///< those of them that untangled
+  std::size_t number_of_untangling_iterations = 0; ///< Newton steps that untangled
 
-  std::size_t number_of_linear_solver_iterations = 0; ///< in all stages; 0 if the solver tells no number
+  std::size_t number_of_linear_solver_iterations = 0; ///< iterations in all stages; 0 if the solver tells no number
 
-  /// what has found the first map without inverted cells: the harmonic extension of the boundary alone, patches of cells,
-  /// one of the settings of untangling, or the soft boundary
+  /// name of the method that has found the first map without inverted cells: the harmonic extension of the boundary alone,
+  /// patches of cells, one of the settings of untangling, or the soft boundary
   std::string untangling_method;
 
   /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume;
   /// not a number without a valid map
   double energy = std::numeric_limits<double>::quiet_NaN();
-  Distortion_3 distortion;                  ///< of the map as it is; not numbers without a valid one
-  Distortion_3 distortion_at_source_volume; ///< of the map scaled to the volume of the source
-  Cell_quality_3 quality;                   ///< of the cells of the image; not numbers without a valid map
-  /// how far the boundary is from its image, which is given: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$,
+  Distortion_3 distortion;                  ///< distortion of the map as it is; not numbers without a valid map
+  Distortion_3 distortion_at_source_volume; ///< distortion of the map scaled to the volume of the source
+  Cell_quality_3 quality;                   ///< shapes of the cells of the image; not numbers without a valid map
+  /// distance of the boundary from its given image: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$,
   /// with the singular values \f$s\f$ and \f$t\f$ of its map, scaled to its area. A similarity has 0, a polycube that is close
   /// to the boundary 0.1 to 0.5, a box to which a branching body is mapped 1 or more. Not a number without a valid map, and
   /// for meshes that several processes share
@@ -105,13 +105,13 @@ struct Parameterization_result
   /// lower bound of the largest distortion of angles of all maps with this boundary, which the prescribed vertices force;
   /// 0 unless `minimize_maximal_angle_distortion(true)` was passed
   double unavoidable_angle_distortion = 0;
-  /// the largest bound below which no map was found; the least distortion is between this and the one of the map, but
-  /// only up to `unavoidable_angle_distortion` is that proved
+  /// largest bound below which no map was found: the least distortion seems to be between this bound and the distortion of
+  /// the map; only `unavoidable_angle_distortion` is a proved lower bound
   double missed_angle_distortion = 0;
 
-  double seconds_total = 0;        ///< of the call, without the default boundary map
-  double seconds_to_flip_free = 0; ///< until no cell was inverted, or until untangling ended
-  double seconds_numbering = 0;    ///< from the complex to arrays, with the checks of the input
+  double seconds_total = 0;        ///< time of the call, without the default boundary map
+  double seconds_to_flip_free = 0; ///< time until no cell was inverted, or untangling ended
+  double seconds_numbering = 0;    ///< conversion of the complex to arrays, with the checks of the input
   double seconds_start = 0;        ///< set-up and harmonic map
   double seconds_untangling = 0;   ///< Newton steps that untangled
   double seconds_minimization = 0; ///< Newton steps that minimized

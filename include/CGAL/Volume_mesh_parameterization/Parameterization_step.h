@@ -27,30 +27,30 @@ enum class Phase
 };
 
 /// \ingroup PkgVolumeMeshParameterizationResults
-/// What a step is.
+/// The kinds of steps.
 enum class Step_kind
 {
   NEWTON, ///< a Newton step over all vertices that move
-  PATCH,  ///< some inverted cells with those around them are untangled, as a problem of their own
-  SPLIT   ///< an attempt to untangle a patch with some of its edges split, to find out which ones need be
+  PATCH,  ///< inverted cells with the cells around them are untangled, as a problem of their own
+  SPLIT   ///< an attempt to untangle a patch with edges split, which finds the edges that must be
 };
 
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-What a visitor is told after each step: see the named parameter `visitor` of
+The report of a step to a visitor: see the named parameter `visitor` of
 `CGAL::stretch_minimizing_volume_parameterization()`.
 */
 struct Parameterization_step
 {
   std::size_t iteration = 0;                ///< number of steps so far, in all stages
-  Phase phase = Phase::START;               ///< what the step was for
-  Step_kind kind = Step_kind::NEWTON;       ///< what it was; energy, gradient, decrement and length are of Newton steps only
+  Phase phase = Phase::START;               ///< the phase that the step belonged to
+  Step_kind kind = Step_kind::NEWTON;       ///< the kind of the step; only Newton steps have energy, gradient, decrement and length
   std::string attempt;                      ///< the name of the stage or of the attempt to untangle, for a progress bar
   /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; while cells are
   /// untangled, over those with a free vertex only. Values of different phases and stages are not comparable
   double energy = 0;
-  std::size_t number_of_inverted_cells = 0; ///< or flat, after the step, by floating-point determinants
+  std::size_t number_of_inverted_cells = 0; ///< inverted or flat cells after the step, by floating-point determinants
   /// the Newton decrement at the beginning of the step: half of its square is about what there is to gain
   double decrement = 0;
   double gradient_norm = 0;                 ///< Euclidean norm of the gradient at the beginning of the step
@@ -67,10 +67,10 @@ The default visitor, which does nothing.
 */
 struct Default_visitor
 {
-  /// returns `true`: the computation goes on.
+  /// returns `true`: the computation continues.
   bool after_step(const Parameterization_step&) { return true; }
 
-  /// returns `true`: the computation goes on.
+  /// returns `true`: the computation continues.
   bool goes_on() { return true; }
 };
 

@@ -26,13 +26,13 @@ maps the boundary of a complex onto the boundary of a polycube: a polyhedron who
 Each facet of the boundary is labelled with the direction, along an axis, that the normal of its image will have.
 Connected facets with the same label form a chart, which is mapped to a face of the polycube; the lines between two
 charts are mapped to its edges, and the vertices where three or more charts meet to its corners. The charts
-determine the polycube up to the coordinates of its faces. Those are chosen as close as possible to the mean coordinates
+determine the polycube up to the coordinates of its faces, which are chosen as close as possible to the mean coordinates
 of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
 fifth of the line that is mapped to it. The polycube lies where the complex lies.
 
 Lines are mapped by arc length, and charts by harmonic maps, which may flip triangles. Therefore an energy that is
-finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered then, which also lowers the distortion.
-On each face the coordinate that is constant is so exactly, bit by bit. No triangle is flipped or flat, and
+finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered afterwards, which also lowers the distortion.
+The coordinate that is constant on a face has exactly the same bits in all images there. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
@@ -56,7 +56,8 @@ lead around each handle, and more where it is to be mapped with low distortion.
 
 `parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,
-`ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
+`ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat,
+`ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
 `ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`. The
 running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights, with \f$ n \f$ boundary vertices of
 bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse
@@ -118,7 +119,7 @@ public:
   }
 
   /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels, as for a complex:
-  /// `labels[c][i]` is that of the facet opposite to vertex `i` of cell `c`.
+  /// `labels[c][i]` is the label of the facet opposite to vertex `i` of cell `c`.
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
             typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, const LabelRange& labels, TargetRange& targets,

@@ -22,12 +22,12 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-How a map meets its boundary: see the named parameter `boundary_mode` of
+The ways in which a map meets its boundary: see the named parameter `boundary_mode` of
 `CGAL::stretch_minimizing_volume_parameterization()`.
 */
 enum class Boundary_mode
 {
-  AUTO,  ///< as `FIXED`; where that finds no valid map, as `SOFT`
+  AUTO,  ///< first `FIXED`; if no valid map is found, `SOFT`
   FIXED, ///< prescribed vertices are at their targets from the beginning, and cells are untangled
   SOFT   ///< no cell is ever inverted, and a penalty pulls the prescribed vertices to their targets
 };
@@ -43,35 +43,35 @@ authors take the sum over the cells, and units as they are; with mean and unit v
 depend neither on the number of cells nor on units.)
 
 The minimization for one weight ends as soon as one of three criteria holds: the energy, the positions, or the gradient have
-become stationary. The weight is raised as long as the constraints are not satisfied then.
+become stationary. The weight is then raised unless the constraints are satisfied.
 */
 struct Soft_boundary_parameters
 {
   /// the first weight, \f$w_0\f$; positive and finite
   double weight = 100;
-  /// the factor between one weight and the next, \f$\gamma\f$; finite and larger than 1
+  /// the factor between a weight and the next one, \f$\gamma\f$; finite and larger than 1
   double weight_factor = 25;
-  /// how often the weight is raised at most
+  /// the maximal number of times that the weight is raised
   std::size_t maximal_number_of_raises = 5;
-  /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this, \f$\eta\f$, where the target has volume 1
+  /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this number, \f$\eta\f$, where the target has volume 1
   double residual_tolerance = 1e-6;
 
-  /// ends if the energy changes by less than this times the diameter of the bounding box of the source,
-  /// \f$\varepsilon_f\f$
+  /// the minimization for a weight ends if the energy changes by less than this number times the diameter of the bounding
+  /// box of the source, \f$\varepsilon_f\f$
   double energy_tolerance = 1e-8;
-  /// ends if the energy changes by less than this times the energy, both with the penalty; not in the paper
+  /// the minimization ends if the energy changes by less than this number times itself, both with the penalty; not in the paper
   double relative_energy_tolerance = 0;
-  /// ends if no vertex moves by this times that diameter
+  /// the minimization ends if no vertex moves by this number times the diameter
   double step_tolerance = 1e-8;
-  /// ends if the norm of the gradient is less than this times the energy
+  /// the minimization ends if the norm of the gradient is less than this number times the energy
   double gradient_tolerance = 1e-6;
-  /// whether all ends as soon as the prescribed vertices can be put on their targets without inverting a
-  /// cell; then a minimization with fixed boundary takes over. Not if there are further constraints.
+  /// whether a minimization with fixed boundary takes over as soon as the prescribed vertices can be put on their targets
+  /// without inverting a cell. Without effect if there are further constraints.
   bool do_snap = true;
 
   /// the number of Newton steps with the current positions as target that are taken in a row where the Hessian
-  /// is not positive definite or no step decreases both the energy and the norm of its gradient. With 0, there
-  /// are none: a decrease of the energy suffices.
+  /// is not positive definite or no step decreases both the energy and the norm of its gradient. With 0, a decrease
+  /// of the energy suffices.
   std::size_t maximal_number_of_relaxations = 5;
   /// whether each step has to use the full Hessian, as the authors do; otherwise, the Hessian of each cell loses
   /// its negative eigenvalues far from the minimum

@@ -67,7 +67,7 @@ public:
 
 private:
   using Coordinates = std::array<double, 3>;
-  using Face = std::array<std::size_t, 3>; // with the smallest index first
+  using Face = std::array<std::size_t, 3>; // the smallest index comes first
   struct Given {};
 
   Error_code map(const internal::Numbered_surface_3& surface, Given, std::vector<Eigen::Vector3d>& images,

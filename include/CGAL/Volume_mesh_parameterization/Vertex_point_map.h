@@ -23,10 +23,10 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-A property map from vertices to points over an associative container, for boundary maps and for images. To read it
+A property map from vertices to points over an associative container, for boundary maps and for images. Reading
 never changes the container: a vertex that is missing has a point whose coordinates are not numbers, which
 `CGAL::stretch_minimizing_volume_parameterization()` takes for a missing target. With
-`boost::associative_property_map` it would get a point without values instead.
+`boost::associative_property_map` the vertex would get a point without values instead.
 
 \tparam Container a model of `UniqueAssociativeContainer` and `PairAssociativeContainer`, for instance
         `std::unordered_map<C3t3::Vertex_handle, Point_3>`; `const` if the map is only read
@@ -43,7 +43,7 @@ public:
   using key_type = typename Container::key_type;      ///< the vertices
   using value_type = typename Container::mapped_type; ///< the points
   using reference = value_type;                       ///< points are returned by value
-  /// what the concept of the map is, for Boost
+  /// the concept of the map, for Boost
   using category = std::conditional_t<std::is_const<Container>::value, boost::readable_property_map_tag,
                                       boost::read_write_property_map_tag>;
 

@@ -22,7 +22,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
-// The map of a complex or of arrays.
+// Map of a complex or of arrays.
 struct Mapped_soup_3 : Tetrahedron_soup_3
 {
   Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images)
@@ -51,7 +51,7 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
 evaluates a map that is linear on the cells of a tetrahedral mesh, and its inverse, at any points.
 
 A point of the closed body is always found, also on a facet, an edge or a vertex, as exact predicates decide: in the
-cell of smallest index, of those that contain it. So results are deterministic, for any number of threads. Cells are
+containing cell of smallest index. So results are deterministic, for any number of threads. Cells are
 found by a tree for each side, both built by the constructor; the mesh need not be Delaunay or convex. Where cells, or
 for the inverse their images, overlap, the smallest index counts as well. Cells that are flat or have a coordinate that
 is not finite are never found.
@@ -72,7 +72,7 @@ public:
   {
     Point_3 point;                                   ///< the point on the other side
     std::size_t cell;                                ///< the index of the cell found
-    std::array<double, 4> barycentric_coordinates;   ///< in that cell: not negative, of sum 1 up to rounding
+    std::array<double, 4> barycentric_coordinates;   ///< coordinates in the cell: not negative, of sum 1 up to rounding
   };
 
   /*!
@@ -126,7 +126,7 @@ public:
     const auto value = [&](const int i) -> decltype(auto) { return internal::row(values, cell[i]); };
     const auto sum = [&]() { return b[0] * value(0) + b[1] * value(1) + b[2] * value(2) + b[3] * value(3); };
     using Value = std::decay_t<decltype(value(0))>;
-    if constexpr(internal::is_matrix<Value>) // a sum of Eigen refers to its parts
+    if constexpr(internal::is_matrix<Value>) // a sum of Eigen would refer to its parts
       return typename Value::PlainObject(sum());
     else
       return sum();
@@ -135,11 +135,11 @@ public:
   /// returns the differential in the cell that `image()` finds, a 3 x 3 matrix; empty if the point is outside.
   std::optional<Eigen::Matrix3d> differential(const Point_3& p) const
   {
-    const std::optional<internal::Point_in_cell_3> place = m_source.find(p);
-    if(!place)
+    const std::optional<internal::Point_in_cell_3> found = m_source.find(p);
+    if(!found)
       return std::nullopt;
     // D E = F for the edges E of the cell and F of its image
-    return edges(m_source, place->cell).transpose().fullPivLu().solve(edges(m_target, place->cell).transpose())
+    return edges(m_source, found->cell).transpose().fullPivLu().solve(edges(m_target, found->cell).transpose())
       .transpose();
   }
 
@@ -148,8 +148,9 @@ public:
   { return edges(m_source, cell) * edges(m_target, cell).inverse(); }
 
   /// \name Ranges
-  /// The same for each point of a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it, in parallel with `ConcurrencyTag = Parallel_tag`. Points are
-  /// queried in an order in which neighbors follow each other, which takes much less time for large meshes.
+  /// Queries for each point of a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it, in parallel with
+  /// `ConcurrencyTag = Parallel_tag`. Points are queried in an order in which neighbors follow each other, which takes much
+  /// less time for large meshes.
   /// @{
 
   /// returns what `image()` returns, for each point.
@@ -181,16 +182,16 @@ public:
 private:
   explicit Volume_map_3(const internal::Mapped_soup_3& map) : m_source(map.points, map.cells), m_target(map.images, map.cells) {}
 
-  static std::optional<Location> carried(const std::optional<internal::Point_in_cell_3>& place,
+  static std::optional<Location> carried(const std::optional<internal::Point_in_cell_3>& found,
                                          const internal::Cell_locator_3& other)
   {
-    if(!place)
+    if(!found)
       return std::nullopt;
     std::array<double, 3> p = {0, 0, 0};
     for(std::size_t i = 0; i < 4; ++i)
       for(int k = 0; k < 3; ++k)
-        p[static_cast<std::size_t>(k)] += place->coordinates[i] * other.corner(place->cell, i)[k];
-    return Location{ Point_3(p[0], p[1], p[2]), place->cell, place->coordinates };
+        p[static_cast<std::size_t>(k)] += found->coordinates[i] * other.corner(found->cell, i)[k];
+    return Location{ Point_3(p[0], p[1], p[2]), found->cell, found->coordinates };
   }
 
   static Eigen::Matrix3d edges(const internal::Cell_locator_3& side, const std::size_t cell)
@@ -207,7 +208,7 @@ private:
     std::vector<Point_3> queries;
     for(const auto& [x, y, z] : internal::coordinates_of(points))
       queries.emplace_back(x, y, z);
-    // Neighbors, one after the other, find the same part of a tree in the cache. What is not finite is not found.
+    // neighbors, one after the other, find the same part of a tree in the cache; points that are not finite are not found
     std::vector<std::size_t> order;
     for(std::size_t i = 0; i < queries.size(); ++i)
       if(internal::is_finite_point(queries[i]))

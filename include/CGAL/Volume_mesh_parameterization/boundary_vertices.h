@@ -30,8 +30,8 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Bod
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body);
 
-// Where the boundary of a body is not a manifold, as a sentence; empty for other errors.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string place_of_boundary_error(const Body_3& body, Error_code status);
+// Returns a sentence that tells where the boundary of a body is not a manifold; an empty one for other errors.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, Error_code status);
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
@@ -65,7 +65,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_p
   return result;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string place_of_boundary_error(const Body_3& body, const Error_code status)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, const Error_code status)
 {
   if(status != ERROR_NON_MANIFOLD_BOUNDARY)
     return "";
@@ -146,7 +146,7 @@ OutputIterator non_manifold_boundary_vertices(const C3t3& c3t3, OutputIterator o
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns those points of a mesh that is given by arrays, as indices.
+returns the points where the boundary of a mesh that is given by arrays is not a manifold, as indices.
 */
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points, const CellRange& cells)

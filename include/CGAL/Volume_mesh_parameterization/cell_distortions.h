@@ -38,7 +38,7 @@ struct Cell_distortion_3
 
 namespace internal {
 
-// `source` and `image` tell the vertices of a cell from 0 to 3.
+// Returns the distortion of a cell; `source(i)` and `image(i)` return the points of its vertices.
 template <typename Source, typename Image>
 Cell_distortion_3 distortion_of_cell(const Source& source, const Image& image)
 {

@@ -29,9 +29,9 @@ or factors give 0.5 and more.
 */
 struct Derivative_errors_3
 {
-  double symmetry = 0; ///< of the value, where two arguments are exchanged
-  double gradient = 0; ///< of the gradient, against central differences of the value
-  double hessian = 0;  ///< of the Hessian, against central differences of the gradient
+  double symmetry = 0; ///< error of the value, where two arguments are exchanged
+  double gradient = 0; ///< error of the gradient, against central differences of the value
+  double hessian = 0;  ///< error of the Hessian, against central differences of the gradient
 
   /// tells whether all errors are below 0.001.
   bool are_small() const { return symmetry < 1e-3 && gradient < 1e-3 && hessian < 1e-3; }
@@ -53,10 +53,10 @@ template <typename Energy>
 Derivative_errors_3 check_derivatives(const Energy& energy)
 {
   using Vector = Eigen::Matrix<double, 3, 1>;
-  // far enough from 1, where many energies have their minimum and all gradients are small, and at equal values
+  // samples are away from 1, where many energies have their minimum and all gradients are small, and at equal values
   static constexpr std::array<std::array<double, 3>, 6> samples
     = { { { 1.7, 1.1, 0.6 }, { 2.5, 0.9, 0.4 }, { 0.8, 0.6, 0.5 }, { 1.9, 1.6, 1.3 }, { 1.4, 1.4, 0.7 }, { 1.2, 1.2, 1.2 } } };
-  constexpr double h = 1e-5; // errors of truncation, h^2, and of rounding, 1e-16 / h, are far below the bound of 0.001
+  constexpr double h = 1e-5; // the errors of truncation, h^2, and of rounding, 1e-16 / h, are far below the bound of 0.001
   double largest = 0;
   for(const std::array<double, 3>& sample : samples)
     largest = (std::max)(largest, std::abs(energy.template value<double>(Vector(sample.data()))));

@@ -96,7 +96,7 @@ split, and the number of insertions is minimal; with a boundary map this rule is
 
 The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
 subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of
-those they come from, and new vertices have the dimension and the index of the face of the complex they lie in. All
+their origins, and new vertices have the dimension and the index of the face of the complex they lie in. All
 new cells are positive, by exact predicates: if the rounded midpoint does not allow this, another point near it is
 taken, and if there is none the simplex is left as it is, an extreme case for cells as thin as rounding errors.
 
@@ -142,7 +142,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of inserted vertices. If a limit ends the refinement, the complex is valid, and another call goes on.
+\return the number of inserted vertices. If a limit ends the refinement, the complex is valid, and another call continues it.
 
 The time is O(n + m d (d + log m)) for n cells and m simplices to be removed, with at most d cells around an edge.
 
@@ -175,7 +175,7 @@ refines a mesh that is given by arrays in the same way: the same points are inse
 */
 template <typename PointRange, typename CellRange, typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
-          , typename = internal::If_range<CellRange> // otherwise it is another overload
+          , typename = internal::If_range<CellRange> // other types are for other overloads
 #endif
           >
 std::size_t make_parameterizable(PointRange& points, CellRange& cells,
@@ -191,7 +191,7 @@ std::size_t make_parameterizable(PointRange& points, CellRange& cells,
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-refines a soup in the same way. New cells and marked facets have the references of those they come from.
+refines a soup in the same way. New cells and marked facets have the references of their origins.
 */
 template <typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t make_parameterizable(Tetrahedron_soup_3& soup, const CGAL_NP_CLASS& np = parameters::default_values())

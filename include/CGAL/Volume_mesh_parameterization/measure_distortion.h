@@ -28,7 +28,7 @@ Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vec
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 
-// All points count as prescribed, so that the map is their target.
+// Measures the distortion with all points prescribed, so that the map is their target.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images)
 {

@@ -17,7 +17,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
-// The points that a property map has for vertices, in their order.
+// Returns the points that a property map has for vertices, in the order of the vertices.
 template <typename Vertex_handle, typename VertexPointMap>
 std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& vertices, const VertexPointMap& map)
 {
@@ -33,7 +33,7 @@ std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// collects the cells of a mesh complex and their vertices in a tetrahedron soup without marked facets, in linear time.
-/// What the soup contained before is removed.
+/// Former contents of the soup are removed.
 ///
 /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 ///

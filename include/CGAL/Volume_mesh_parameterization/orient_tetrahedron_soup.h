@@ -22,7 +22,7 @@ namespace CGAL::Volume_mesh_parameterization {
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag` or `Parallel_if_available_tag`
 ///
-/// \return whether it has turned them: their last two vertices have changed places
+/// \return whether the cells have been turned, by an exchange of their last two vertices
 ///
 /// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, which the functions for arrays look
 ///            at; the soup is then unchanged.

@@ -51,7 +51,7 @@ private:
   Triangulation& triangulation() { return m_c3t3.triangulation(); }
   Tds& tds() { return triangulation().tds(); }
 
-  // An empty triangulation is the infinite vertex in a cell of dimension -1.
+  // Clears the complex. An empty triangulation is the infinite vertex in a cell of dimension -1.
   void clear()
   {
     m_c3t3.clear();
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  // the smallest positive number that is not a reference
+  // Returns the smallest positive number that is not a reference.
   static int unused_reference(const std::vector<int>& references)
   {
     const std::set<int> used(references.begin(), references.end());
@@ -116,7 +116,7 @@ private:
     return unused;
   }
 
-  // The handle of the vertex opposite to a facet also finds the index of the facet, whichever vertices were swapped.
+  // Returns the index of a facet in its cell, by the opposite vertex, whichever vertices were swapped.
   int facet_index(std::size_t facet) const
   { return m_cells[facet / 4]->index(m_vertices[m_soup.cells[facet / 4][facet % 4]]); }
 
@@ -152,8 +152,8 @@ private:
     return infinite_cell;
   }
 
-  // From each edge of its finite facet, turns through the finite cells around that edge to the next infinite cell.
-  // A non-manifold edge so gets one closed circle of cells for each fan of finite cells.
+  // Joins an infinite cell to its neighbors: at each edge of its finite facet, turns through the finite cells around the edge
+  // to the next infinite cell. A non-manifold edge so gets one closed circle of cells for each fan of finite cells.
   void join_infinite_cell(Cell_handle infinite_cell)
   {
     const int i = infinite_cell->index(triangulation().infinite_vertex());
@@ -176,7 +176,7 @@ private:
     }
   }
 
-  // The complex has the marked facets and those between different subdomains, the outside being one.
+  // Adds the marked facets and the facets between different subdomains, the outside being one.
   void add_facets()
   {
     const int default_reference = unused_reference(m_soup.facet_references);
@@ -215,8 +215,8 @@ private:
 /// builds a mesh complex from a tetrahedron soup.
 ///
 /// All cells are in the complex; their subdomain indices are the references of the soup.
-/// So are the facets of cells that the soup lists, with their references as patch indices,
-/// the other facets of the boundary, and those between different subdomains.
+/// In the complex are also the facets of cells that the soup lists, with their references as patch indices,
+/// the other facets of the boundary, and the facets between different subdomains.
 /// Since index 0 means outside the complex, cells and facets with reference 0 and facets without reference
 /// get the smallest positive number that is not used as a reference.
 ///
@@ -229,7 +229,7 @@ private:
 ///         `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3` as triangulation
 ///
 /// \param soup the mesh
-/// \param c3t3 the complex; what it contained before is removed
+/// \param c3t3 the complex; former contents are removed
 /// \param vertices gets the vertex handle of each point, in the order of the soup
 /// \param cells gets the cell handle of each cell, in the order of the soup
 ///

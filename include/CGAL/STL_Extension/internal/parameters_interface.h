@@ -32,8 +32,8 @@ CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, s
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
 CGAL_add_named_parameter(use_volume_weights_t, use_volume_weights, use_volume_weights)
 
-// Comes last: since CGAL 6 the original undefines CGAL_add_named_parameter. Compilers without extensions find it by a
-// header that CMake writes.
+// CGAL's own file comes last: since CGAL 6 it undefines CGAL_add_named_parameter. Compilers without extensions find it by
+// a header that CMake writes.
 #if defined(__GNUC__) && !defined(CGAL_VOLUME_MESH_PARAMETERIZATION_NO_EXTENSIONS)
 #  include_next <CGAL/STL_Extension/internal/parameters_interface.h>
 #else

@@ -18,7 +18,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What complexes and arrays have in common. `vertex(p)` is what the user calls the point p.
+// Maps the body of a complex or of arrays. `vertex(p)` returns the user's name of the point p.
 template <typename Vertex, bool may_refine, typename NamedParameters, typename BoundaryMap, typename VertexOfPoint>
 Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, const BoundaryMap& boundary_map,
                                             const VertexOfPoint& vertex, const Map_problem_3& problem,
@@ -26,7 +26,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
                                             std::vector<std::array<double, 3> >& images)
 {
   const Prescription_3 prescription = prescription_3<Vertex>(body, np, boundary_map, vertex);
-  if constexpr(may_refine) // it is compiled only where it can be asked for
+  if constexpr(may_refine) // refinement is compiled only where users can ask for it
   {
     if(given(np, internal_np::do_refine, true))
       return refine_and_parameterize_body_3(body, prescription, problem, insertions, images);
@@ -34,7 +34,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   return parameterize_body_3(body, prescription, problem, images);
 }
 
-// `take(body)` takes over what refinement has changed.
+// Maps a mesh of arrays. `take(soup)` takes over the refined mesh.
 template <typename ConcurrencyTag, typename TargetRange, typename ImageRange, typename NamedParameters, typename Take>
 Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const TargetRange& targets, ImageRange& images,
                                               const NamedParameters& np, const Take& take)
@@ -67,8 +67,8 @@ namespace CGAL {
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes the same map for those whose mesh is arrays, without a complex. Vertices are indices of points, counted from 0.
-The result is the same as through a complex, bit for bit, whose cells and vertices come in the same order.
+computes the map of a mesh that is given by arrays, without a complex. Vertices are indices of points, counted from 0.
+The result is bit for bit the one for a complex whose cells and vertices come in the same order.
 
 \tparam PointRange a model of `RandomAccessContainer` with a `value_type` that has three coordinates by `operator[]` and can be
         constructed from `{x, y, z}`, as `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d` can. What is not
@@ -102,7 +102,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename PointRange, typename CellRange, typename TargetRange, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_range<PointRange> // otherwise it is another overload
+          , typename = Volume_mesh_parameterization::internal::If_range<PointRange> // other types are for other overloads
 #endif
           >
 Volume_mesh_parameterization::Parameterization_result
@@ -121,8 +121,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes the same map for a soup. If it may be refined, new cells and marked facets have the references of those they come
-from.
+computes the map of a soup. If the soup may be refined, new cells and marked facets have the references of their origins.
 
 \tparam Soup `Volume_mesh_parameterization::Tetrahedron_soup_3`, which may be `const` if it is not refined
 */
@@ -130,7 +129,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Soup, typename TargetRange, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_soup<Soup> // otherwise it is another overload
+          , typename = Volume_mesh_parameterization::internal::If_soup<Soup> // other types are for other overloads
 #endif
           >
 Volume_mesh_parameterization::Parameterization_result
