@@ -53,14 +53,22 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDescription{the image of each vertex of the boundary of the complex}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
-    \cgalParamDefault{a map to the unit sphere, by `Volume_mesh_parameterization::Ball_boundary_parameterizer_3`, whose
-                      status the result has if it fails}
+    \cgalParamDefault{the images that `boundary_parameterizer` finds}
     \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target. For a container, pass
                     `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
                     `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
                     forgotten, which is undefined behavior and may end as `OK`. Prescribed vertices receive exactly
                     the points given, those of an exact kernel rounded to `double`, unless they slide or the boundary
                     is missed.}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_parameterizer}
+    \cgalParamDescription{finds the image of each vertex of the boundary, such that the user needs no map for them}
+    \cgalParamType{a model of `BoundaryParameterizer_3`}
+    \cgalParamDefault{`Volume_mesh_parameterization::Ball_boundary_parameterizer_3()`}
+    \cgalParamExtra{Where it finds none, the result has the status that it returns. Its time is
+                    `Parameterization_result::seconds_boundary`, and `Parameterization_result::boundary_distortion` tells
+                    how far the images are from the boundary.}
+    \cgalParamPrecondition{`boundary_map` is not given; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{initial_map}
     \cgalParamDescription{the images of the vertices at which the search starts, for instance of a map to a similar boundary}
@@ -132,7 +140,8 @@ exact predicates on the coordinates that are written check that no cell is inver
                           boundary approaches its targets, by splitting interior edges of the cells that block it. The
                           new vertices receive their images too.}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`true` if there is no `boundary_map` and `c3t3` is not constant, otherwise `false`}
+    \cgalParamDefault{`true` where a boundary parameterizer finds the images and the complex, or the arrays, are not
+                      constant; `false` where the images are given}
     \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of
                     the vertices, or 1000 of a small complex, has been added. The complex stays refined whatever the
                     status is.}
@@ -219,7 +228,11 @@ the number of cells, plus what the solver needs.
 template <typename ConcurrencyTag = Sequential_tag,
           typename C3t3,
           typename VertexUVWMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , typename = std::enable_if_t<!Volume_mesh_parameterization::internal::is_soup<C3t3> > // that is another overload
+#endif
+          >
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
@@ -227,53 +240,46 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
   namespace VMP = Volume_mesh_parameterization;
 
   static_assert(VMP::internal::Is_complex<C3t3>::value,
-                "c3t3 must be a complex: a triangulation does not tell which cells are meant.");
+                "c3t3 must be a complex, which tells the cells that are meant; for arrays, pass points, cells and images.");
   using NamedParameters = CGAL_NP_CLASS;
   using Vertex_handle = typename C3t3::Vertex_handle;
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
   constexpr bool has_boundary_map = !parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value;
-  constexpr bool has_do_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
-  std::unordered_map<Vertex_handle, Point_3> points_of_ball;
-  const auto boundary_map = VMP::internal::given(np, internal_np::boundary_map,
-                                                 boost::make_assoc_property_map(points_of_ball));
-  using Boundary_map = std::remove_const_t<decltype(boundary_map)>;
-  static_assert(VMP::internal::Is_map_of<Boundary_map, Vertex_handle>::value,
-                "boundary_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+  constexpr bool has_do_refine = VMP::internal::has_do_refine<NamedParameters>;
   static_assert(VMP::internal::Is_map_of<VertexUVWMap, Vertex_handle>::value,
                 "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
   static_assert(VMP::internal::Can_hold<VertexUVWMap, Point_3>::value,
                 "uvw_map must hold Point_3, the point type of the geometric traits of the triangulation.");
-  static_assert(has_boundary_map
-                || parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
-                "The images of constrained vertices are missing: pass a boundary_map.");
+  static_assert(!has_boundary_map
+                || parameters::is_default_parameter<NamedParameters, internal_np::boundary_parameterizer_t>::value,
+                "boundary_map and boundary_parameterizer must not both be passed: each gives the images of the boundary.");
   static_assert(!(has_do_refine && std::is_const<C3t3>::value),
                 "do_refine must not be passed for a constant complex, which cannot be refined.");
 
-  VMP::internal::Limits<NamedParameters> limits(np);
-  const VMP::internal::Budget budget = limits.budget();
-  if constexpr(!has_boundary_map)
-  {
-    VMP::Parameterization_result result;
-    result.status = VMP::Ball_boundary_parameterizer_3().parameterize(
-      c3t3, boundary_map, parameters::maximum_running_time(limits.seconds()).visitor(std::ref(limits.visitor())));
-    if(result.status != VMP::OK)
-    {
-      const VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
-      result.message = VMP::get_error_message(result.status) + VMP::internal::where_boundary_fails(body, result.status);
-      return result;
-    }
-  }
-
-  const auto remaining_np = np.maximum_running_time(limits.seconds() - budget.seconds());
-  return VMP::internal::run_problem<ConcurrencyTag>(remaining_np, [&](const VMP::internal::Map_problem_3& problem)
+  return VMP::internal::run_problem<ConcurrencyTag>(np, [&](const VMP::internal::Map_problem_3& problem)
   {
     constexpr bool may_refine = !std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map);
     VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
+    const auto vertex = [&](const std::size_t p) { return body.vertices[p]; };
     std::vector<VMP::internal::Insertion_3> insertions;
     std::vector<std::array<double, 3> > images;
-    const VMP::Parameterization_result result = VMP::internal::parameterize_body_3<Vertex_handle, may_refine>(
-      body, np, boundary_map, [&](const std::size_t v) { return body.vertices[v]; }, problem, insertions, images);
+    const auto parameterize = [&](const auto& target)
+    {
+      return VMP::internal::parameterize_body_3<Vertex_handle, may_refine>(body, np, target, vertex, problem, insertions,
+                                                                           images);
+    };
+    VMP::Parameterization_result result;
+    if constexpr(has_boundary_map)
+    {
+      const auto boundary_map = parameters::get_parameter(np, internal_np::boundary_map);
+      static_assert(VMP::internal::Is_map_of<std::remove_const_t<decltype(boundary_map)>, Vertex_handle>::value,
+                    "boundary_map must be a property map of vertices: for a container, pass make_vertex_point_map(container), "
+                    "and for a function, boost::make_function_property_map<Vertex_handle>(function).");
+      result = parameterize([&](const std::size_t p) { return get(boundary_map, vertex(p)); });
+    }
+    else
+      result = parameterize(VMP::internal::Targets_to_be_found());
     if constexpr(may_refine)
       VMP::internal::insert_vertices(c3t3, body, insertions);
     if(result.has_valid_map)

@@ -72,6 +72,19 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   const std::vector<std::array<std::size_t, 4> > cells;
   std::vector<std::array<double, 3> > images;
   CGAL::stretch_minimizing_volume_parameterization(points, cells, points, images, params::do_refine(true));
+#elif defined IMAGES_ARE_MISSING
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<std::size_t, 4> > cells;
+  CGAL::stretch_minimizing_volume_parameterization(points, cells);
+#elif defined POINTS_ARE_COLUMNS
+  Eigen::Matrix3Xd points, images;
+  Eigen::Matrix4Xi cells;
+  CGAL::stretch_minimizing_volume_parameterization(points, cells, images);
+#elif defined BOUNDARY_IS_GIVEN_TWICE
+  CGAL::stretch_minimizing_volume_parameterization(
+    c3t3, uvw_map, params::boundary_map(uvw_map).boundary_parameterizer(VMP::Ball_boundary_parameterizer_3()));
+#elif defined BOUNDARY_PARAMETERIZER_IS_A_FUNCTION
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::boundary_parameterizer([](int) { return 0; }));
 #elif defined TARGETS_BY_INDICES
   std::unordered_map<std::size_t, K::Point_3> targets;
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::boundary_map(VMP::make_vertex_point_map(targets)));

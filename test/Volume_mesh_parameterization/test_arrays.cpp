@@ -27,6 +27,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -121,6 +122,24 @@ struct Bent_fan
     for(int z = 0; z < length; ++z)
       for(int i = 0; i < 4; ++i)
         add_quadrangle(4 * z + i, 4 * z + (i + 1) % 4, 4 * z + 4 + (i + 1) % 4, 4 * z + 4 + i);
+  }
+};
+
+// A boundary parameterizer of the user: a third of the size, each coordinate by another factor.
+struct Shrinking_parameterizer
+{
+  template <typename PointRange, typename CellRange, typename TargetRange,
+            typename NamedParameters = params::Default_named_parameters>
+  VMP::Error_code parameterize(const PointRange& points, const CellRange&, TargetRange& targets,
+                               const NamedParameters& np = params::default_values()) const
+  {
+    if constexpr(!params::is_default_parameter<NamedParameters, CGAL::internal_np::visitor_t>::value)
+      if(!params::get_parameter(np, CGAL::internal_np::visitor).goes_on())
+        return VMP::ERROR_INTERRUPTED;
+    targets.clear();
+    for(const auto& p : points)
+      targets.push_back({ p[0] / 2, p[1] / 3, p[2] / 4 });
+    return VMP::OK;
   }
 };
 
@@ -274,6 +293,57 @@ TEST_CASE("A map is the same in each type of ranges, with its distortion and all
   REQUIRE(VMP::hexahedral_mesh(body.complex.c3t3, body.complex.uvw_map(), 0.5, hexahedra_of_complex).status == VMP::OK);
   CHECK(has_same_bits(hexahedra.points, hexahedra_of_complex.points));
   CHECK(hexahedra.cells == hexahedra_of_complex.cells);
+}
+
+TEST_CASE("A boundary parameterizer is an argument, and leads to the map of its targets")
+{
+  const auto check = [](const auto& parameterizer, const auto& np)
+  {
+    Both body(cube_mesh(4, 0.15));
+    Points targets, expected, images;
+    REQUIRE(parameterizer.parameterize(body.soup.points, body.cells, targets) == VMP::OK);
+    const auto of_targets = CGAL::stretch_minimizing_volume_parameterization(
+      body.soup.points, body.cells, targets, expected, params::do_refine(true));
+    REQUIRE(of_targets.status == VMP::OK);
+
+    const VMP::Tetrahedron_soup_3 constant = body.soup;
+    auto result = CGAL::stretch_minimizing_volume_parameterization(body.complex.c3t3, body.complex.uvw_map(), np);
+    CHECK(result.energy == of_targets.energy);
+    CHECK(result.boundary_distortion == of_targets.boundary_distortion);
+    CHECK(result.seconds_boundary > 0);
+    Points points = constant.points;
+    Cells cells = cells_of(constant);
+    CGAL::stretch_minimizing_volume_parameterization(points, cells, images, np);
+    CHECK(has_same_bits(images, expected));
+    CHECK(points.size() == expected.size());
+    CGAL::stretch_minimizing_volume_parameterization(body.soup, images, np);
+    CHECK(has_same_bits(images, expected));
+    result = CGAL::stretch_minimizing_volume_parameterization(constant, images, np); // not refined
+    CHECK(result.number_of_added_vertices == 0);
+    CHECK(images.size() == constant.points.size());
+  };
+  check(VMP::Ball_boundary_parameterizer_3(), params::verbose(false));
+  check(VMP::Cube_boundary_parameterizer_3(2, 1, 1), params::boundary_parameterizer(VMP::Cube_boundary_parameterizer_3(2, 1, 1)));
+  check(Shrinking_parameterizer(), params::boundary_parameterizer(Shrinking_parameterizer()));
+}
+
+TEST_CASE("A boundary parameterizer that fails, or is interrupted, tells it in the result")
+{
+  Points images;
+  const auto parameterize = [&](const Points& points, const Cells& cells, const auto& np)
+  { return CGAL::stretch_minimizing_volume_parameterization(points, cells, images, np); };
+  // two cells that share an edge
+  const Points points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } };
+  const auto pinched = parameterize(points, { { 0, 2, 3, 1 }, { 0, 4, 5, 1 } }, params::verbose(false));
+  CHECK(pinched.status == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
+  CHECK(pinched.message.find("2 vertices") != std::string::npos);
+  CHECK(!pinched.has_valid_map);
+
+  const Bent_fan fan;
+  const auto late = parameterize(fan.points, fan.cells, params::maximum_running_time(0).boundary_parameterizer(
+    Shrinking_parameterizer()));
+  CHECK(late.status == VMP::ERROR_INTERRUPTED);
+  CHECK(images.empty());
 }
 
 TEST_CASE("The same points are inserted into arrays as into a complex")

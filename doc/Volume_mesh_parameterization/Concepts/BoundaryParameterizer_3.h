@@ -2,8 +2,9 @@
 \ingroup PkgVolumeMeshParameterizationConcepts
 \cgalConcept
 
-The concept `BoundaryParameterizer_3` describes a way to choose the images of the boundary vertices of a complex, the
-`boundary_map` of `CGAL::stretch_minimizing_volume_parameterization()`. It is called by the user, before that function.
+The concept `BoundaryParameterizer_3` describes a way to choose the images of the boundary vertices of a complex. A model is
+passed as `boundary_parameterizer` to `CGAL::stretch_minimizing_volume_parameterization()`, which calls the function for arrays;
+or the user calls it before and passes the images as `boundary_map`, as where there are corners, labels or landmarks.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}

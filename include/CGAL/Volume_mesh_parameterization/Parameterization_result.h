@@ -109,7 +109,8 @@ struct Parameterization_result
   /// the map; only `unavoidable_angle_distortion` is a proved lower bound
   double missed_angle_distortion = 0;
 
-  double seconds_total = 0;        ///< time of the call, without the default boundary map
+  double seconds_total = 0;        ///< time of the call
+  double seconds_boundary = 0;     ///< time of the boundary parameterizer, if the call has one
   double seconds_to_flip_free = 0; ///< time until no cell was inverted, or untangling ended
   double seconds_numbering = 0;    ///< conversion of the complex to arrays, with the checks of the input
   double seconds_start = 0;        ///< set-up and harmonic map

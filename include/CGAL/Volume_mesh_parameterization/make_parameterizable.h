@@ -50,14 +50,15 @@ std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParamet
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
   {
     const std::vector<bool> is_prescribed
-      = prescribed_points(body, prescription_3<Vertex>(body, np, Constant_property_map<Vertex, Exact_point_3>(), vertex).is_constrained);
+      = prescribed_points(body, prescription_3<Vertex>(body, np, [](std::size_t) { return Exact_point_3(); }, vertex).is_constrained);
     const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
     return Simplex_removal_3(body, is_bad).run(budget);
   }
   else
   {
+    const auto boundary_map = parameters::get_parameter(np, internal_np::boundary_map);
     const Prescription_3 prescription
-      = prescription_3<Vertex>(body, np, parameters::get_parameter(np, internal_np::boundary_map), vertex);
+      = prescription_3<Vertex>(body, np, [&](const std::size_t p) { return get(boundary_map, vertex(p)); }, vertex);
     return remove_degenerate_simplices(body, prescription, budget);
   }
 }

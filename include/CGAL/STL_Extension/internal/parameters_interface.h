@@ -21,6 +21,7 @@
 CGAL_add_named_parameter(energy_t, energy, energy)
 CGAL_add_named_parameter(boundary_map_t, boundary_map, boundary_map)
 CGAL_add_named_parameter(boundary_mode_t, boundary_mode, boundary_mode)
+CGAL_add_named_parameter(boundary_parameterizer_t, boundary_parameterizer, boundary_parameterizer)
 CGAL_add_named_parameter(do_refine_t, do_refine, do_refine)
 CGAL_add_named_parameter(do_slide_boundary_t, do_slide_boundary, do_slide_boundary)
 CGAL_add_named_parameter(energy_tolerance_t, energy_tolerance, energy_tolerance)

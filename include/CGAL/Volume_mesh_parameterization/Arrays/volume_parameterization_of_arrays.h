@@ -12,20 +12,19 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps the body of a complex or of arrays. `vertex(p)` returns the user's name of the point p.
-template <typename Vertex, bool may_refine, typename NamedParameters, typename BoundaryMap, typename VertexOfPoint>
-Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, const BoundaryMap& boundary_map,
+// Maps a body to prescribed targets. `target(p)` tells that of a point, and `vertex(p)` what the user calls the point.
+template <typename Vertex, bool may_refine, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
+Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
                                             const VertexOfPoint& vertex, const Map_problem_3& problem,
                                             std::vector<Insertion_3>& insertions,
                                             std::vector<std::array<double, 3> >& images)
 {
-  const Prescription_3 prescription = prescription_3<Vertex>(body, np, boundary_map, vertex);
+  const Prescription_3 prescription = prescription_3<Vertex>(body, np, target, vertex);
   if constexpr(may_refine) // refinement is compiled only where users can ask for it
   {
     if(given(np, internal_np::do_refine, true))
@@ -34,24 +33,47 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   return parameterize_body_3(body, prescription, problem, images);
 }
 
+// Stands for the targets that a boundary parameterizer finds, by default that of the ball.
+struct Targets_to_be_found {};
+
+template <typename Vertex, bool may_refine, typename NamedParameters, typename VertexOfPoint>
+Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, Targets_to_be_found,
+                                            const VertexOfPoint& vertex, const Map_problem_3& problem,
+                                            std::vector<Insertion_3>& insertions,
+                                            std::vector<std::array<double, 3> >& images)
+{
+  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
+                "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
+  problem.progress.end_numbering();
+  std::vector<std::array<double, 3> > targets;
+  const Error_code status = find_targets_3(given(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3()),
+                                           body, problem.progress.budget(), targets);
+  problem.progress.end_boundary();
+  if(status == OK)
+    return parameterize_body_3<Vertex, may_refine>(body, np, [&](const std::size_t p) { return targets[p]; }, vertex,
+                                                   problem, insertions, images);
+  Parameterization_result result = problem.progress.effort();
+  result.status = status;
+  result.message = get_error_message(status) + where_boundary_fails(body, status);
+  result.seconds_total = problem.progress.seconds();
+  return result;
+}
+
 // Maps a mesh of arrays. `take(soup)` takes over the refined mesh.
-template <typename ConcurrencyTag, typename TargetRange, typename ImageRange, typename NamedParameters, typename Take>
-Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const TargetRange& targets, ImageRange& images,
+template <typename ConcurrencyTag, bool may_refine, typename TargetOfPoint, typename ImageRange, typename NamedParameters,
+          typename Take>
+Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const TargetOfPoint& target, ImageRange& images,
                                               const NamedParameters& np, const Take& take)
 {
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
                 "boundary_map must not be passed for arrays: the targets are an argument.");
-  constexpr bool may_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
-  require(number_of_rows(targets) == soup.points.size(), "There are as many targets as points.");
-  const auto target_map
-    = boost::make_function_property_map<std::size_t>([&](const std::size_t v) { return coordinates(row(targets, v)); });
   return run_problem<ConcurrencyTag>(np, [&](const Map_problem_3& problem)
   {
     Body_3 body = body_of(std::move(soup), problem.is_parallel);
     std::vector<Insertion_3> insertions;
     std::vector<std::array<double, 3> > images_of_points;
     const Parameterization_result result = parameterize_body_3<std::size_t, may_refine>(
-      body, np, target_map, [](const std::size_t v) { return v; }, problem, insertions, images_of_points);
+      body, np, target, [](const std::size_t v) { return v; }, problem, insertions, images_of_points);
     if(result.has_valid_map)
       assign_coordinates(images_of_points, images);
     if(!insertions.empty())
@@ -59,6 +81,23 @@ Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Tar
     return result;
   });
 }
+
+// Tells the target of each point of a range, which has one for each of the points.
+template <typename NamedParameters, typename TargetRange>
+auto target_of_point(const TargetRange& targets, const std::size_t number_of_points)
+{
+  static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_parameterizer_t>::value,
+                "boundary_parameterizer must not be passed with targets: leave these out, it finds them.");
+  require(number_of_rows(targets) == number_of_points, "There are as many targets as points.");
+  return [&targets](const std::size_t p) { return coordinates(row(targets, p)); };
+}
+
+template <typename NamedParameters>
+constexpr bool has_do_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
+
+// Arrays that a call can refine are no temporaries and not constant.
+template <typename Range>
+constexpr bool is_refinable = std::is_lvalue_reference<Range>::value && !std::is_const<std::remove_reference_t<Range> >::value;
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
@@ -86,8 +125,7 @@ The result is bit for bit the one for a complex whose cells and vertices come in
        Points without a cell receive coordinates that are not numbers. May be the same array as `targets`, or, without
        refinement, as `points`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among those of the function for a complex,
-       with `std::size_t` for `C3t3::Vertex_handle`, except `boundary_map`, which is not compiled. The default of
-       `do_refine` is `false`.
+       with `std::size_t` for `C3t3::Vertex_handle`, except `boundary_map` and `boundary_parameterizer`
 
 \return the same as for a complex
 
@@ -102,7 +140,8 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename PointRange, typename CellRange, typename TargetRange, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_range<PointRange> // other types are for other overloads
+          , typename = Volume_mesh_parameterization::internal::If_range<PointRange>
+          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
 #endif
           >
 Volume_mesh_parameterization::Parameterization_result
@@ -110,10 +149,42 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
                                            ImageRange& images, const NamedParameters& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  return VMP::internal::parameterize_arrays_3<ConcurrencyTag>(
-    VMP::internal::soup_of(points, cells), targets, images, np, [&](const VMP::Tetrahedron_soup_3& refined)
+  constexpr bool may_refine = VMP::internal::has_do_refine<NamedParameters>;
+  VMP::Tetrahedron_soup_3 soup = VMP::internal::soup_of(points, cells);
+  const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
+    std::move(soup), target, images, np, [&](const VMP::Tetrahedron_soup_3& refined)
   {
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value)
+    if constexpr(may_refine)
+      VMP::internal::assign_refined(refined, points, cells);
+  });
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+computes a map of arrays to the boundary that the named parameter `boundary_parameterizer` finds, by default the unit sphere.
+Arrays that are not constant may be refined, unless `do_refine(false)` is passed.
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename PointRange, typename CellRange, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , typename = Volume_mesh_parameterization::internal::If_range<PointRange>
+          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
+#endif
+          >
+Volume_mesh_parameterization::Parameterization_result
+stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cells, ImageRange& images,
+                                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  namespace VMP = Volume_mesh_parameterization;
+  constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS>
+    || (VMP::internal::is_refinable<PointRange> && VMP::internal::is_refinable<CellRange>);
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
+    VMP::internal::soup_of(points, cells), VMP::internal::Targets_to_be_found(), images, np,
+    [&](const VMP::Tetrahedron_soup_3& refined)
+  {
+    if constexpr(may_refine)
       VMP::internal::assign_refined(refined, points, cells);
   });
 }
@@ -129,7 +200,8 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Soup, typename TargetRange, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_soup<Soup> // other types are for other overloads
+          , typename = Volume_mesh_parameterization::internal::If_soup<Soup>
+          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
 #endif
           >
 Volume_mesh_parameterization::Parameterization_result
@@ -137,10 +209,37 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
                                            const NamedParameters& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  return VMP::internal::parameterize_arrays_3<ConcurrencyTag>(
-    soup, targets, images, np, [&](VMP::Tetrahedron_soup_3& refined)
+  constexpr bool may_refine = VMP::internal::has_do_refine<NamedParameters>;
+  const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
+    soup, target, images, np, [&](VMP::Tetrahedron_soup_3& refined)
   {
-    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value)
+    if constexpr(may_refine)
+      soup = std::move(refined);
+  });
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+computes a map of a soup to the boundary that a boundary parameterizer finds, as for arrays.
+*/
+template <typename ConcurrencyTag = Sequential_tag, typename Soup, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          , typename = Volume_mesh_parameterization::internal::If_soup<Soup>
+          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
+#endif
+          >
+Volume_mesh_parameterization::Parameterization_result
+stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
+                                           const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  namespace VMP = Volume_mesh_parameterization;
+  constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
+    soup, VMP::internal::Targets_to_be_found(), images, np, [&](VMP::Tetrahedron_soup_3& refined)
+  {
+    if constexpr(may_refine)
       soup = std::move(refined);
   });
 }

@@ -105,7 +105,8 @@ stretch_minimizing_volume_parameterization(
   using parameters::is_default_parameter;
   namespace VMP = Volume_mesh_parameterization;
   using Result = VMP::Parameterization_result;
-  static_assert(is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
+  static_assert(is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value
+                && is_default_parameter<NamedParameters, internal_np::boundary_parameterizer_t>::value,
                 "boundary_map must not be passed for arrays: the targets are an argument.");
   static_assert(is_default_parameter<NamedParameters, internal_np::boundary_mode_t>::value
                 && is_default_parameter<NamedParameters, internal_np::soft_boundary_parameters_t>::value

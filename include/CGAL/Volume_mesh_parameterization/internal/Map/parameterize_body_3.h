@@ -56,7 +56,8 @@ template <typename ConcurrencyTag, typename NamedParameters, typename Run>
 Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                                     const Communicator_3& communicator = single_process())
 {
-  check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::do_refine_t,
+  check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::boundary_parameterizer_t,
+                         internal_np::do_refine_t,
                          internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
                          internal_np::initial_map_t, internal_np::maximal_angle_distortion_t,
                          internal_np::minimize_maximal_angle_distortion_t, internal_np::number_of_iterations_t,

@@ -77,8 +77,11 @@ inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector
   return result;
 }
 
+template <typename T>
+constexpr bool is_soup = std::is_same<std::remove_const_t<T>, Tetrahedron_soup_3>::value;
+
 template <typename Soup>
-using If_soup = std::enable_if_t<std::is_same<std::remove_const_t<Soup>, Tetrahedron_soup_3>::value>;
+using If_soup = std::enable_if_t<is_soup<Soup> >;
 
 template <typename PointRange, typename CellRange>
 Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_of(soup_of(points, cells)); }
@@ -167,8 +170,8 @@ struct Prescription_3
 };
 
 // Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
-template <typename Vertex, typename NamedParameters, typename BoundaryMap, typename VertexOfPoint>
-Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const BoundaryMap& boundary_map,
+template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
+Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
                               const VertexOfPoint& vertex)
 {
   const auto is_constrained = given(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
@@ -185,7 +188,7 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
     {
       result.is_constrained[p] = get(is_constrained, vertex(p));
       if(is_on_boundary[p] || result.is_constrained[p])
-        result.targets[p] = coordinates(get(boundary_map, vertex(p)));
+        result.targets[p] = coordinates(target(p));
       if(!constraints.empty())
         points.emplace(vertex(p), p);
     }

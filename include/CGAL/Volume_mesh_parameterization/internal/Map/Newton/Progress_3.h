@@ -73,6 +73,7 @@ public:
 
   // The time since the last step, or the last call of one of these, was taken by something else.
   void end_numbering() { add_lap(m_effort.seconds_numbering); }
+  void end_boundary() { add_lap(m_effort.seconds_boundary); }
   void end_start() { add_lap(m_effort.seconds_start); }
   void end_check() { m_lap = seconds(); }
 
