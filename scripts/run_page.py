@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Runs the commands of a page as they are written, and compares what they print with what the page quotes.
 
-Usage: scripts/run_page.py PAGE [--skip LINE]...
+Usage: scripts/run_page.py PAGE [--programs FOLDER] [--skip LINE]...
 
 PAGE is a text of the manual or a Markdown file. Commands are the blocks \\code{.sh} or ```sh; they start in the folder of
 the package, and each block in the folder where the one before ended. Lines of a block \\code{.unparsed} or ```text are
-among those that the commands before it print, word by word; numbers differ by a twentieth at most. Commands that are a LINE,
-but for a comment behind, are left out.
+among those that the commands before it print, word by word; numbers differ by a twentieth at most. Behind an excerpt of an
+example, they are among those that this program prints, which is run in FOLDER, and not compared without it. Commands that are
+a LINE, but for a comment behind, are left out.
 """
 import argparse
 import re
@@ -16,7 +17,8 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"^(?:\\code\{\.(\w+)\}|```(\w+))\n(.*?)\n(?:\\endcode|```)$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^(?:\\dontinclude .*?(\w+)\.cpp|(?:\\code\{\.(\w+)\}|```(\w+))\n(.*?)\n(?:\\endcode|```))$",
+                   re.DOTALL | re.MULTILINE)
 
 
 def run(commands, folder):
@@ -42,11 +44,20 @@ def is_same(quoted, printed):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", type=Path)
+    parser.add_argument("--programs", type=Path, metavar="FOLDER")
     parser.add_argument("--skip", action="append", default=[], metavar="LINE")
     arguments = parser.parse_args()
-    folder, output, numbers, differences = ROOT, [], {"sh": 0, "unparsed": 0}, []
-    for of_manual, of_markdown, text in BLOCK.findall(arguments.page.read_text()):
+    folder, program, output, numbers, differences = ROOT, "", [], {"sh": 0, "unparsed": 0}, []
+    for example, of_manual, of_markdown, text in BLOCK.findall(arguments.page.read_text()):
         kind = of_manual or of_markdown.replace("text", "unparsed")
+        if example:
+            program = example
+            continue
+        if program and kind == "unparsed":
+            if not arguments.programs:
+                continue
+            output, _ = run(f"./{program}", arguments.programs)
+        program = ""
         if kind == "sh":
             lines = [line for line in text.splitlines() if line.split(" #")[0].strip() not in arguments.skip]
             print("", *(f"$ {line}" for line in lines), sep="\n", flush=True)
