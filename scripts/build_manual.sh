@@ -25,10 +25,10 @@ mkdir -p $output
 configure scripts/manual/defaults.in $output/defaults
 configure $doc/Doxyfile.in $output/Doxyfile
 BIBINPUTS=. BSTINPUTS=. doxygen $output/Doxyfile # bibtex finds files without a TeX installation
-# As in CGAL's manual, concepts are called so; the tree has room for names without namespaces and parameters.
+# As in CGAL's manual, concepts are called so, and have no header; the tree has room for names without namespaces and parameters.
 for concept in $doc/Concepts/*.h; do
   name=$(basename "$concept" .h)
-  sed -i "s/$name Class Reference/$name Concept Reference/" "$output/html/class${name//_/__}.html"
+  sed -i "s/$name Class Reference/$name Concept Reference/; /#include.*Concepts\/$name/d" "$output/html/class${name//_/__}.html"
 done
 sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/' $output/html/*.js
 echo "Open $PWD/$output/html/index.html"
