@@ -24,8 +24,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What a computation may still take, by the clock and by its user; asked in each loop that may take long, by the thread
-// that made it. Once exhausted, it remains so, and so do its copies, which are the same budget.
+// Budget of a computation, limited by the clock and by the user. Each loop that may take long asks it, in the thread that made
+// it. An exhausted budget remains so, and so do its copies, which are the same budget.
 class Budget
 {
 public:
@@ -34,7 +34,7 @@ public:
     : m_seconds(seconds), m_goes_on(std::move(goes_on))
   { m_timer.start(); }
 
-  double seconds() const { return m_timer.time(); } // since the beginning
+  double seconds() const { return m_timer.time(); } // time since the construction
 
   bool is_exhausted() const
   {
@@ -51,8 +51,7 @@ private:
   std::shared_ptr<bool> m_is_exhausted = std::make_shared<bool>(false);
 };
 
-// The type for a named parameter that will be modified: a copy of what was passed by value, a
-// reference to what was passed by std::ref().
+// Type for a named parameter that will be modified: a copy if it was passed by value, a reference if by std::ref().
 template <typename Reference>
 using Mutable_parameter = std::conditional_t<
   std::is_const<std::remove_reference_t<Reference> >::value,
@@ -62,7 +61,7 @@ using Mutable_parameter = std::conditional_t<
 template <typename Visitor>
 using Goes_on = decltype(std::declval<Visitor&>().goes_on());
 
-// The named parameters `visitor` and `maximum_running_time`, which end a computation early.
+// Limits by the named parameters `visitor` and `maximum_running_time`, which end a computation early.
 template <typename NamedParameters>
 class Limits
 {
@@ -78,7 +77,7 @@ public:
   auto& visitor() { return m_visitor; }
   double seconds() const { return m_seconds; }
 
-  // Begins now. A visitor need not have the function `goes_on()`.
+  // Returns a budget that begins now. A visitor need not have the function `goes_on()`.
   Budget budget()
   {
     if constexpr(boost::is_detected<Goes_on, Visitor>::value)

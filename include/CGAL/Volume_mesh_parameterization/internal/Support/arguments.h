@@ -22,8 +22,8 @@
 
 #include <type_traits>
 
-// Checks of arguments, by which the compiler answers mistakes in calls with one sentence. A model of a concept is asked
-// whether it can be called.
+// Checks of arguments, so that the compiler answers mistakes in calls with one sentence. Models of concepts are checked by
+// expressions that call them.
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 template <typename T, typename = void>
@@ -32,7 +32,7 @@ struct Is_complex : std::false_type {};
 template <typename T>
 struct Is_complex<T, std::void_t<typename T::Triangulation, typename T::Subdomain_index> > : std::true_type {};
 
-// A property map with these keys; one whose key type is void takes any.
+// True for property maps with these keys; a map whose key type is void takes any.
 template <typename Map>
 using Key_of = typename boost::property_traits<Map>::key_type;
 
@@ -57,12 +57,12 @@ struct Named_parameter
   static_assert(is_known, "A named parameter is passed that this function does not know: see the type of Named_parameter.");
 };
 
-// What was passed by a name, or what stands for it otherwise.
+// Returns the named parameter, or the default if none was passed.
 template <typename NamedParameters, typename Tag, typename Otherwise>
 auto given(const NamedParameters& np, const Tag tag, const Otherwise& otherwise)
 { return parameters::choose_parameter(parameters::get_parameter(np, tag), otherwise); }
 
-// Refuses named parameters that a function does not read: others than these, and the limits that all functions read.
+// Refuses named parameters that a function does not read: all but `Tags` and the limits that all functions read.
 template <typename... Tags, typename T, typename Tag, typename Base>
 constexpr void check_named_parameters(const Named_function_parameters<T, Tag, Base>& np)
 {

@@ -22,10 +22,10 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The point with coordinates in double precision, for which predicates are exact.
+// Point with coordinates in double precision, for which predicates are exact.
 using Exact_point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-// Of points of any kernel, of vectors and of arrays.
+// Returns the coordinates of points of any kernel, of vectors or of arrays.
 template <typename Point>
 std::array<double, 3> coordinates(const Point& p)
 { return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
@@ -44,7 +44,7 @@ Exact_point_3 exact_point(const Point& p)
   return Exact_point_3(x, y, z);
 }
 
-// The point of a vertex of a triangulation, where it may be a weighted one.
+// Returns the point of a vertex of a triangulation, without the weight that it may have.
 template <typename Tr>
 auto point_of_vertex(const Tr& tr, const typename Tr::Vertex_handle v)
 { return typename Tr::Geom_traits::Point_3(tr.geom_traits().construct_point_3_object()(tr.point(v))); }
@@ -52,11 +52,11 @@ auto point_of_vertex(const Tr& tr, const typename Tr::Vertex_handle v)
 inline bool is_finite_point(const Exact_point_3& p)
 { return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z()); }
 
-// A cell with a point that is not finite is not positive; exact predicates are undefined for it.
+// Tells whether a cell is positive. A cell with a point that is not finite is not; exact predicates are undefined for it.
 inline bool is_positive_cell(const std::array<Exact_point_3, 4>& p)
 { return std::all_of(p.begin(), p.end(), is_finite_point) && CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE; }
 
-// Is the cell positively oriented? Decided by exact predicates on the coordinates as they are.
+// Tells whether a cell is positively oriented, by exact predicates on the coordinates as they are.
 inline bool is_positive(const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
 {
   const auto point = [&](const int i) { return exact_point(positions.col(cell[i])); };

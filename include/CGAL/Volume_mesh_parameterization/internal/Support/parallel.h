@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-// With the macro CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, the functions of the engine are compiled once, by the
-// target CGAL::Volume_mesh_parameterization_engine that defines it; otherwise they are inline.
-// CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE tells whether a unit has their definitions, which that of the library
-// says by itself.
+// CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, a macro that the target CGAL::Volume_mesh_parameterization_engine
+// defines, means that the functions of the engine are compiled once, in a library; otherwise they are inline.
+// CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE means that a unit has the definitions of these functions; the unit of the
+// library defines this macro by itself.
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 #else
@@ -40,17 +40,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The processes that share a mesh, as computations see them: by global scalars, and where few cells matter, by the numbers
-// of all. All processes call the same functions in the same order and get the same results. This process is alone.
+// Communicator of the processes that share a mesh: exchanges global scalars, and, where few cells matter, the numbers of all
+// processes. All processes call the same functions in the same order and get the same results. The base class is the
+// communicator of a process that is alone.
 class Communicator_3
 {
 public:
   virtual ~Communicator_3() = default;
   virtual bool is_alone() const { return true; }
   virtual int rank() const { return 0; }
-  virtual std::vector<double> gathered(const double x) const { return { x }; } // in the order of the ranks
+  virtual std::vector<double> gathered(const double x) const { return { x }; } // numbers in the order of the ranks
   virtual std::vector<double> concatenated(const std::vector<double>& numbers) const { return numbers; }
-  // The code and the sentence of the first process whose code is not 0.
+  // Returns the code and the sentence of the first process whose code is not 0.
   virtual std::pair<int, std::string> first_failure(const int code, const std::string& sentence) const
   { return { code, sentence }; }
 
@@ -76,7 +77,7 @@ inline const Communicator_3& single_process()
   return communicator;
 }
 
-// Does this tag ask for threads, and are there any?
+// Tells whether a tag asks for threads, which do not compile without TBB.
 template <typename ConcurrencyTag>
 constexpr bool is_parallel()
 {
@@ -87,7 +88,7 @@ constexpr bool is_parallel()
   return result;
 }
 
-// A function of an index, by reference: the types of `std::function` would make an object file larger by a sixth.
+// Function of an index, by reference: the types of `std::function` would make an object file larger by a sixth.
 class Index_function
 {
 public:
@@ -103,7 +104,7 @@ private:
   void (*m_call)(const void*, std::size_t);
 };
 
-// Defined with the engine, so that only that needs TBB's headers.
+// Calls f for each index. The function is defined with the engine, so that only the engine needs TBB's headers.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 void call_for_each_index(bool is_parallel, std::size_t first, std::size_t last, Index_function f);
 
@@ -113,8 +114,8 @@ template <typename Function>
 void for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Function& f)
 { call_for_each_index(is_parallel, first, last, Index_function(f)); }
 
-// Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in the
-// same way.
+// Cuts [0, n) into ranges of one size, the last of which may be shorter, and calls f(number, first, last) for each, in parallel
+// if asked for.
 template <typename Index, typename Function>
 void for_each_range(const bool is_parallel, const Index n, const int size, const Function& f)
 {
@@ -125,7 +126,7 @@ void for_each_range(const bool is_parallel, const Index n, const int size, const
   });
 }
 
-// Calls f(0), ..., f(n - 1), which are short, in such ranges.
+// Calls f(0), ..., f(n - 1), which are short, in ranges.
 template <typename Index, typename Function>
 void for_each_in_ranges(const bool is_parallel, const Index n, const int size, const Function& f)
 {
@@ -136,11 +137,11 @@ void for_each_in_ranges(const bool is_parallel, const Index n, const int size, c
   });
 }
 
-// f(0), ..., f(n - 1), found in the same way.
+// Returns f(0), ..., f(n - 1), called in ranges.
 template <typename Function>
 auto values_of_indices(const bool is_parallel, const std::size_t n, const Function& f)
 {
-  constexpr int indices_per_range = 4096;
+  constexpr int indices_per_range = 4096; // a guess
   using Value = std::invoke_result_t<Function, std::size_t>;
   static_assert(!std::is_same<Value, bool>::value, "Bits of one word are not independent.");
   std::vector<Value> result(n);

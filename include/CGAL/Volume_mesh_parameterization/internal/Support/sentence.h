@@ -22,7 +22,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Words and numbers in a row. Digits are not grouped and the decimal sign is a point, whatever the global locale is.
+// Returns words and numbers in a row. Digits are not grouped and the decimal sign is a point, whatever the global locale is.
 template <typename... Parts>
 std::string sentence(const Parts&... parts)
 {
@@ -35,8 +35,8 @@ std::string sentence(const Parts&... parts)
 inline std::string describe(const Eigen::Vector3d& point)
 { return sentence("(", point[0], ", ", point[1], ", ", point[2], ")"); }
 
-// A precondition that is cheap, so that it holds in programs compiled with NDEBUG, too. Names the place of the call in the
-// exception; nothing is printed.
+// Throws unless a precondition holds, in programs compiled with NDEBUG, too, as it is cheap. The exception names the line of
+// the call; nothing is printed.
 inline void require(const bool condition, const char* const message, const char* const file = __builtin_FILE(),
                     const int line = __builtin_LINE())
 {
