@@ -23,9 +23,9 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "benchmark/Volume_mesh_parameterization/paper"))
 import render  # noqa: E402
 
-LARGEST = 10  # of the distortions that are told apart
+LARGEST = 10  # largest distortion that colors tell apart
 DPI = 200  # pictures are shown at half their size, on screens with small pixels at all of it
-render.SIZE = 1040  # of a body
+render.SIZE = 1040  # pixels of a picture
 
 # name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts the image
 VIEWS = {

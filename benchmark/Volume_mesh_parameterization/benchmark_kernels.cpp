@@ -37,7 +37,7 @@ Grid_problem& problem(const std::size_t n)
   return problems.try_emplace(n, n).first->second;
 }
 
-// What a call must compute, and what it must move if nothing stays in a cache between two passes.
+// Work of a call: the operations to compute, and the bytes to move if nothing stays in a cache between two passes.
 struct Work
 {
   double operations, bytes;

@@ -30,7 +30,7 @@ Cells cells_of(const char* filename, std::size_t& number_of_points)
   return result;
 }
 
-// How many different second elements each first element has.
+// Counts the different second elements of each first element.
 std::vector<std::size_t> numbers_of_partners(std::vector<std::pair<int, PetscInt> >& pairs, const int number_of_parts)
 {
   std::sort(pairs.begin(), pairs.end());
@@ -44,7 +44,7 @@ std::vector<std::size_t> numbers_of_partners(std::vector<std::pair<int, PetscInt
 void print_counts(const Cells& cells, const std::vector<int>& owner, const int number_of_parts)
 {
   std::vector<std::size_t> held_cells(number_of_parts, 0), own(number_of_parts, 0);
-  std::vector<std::pair<int, PetscInt> > copies, neighbors; // of parts
+  std::vector<std::pair<int, PetscInt> > copies, neighbors; // copies and neighbors of parts
   for(const int part : owner)
     ++own[part];
   for(const VMP::internal::Global_cell_3& cell : cells)

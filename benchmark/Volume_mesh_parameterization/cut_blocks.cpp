@@ -54,7 +54,7 @@ double mean_edge_length(const Soup& soup)
   return sum / static_cast<double>(soup.cells.size());
 }
 
-// In ascending order, so that the cells around a facet cut its edges in the same order.
+// Returns the edges in ascending order, so that the cells around a facet cut its edges in one order.
 std::array<Edge, 6> edges_of_cell(Cell cell)
 {
   std::sort(cell.begin(), cell.end());
@@ -205,7 +205,7 @@ private:
   double m_height;
 };
 
-// Is the boundary a sphere that can be mapped to the box?
+// Tells whether the boundary is a sphere that can be mapped to the box.
 bool write_block(const Soup& block, const Eigen::Vector3d& sides, const std::string& name)
 {
   C3t3 c3t3;

@@ -48,7 +48,7 @@ Tetrahedron_soup_3 twisted(Tetrahedron_soup_3 soup)
   return soup;
 }
 
-// In random cells, up to rounding; every fourth on a facet, and every fourth a vertex.
+// Returns points in random cells, up to rounding; every fourth is on a facet, and every fourth is a vertex.
 std::vector<Point_3> random_points(const Tetrahedron_soup_3& soup, const std::size_t n)
 {
   std::mt19937_64 random;

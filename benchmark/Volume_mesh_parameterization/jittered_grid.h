@@ -46,7 +46,7 @@ private:
     return std::any_of(t.begin(), t.end(), [&](std::size_t i) { return i == 0 || i == m_n; });
   }
 
-  // The same numbers on all platforms, which the distributions of the standard library do not promise.
+  // Returns numbers that are equal on all platforms, which the distributions of the standard library do not promise.
   double random_between_minus_one_and_one()
   {
     return 2 * (static_cast<double>(m_random() >> 11) / 9007199254740992.) - 1; // 2^53

@@ -20,7 +20,7 @@ from pathlib import Path
 from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, make_mesh
 from tables import write_csv, write_json
 
-NEIGHBORS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]  # of VTK's corners
+NEIGHBORS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]  # neighbors of the corners in VTK's order
 LINE = [("case", "<24"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("padding", ">4"),
         ("minimal_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("hausdorff_distance", ">10.6f"),
         ("seconds_map", ">7.2f"), ("seconds_hexahedra", ">7.2f"), ("status", "")]

@@ -103,7 +103,7 @@ def weak_scaling(arguments, one, parts):
     many = parts[max(parts)]
     n = many["parts"]
     vertices, cells = many["vertices"], many["cells"]
-    surface = n**(2 / 3)  # of a part as large as the whole mesh, relative to that of a part here
+    surface = n**(2 / 3)  # surface of a part as large as the whole mesh, relative to that of a part here
     for number in arguments.weak:
         part = {"cells": cells, "vertices": vertices, "largest_neighbors": many["largest_neighbors"],
                 "largest_vertices": many["largest_vertices"] * n,
@@ -123,7 +123,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--parts", type=int, nargs="+", default=[2, 8, 16, 32, 64, 128, 256, 512, 1024])
     parser.add_argument("--weak", type=int, nargs="+", default=[1, 8, 64, 512, 1002], help="numbers of processes")
-    # of one port of HDR InfiniBand and Open MPI, as published for Azure's HBv3; 120 processes of a node share the port
+    # figures of one port of HDR InfiniBand and Open MPI, as published for Azure's HBv3; 120 processes of a node share the port
     parser.add_argument("--latency", type=float, default=1.2e-6, help="seconds")
     parser.add_argument("--bandwidth", type=float, default=24e9 / 120, help="bytes a second of each process")
     parser.add_argument("--report", metavar="PREFIX", help="write PREFIX.json")

@@ -23,8 +23,8 @@ from pathlib import Path
 from tables import write_json
 
 PROCESSORS = [2, 4, 16, 64]
-INTERVAL = 0.005  # of samples, in seconds
-BYTES_OF_ROW = 15 * (9 * 4 + 4)  # of the matrix: a vertex has 14 neighbors on average
+INTERVAL = 0.005  # time between samples, in seconds
+BYTES_OF_ROW = 15 * (9 * 4 + 4)  # row of the matrix: a vertex has 14 neighbors on average
 
 
 def follow(terminal, shown):

@@ -1,4 +1,4 @@
-// From a surface in a file to hexahedra: a mechanical part is mapped onto a polycube, and a grid pulled back.
+// Makes hexahedra of a surface in a file: a mechanical part is mapped onto a polycube, and a grid pulled back.
 #include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
   const std::string output_filename = (argc > 2) ? argv[2] : "hexahedra.vtu";
-  const double number = (argc > 3) ? std::atof(argv[3]) : 15; // of hexahedra along the longest side
+  const double number = (argc > 3) ? std::atof(argv[3]) : 15; // number of hexahedra along the longest side
 
   Surface_mesh surface;
   if(!CGAL::IO::read_polygon_mesh(filename, surface) || !(number > 0))

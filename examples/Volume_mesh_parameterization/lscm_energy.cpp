@@ -18,7 +18,7 @@ int main()
   VMP::Tetrahedron_soup_3 cube; // [-1,1]^3
   VMP::IO::read_MEDIT("data/cube.mesh", cube);
 
-  std::vector<std::array<double, 3> > targets = cube.points, images; // those of points inside are not used
+  std::vector<std::array<double, 3> > targets = cube.points, images; // targets of points inside are not used
   for(auto& [x, y, z] : targets)
     if(z == 1)
       z -= 1.4 * (1 - x * x) * (1 - y * y);

@@ -42,7 +42,7 @@ C3t3 mesh_mechanical_part(const Surface_mesh& surface, const double relative_siz
                                            params::facet_size = size, params::facet_distance = 0.1 * size,
                                            params::facet_topology = CGAL::MANIFOLD,
                                            params::cell_radius_edge_ratio = 3, params::cell_size = size);
-  // with limits of time, as by default, each run gives another mesh
+  // limits of time, as by default, would give another mesh in each run
   return CGAL::make_mesh_3<C3t3>(domain, criteria, params::perturb(params::time_limit = 0),
                                  params::exude(params::time_limit = 0));
 }

@@ -1,4 +1,4 @@
-// From points and cells to a ball, a cube and a polycube, to images of any points and to hexahedra: with arrays alone.
+// Maps points and cells to a ball, a cube and a polycube, carries any points, and makes hexahedra: with arrays alone.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>

@@ -19,7 +19,7 @@ int main()
 try
 {
   VMP::Tetrahedron_soup_3 soup;
-  std::vector<std::array<double, 3> > targets, images; // of each point; what is not on the boundary has no target
+  std::vector<std::array<double, 3> > targets, images; // one for each point; points that are not on the boundary have no target
   VMP::IO::read_MEDIT("data/cube.mesh", soup);
   VMP::IO::read_boundary_targets("data/cube_to_ball.txt", soup, targets);
 
@@ -42,7 +42,7 @@ try
   out.close();
   return out ? EXIT_SUCCESS : EXIT_FAILURE;
 }
-catch(const std::exception& error) // what is wrong with the files, or with the indices
+catch(const std::exception& error) // tells the mistake in the files or in the indices
 {
   std::cerr << error.what() << std::endl;
   return EXIT_FAILURE;

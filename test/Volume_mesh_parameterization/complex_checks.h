@@ -1,4 +1,4 @@
-// What is true of a complex and of the images of its vertices.
+// Checks of a complex and of the images of its vertices.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_COMPLEX_CHECKS_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_COMPLEX_CHECKS_H
 
@@ -23,7 +23,7 @@ bool has_same_bits(const Point_3& p, const Point_3& q)
   return true;
 }
 
-// Are all cells positive, by exact predicates on the points that `point` tells?
+// Tells whether all cells are positive, by exact predicates on the points that `point` returns.
 template <typename C3t3, typename Function>
 bool has_positive_cells(const C3t3& c3t3, const Function& point)
 {
@@ -48,7 +48,7 @@ bool has_positive_cells(const C3t3& c3t3)
   return has_positive_cells(c3t3, [](const typename C3t3::Vertex_handle v) { return v->point(); });
 }
 
-// Do cells know their neighbors, and vertices their cells?
+// Tells whether cells know their neighbors, and vertices their cells.
 template <typename Tr>
 bool is_consistent(const Tr& tr)
 {

@@ -88,7 +88,7 @@ inline void append_copy(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& 
   }
 }
 
-// Without cells that are chosen at random: holes, edges and vertices that are not manifold, several
+// Removes cells chosen at random, which leaves holes, edges and vertices that are not manifold, several
 // components, and points without a cell.
 inline void remove_cells(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, Random& random)
 {

@@ -317,7 +317,7 @@ VMP::Tetrahedron_soup_3 read_damaged_file(const VMP::Tetrahedron_soup_3& soup, R
   return result;
 }
 
-// How it ended.
+// Runs a random input, and returns how the run ended.
 std::string run_input(const std::uint64_t seed)
 {
   Random random(seed);

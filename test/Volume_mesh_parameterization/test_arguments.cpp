@@ -79,7 +79,7 @@ void check_refused(const Hexahedron_soup_3& mesh)
   CHECK(os.str().empty());
 }
 
-// What a user passes who asks for any valid map.
+// Energy that a user passes who asks for any valid map.
 struct Constant_energy
 {
   double constant;

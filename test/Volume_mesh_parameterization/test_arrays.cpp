@@ -1,4 +1,4 @@
-// What is done with arrays is the same as what is done with a complex, bit for bit.
+// Arrays give the results of a complex, bit for bit.
 #include "catch.h"
 #include "cube_complex.h"
 #include "cube_mesh.h"
@@ -86,7 +86,7 @@ struct Both
     : complex(mesh), soup(source_soup(mesh)), cells(cells_of(soup))
   {}
 
-  // Do both ways have the same targets? The complex has them in `complex.target`.
+  // Tells whether both ways have the same targets. The complex has them in `complex.target`.
   bool has_same_targets(const VMP::Error_code of_complex, const Points& targets)
   {
     return of_complex == VMP::OK && has_same_bits(in_order(complex.vertices, complex.target), targets);
@@ -377,7 +377,7 @@ TEST_CASE("The same points are inserted into arrays as into a complex")
                                                     vertices[cell[3]], c));
   }
 
-  // with targets: the identity makes only edges and facets within the sides of the cube degenerate
+  // targets: the identity makes only edges and facets within the sides of the cube degenerate
   Both with_targets(cube_mesh(3));
   VMP::Tetrahedron_soup_3 soup = with_targets.soup;
   const std::size_t number = VMP::make_parameterizable(

@@ -154,7 +154,7 @@ Vector_3 vector(const Point_3& p)
   return p - CGAL::ORIGIN;
 }
 
-// How often the triangles cover the sphere around the origin, by the formula of van Oosterom and Strackee.
+// Returns how often the triangles cover the sphere around the origin, by the formula of van Oosterom and Strackee.
 double covering(const std::vector<std::array<Point_3, 3> >& triangles)
 {
   double angle = 0;

@@ -277,7 +277,7 @@ const std::vector<std::string> hexahedra_keys = {
   "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "padding",
   "minimal_scaled_jacobian", "mean_scaled_jacobian"};
 
-// They come before the steps.
+// Returns the keys of a report with other ones, which come before the steps.
 std::vector<std::string> report_keys_with(const std::vector<std::string>& others)
 {
   std::vector<std::string> result = report_keys;
@@ -334,7 +334,7 @@ TEST_CASE("An affine boundary gives an affine map, in the order of the file")
     REQUIRE(std::regex_search(report, match, std::regex("\"steps\": \\{\"energy\": \\[(.*?)\\]")));
     const std::string energies = match[1];
     CHECK(1 + std::count(energies.begin(), energies.end(), ',') == number(report, "iterations"));
-    if(options.find("angle") == std::string::npos) // it has another energy
+    if(options.find("angle") == std::string::npos) // a bound of angles has another energy
       CHECK(std::stod(energies.substr(energies.rfind(',') + 1)) == Approx(number(report, "energy_value")));
   }
 }
@@ -408,7 +408,7 @@ TEST_CASE("The boundary goes to a domain that has a name")
     CHECK(number(folder.text("report.json"), "boundary_residual") == 0);
     Soup map = folder.soup("map.mesh");
     REQUIRE(map.points.size() >= source.points.size());
-    map.points.resize(source.points.size()); // those that were there before refinement
+    map.points.resize(source.points.size()); // points that were there before refinement
     return map.points;
   };
   const auto ball = map_to("ball");

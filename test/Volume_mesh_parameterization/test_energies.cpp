@@ -334,7 +334,7 @@ TEST_CASE("Copies of an energy chosen at run time keep the one that they hold", 
   CHECK(copy.value(s) == Approx(value(strong, s)));
 }
 
-// With k = r + 1/r, r the ratio of the largest to the smallest singular value.
+// Bounds are in k = r + 1/r, r the ratio of the largest to the smallest singular value.
 TEST_CASE("MIPS bounds the ratio of singular values from both sides, sharply", "[energies]")
 {
   for(const double ratio : {1., 1.5, 4., 20., 1000.})

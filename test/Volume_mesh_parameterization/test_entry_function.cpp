@@ -542,7 +542,7 @@ TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere, and the 
     CHECK(p.x() * p.x() + p.y() * p.y() + p.z() * p.z() == Approx(1).epsilon(1e-12));
   }
 
-  // from an initial map that lacks the vertices which refinement has inserted
+  // the initial map lacks the vertices which refinement has inserted
   REQUIRE(result.number_of_added_vertices > 0);
   Point_map initial;
   for(const Vertex_handle vertex : complex.vertices)
@@ -556,7 +556,7 @@ TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere, and the 
 TEST_CASE("A complex that is no ball is refused unless there is a boundary map")
 {
   Complex complex(cube_mesh(4));
-  const Vertex_handle middle = complex.vertices[13]; // of 27 vertices inside
+  const Vertex_handle middle = complex.vertices[13]; // the middle one of 27 vertices inside
   for(const auto c : complex.cells)
     if(c->has_vertex(middle))
       complex.c3t3.remove_from_complex(c);
@@ -751,7 +751,7 @@ TEST_CASE("Bodies so small or so large that volumes cannot be computed are refus
 TEST_CASE("A shifted target has the shifted map")
 {
   const Vector3d shift = GENERATE(Vector3d(1e6, 2e6, 3e6), Vector3d(-1e8, 0, 1), Vector3d(0.5, 0.25, -16));
-  const double rounding = 1e-15 * shift.norm(), convergence = 3e-5; // of cubes of size 1
+  const double rounding = 1e-15 * shift.norm(), convergence = 3e-5; // for cubes of size 1
   const auto map_of = [](Complex& complex, const auto& energy)
   {
     const Parameterization_result result = parameterize(complex, params::energy(energy));
@@ -958,7 +958,7 @@ TEST_CASE("Arrays are mapped as a complex is")
   CHECK(again.status == VMP::OK);
   CHECK(again.number_of_iterations <= 3);
 
-  // what is refused leaves the images alone
+  // refused problems leave the images alone
   const std::vector<std::array<double, 3> > expected = images;
   targets[124][1] = nan;
   CHECK(call(params::verbose(false)).status == VMP::ERROR_MISSING_BOUNDARY_TARGET);

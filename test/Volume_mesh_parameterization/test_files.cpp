@@ -401,7 +401,7 @@ TEST_CASE("A VTU file has the map and its distortions, bit by bit")
   CHECK(array_of<std::uint8_t>(file, "types", "UInt8") == std::vector<std::uint8_t>{10});
   CHECK(array_of<std::int32_t>(file, "reference", "Int32") == std::vector<std::int32_t>{7});
   CHECK(std::abs(array_of(file, "det_J")[0] - 2. / 3) < 1e-14);
-  CHECK(std::abs(array_of(file, "volume_distortion")[0] - 2) < 1e-14); // of the only cell, scaled to its volume
+  CHECK(std::abs(array_of(file, "volume_distortion")[0] - 2) < 1e-14); // the only cell, scaled to its volume
   CHECK(std::abs(array_of(file, "angle_distortion")[0] - (6 + 1. / 6)) < 1e-13);
 }
 
@@ -669,7 +669,7 @@ TEST_CASE("A VTU file is read in each of its forms")
     }
   }
 
-  // what this package writes
+  // files that this package writes
   Soup soup = single_cell();
   soup.points[1][0] = 1. / 3;
   std::ostringstream os;

@@ -54,13 +54,13 @@ void check_ends(const std::function<bool(Impatient_visitor&)>& is_interrupted)
     Impatient_visitor visitor = { 1 + k * (patient.number_of_questions - 1) / 12 };
     CAPTURE(visitor.n, patient.number_of_questions);
     CHECK(is_interrupted(visitor));
-    CHECK(visitor.number_of_questions == visitor.n); // what has said no is not asked again
+    CHECK(visitor.number_of_questions == visitor.n); // a visitor that has said no is not asked again
     CHECK(visitor.number_of_later_steps <= 1);
     CHECK(visitor.since_the_end.time() < 3);
   }
 }
 
-// Of a cube of 384 or more cells to a domain, with further parameters of the map.
+// Tells whether the map of a cube of 384 or more cells to a domain is interrupted, with further parameters of the map.
 template <typename Parameterizer, typename Parameters>
 bool is_map_interrupted(const Parameterizer& parameterizer, const Parameters& parameters)
 {

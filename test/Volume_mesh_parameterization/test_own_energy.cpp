@@ -84,7 +84,7 @@ private:
   }
 };
 
-// The same with branches, which only plain numbers can have.
+// Returns the energy with branches, which only plain numbers can have.
 double own_value(const Vector3d& s)
 {
   double sum = 0;

@@ -286,7 +286,7 @@ TEST_CASE("a spacing that makes a polycube touch itself is named")
   CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
 }
 
-// By direction and coordinate. Each triangle of the image is normal to an axis.
+// Returns the faces by direction and coordinate. Each triangle of the image is normal to an axis.
 std::set<std::pair<std::size_t, double> > faces_of_image(const Labelled_complex& complex)
 {
   std::set<std::pair<std::size_t, double> > faces;
@@ -307,7 +307,7 @@ TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
     return x < 3 || (x > 3 && y < 3 && z < 4);
   }, [&](const double x, const double y, const double z) { return in_place(scale * x, scale * y, scale * z); }));
   REQUIRE(complex.parameterize() == VMP::OK);
-  CHECK(faces_of_image(complex).size() == 10); // of twelve, two are in planes of others
+  CHECK(faces_of_image(complex).size() == 10); // two of twelve are in planes of other ones
 }
 
 TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")
@@ -493,7 +493,7 @@ TEST_CASE("meridians bound discs, and cut all handles")
     for(const double turn : turns)
       CHECK(std::abs(turn) < 1e-6);
   }
-  CHECK(vertices.size() == loops[0].size() + loops[1].size() + loops[2].size()); // they are disjoint
+  CHECK(vertices.size() == loops[0].size() + loops[1].size() + loops[2].size()); // loops are disjoint
 
   // the surface remains connected, so that none of them bounds a disc on it, too, nor some of them a part of it
   const auto facets = VMP::internal::boundary_facets_3(soup.cells);

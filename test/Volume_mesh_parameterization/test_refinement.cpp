@@ -104,7 +104,7 @@ Counts count_bad(const C3t3& c3t3)
   return count_bad(c3t3, boundary_vertices(c3t3));
 }
 
-// What refinement must keep.
+// Properties that refinement must keep.
 template <typename C3t3>
 struct Invariants
 {

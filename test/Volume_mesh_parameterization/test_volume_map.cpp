@@ -53,7 +53,7 @@ struct Mapped_cube
 
   Volume_map_3 map() const { return Volume_map_3(soup.points, soup.cells, images); }
 
-  // By definition: the smallest index of the cells whose closed tetrahedron has the point, without a tree.
+  // Returns by definition, without a tree, the smallest index of the cells whose closed tetrahedron has the point.
   std::optional<std::size_t> first_cell(const Point_3& p) const
   {
     for(std::size_t c = 0; c < soup.cells.size(); ++c)
@@ -120,7 +120,7 @@ TEST_CASE("Vertices, and points of edges and facets, belong to the first of thei
         CHECK(there->cell == cube.first_cell(p));
         CHECK((vector(map.nearest_preimage(there->point)->point) - vector(p)).norm() < 1e-14);
       }
-  for(std::size_t v = 0; v < cube.images.size(); ++v) // those are found exactly
+  for(std::size_t v = 0; v < cube.images.size(); ++v) // vertices are found exactly
   {
     const auto there = map.image(point(vector(cube.soup.points[v])));
     const auto back = map.preimage(point(vector(cube.images[v])));

@@ -40,10 +40,10 @@ public:
 
   double weight(const std::size_t cell) const { return m_weights[cell]; }
 
-  // The weighted Jacobians of a map.
+  // Returns the weighted Jacobians of a map.
   Jacobians jacobians(const Positions& u) const { return u * m_gradients; }
 
-  // The map with the prescribed boundary whose Jacobians are nearest to the given ones.
+  // Returns the map with the prescribed boundary whose Jacobians are nearest to the ones passed.
   Positions fit(const Jacobians& jacobians) const
   {
     Positions u(3, m_number_of_free_vertices + m_prescribed.cols());
@@ -51,7 +51,7 @@ public:
     return u;
   }
 
-  // The same for a displacement, which leaves the boundary alone.
+  // Returns the displacement with nearest Jacobians, which leaves the boundary alone.
   Positions fit_displacement(const Jacobians& jacobians) const
   {
     Positions u = Positions::Zero(3, m_number_of_free_vertices + m_prescribed.cols());

@@ -127,7 +127,7 @@ private:
   }
 
   int m_first_prescribed;
-  Positions m_target; // of the prescribed vertices
+  Positions m_target; // targets of the prescribed vertices
   CGAL::Volume_mesh_parameterization::internal::Cell_energy_of<Energy> m_energy;
   Matrix m_hessian;
   Packs m_packs;

@@ -66,7 +66,7 @@ Examples:
 
 namespace options_of_both_programs {
 
-constexpr unsigned width = 100; // of the help
+constexpr unsigned width = 100; // columns of the help, a guess
 
 inline boost::program_options::options_description distortion(Options& options)
 {

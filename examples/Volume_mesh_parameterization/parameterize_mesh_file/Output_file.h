@@ -23,7 +23,7 @@
 #include <string_view>
 #include <system_error>
 
-// Is it a pipe, a device, or an open file of this program, whatever this is? None of them can be replaced.
+// Tells whether a name is one of a pipe, a device, or any open file of this program: none of them can be replaced.
 inline bool is_stream(const std::string& name)
 {
   std::error_code ignored;
@@ -32,13 +32,13 @@ inline bool is_stream(const std::string& name)
       || std::filesystem::is_character_file(status);
 }
 
-// Thrown where nobody takes what is written, and the time is over.
+// Exception that is thrown if nobody reads the output, and the time is over.
 struct Unread_output : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
 
-// A pipe, a device, or an open file of this program, which gets a text.
+// Pipe, device, or open file of this program that gets a text.
 class Output_stream
 {
 public:

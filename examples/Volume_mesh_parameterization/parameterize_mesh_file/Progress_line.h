@@ -13,11 +13,12 @@
 #include <string>
 #include <vector>
 
-// What ends the program before there is a map.
+// Exception that ends the program before there is a map.
 struct Interruption {};
 
-// Keeps one line of a terminal up to date, and ends all that takes it as a visitor when the time since its construction is
-// over, or when the user (Ctrl-C, or a terminal that is closed) or the system (SIGTERM) asks for it. Who asks twice ends the program.
+// Keeps one line of a terminal up to date, and ends each computation that it visits when the time since its construction is
+// over, or when the user (Ctrl-C, or a terminal that is closed) or the system (SIGTERM) asks to end. A second request ends
+// the program.
 class Progress_line
 {
 public:
@@ -67,7 +68,7 @@ public:
     return goes_on();
   }
 
-  // Why the computation was ended.
+  // Returns the reason for which the computation was ended.
   static const char* reason()
   {
     return is_end_requested != 0 ? "Interrupted." : "The time limit was reached.";

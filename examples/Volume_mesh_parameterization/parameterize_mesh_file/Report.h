@@ -1,4 +1,4 @@
-// What the program tells of its result: on the console, as its exit status, and in a JSON file.
+// Report of the result of the program: on the console, as its exit status, and in a JSON file.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REPORT_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REPORT_H
 
@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-// How a run of the program ended.
+// Outcome of a run of the program.
 struct Outcome
 {
   Exit_code exit_code;

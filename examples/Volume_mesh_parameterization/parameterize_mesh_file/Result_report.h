@@ -1,4 +1,4 @@
-// What both programs tell of a result: as exit status, on the console and in JSON.
+// Report of a result that both programs make: as exit status, on the console and in JSON.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_RESULT_REPORT_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_RESULT_REPORT_H
 
@@ -26,7 +26,7 @@ inline Exit_code exit_code(const CGAL::Volume_mesh_parameterization::Parameteriz
   }
 }
 
-// What is printed may go to a device that is full.
+// Throws if the standard output cannot be written, for instance to a device that is full.
 inline void flush_standard_output()
 {
   if(!std::cout.flush())

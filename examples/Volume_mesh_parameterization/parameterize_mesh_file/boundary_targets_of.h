@@ -1,4 +1,4 @@
-// Where the boundary of a mesh goes: as a file tells, or onto a domain with a name.
+// Targets of the boundary of a mesh: read from a file, or on a domain with a name.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 
@@ -109,7 +109,7 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     {"polycube", polycube_parameterizer(spacing)}});
 }
 
-// Of each point of the file; not numbers where there is none.
+// Reads the target of each point of the mesh; not numbers for points without one.
 inline Points targets_of_file(const std::string& filename,
                               const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {

@@ -14,7 +14,7 @@
 #include <system_error>
 #include <vector>
 
-// Do two names stand for one file? What is not there yet has only its name.
+// Tells whether two names stand for one file. A file that is not there yet has only its name.
 inline bool is_same_file(const std::string& a, const std::string& b)
 {
   struct stat s, t;
@@ -30,7 +30,7 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   return is_a_there == is_b_there && path(a) == path(b);
 }
 
-// A socket or a terminal has a way in and a way out.
+// Tells whether a name is one of a socket or a terminal, which have a way in and a way out.
 inline bool has_two_ways(const std::string& name)
 {
   std::error_code ignored;
@@ -38,7 +38,7 @@ inline bool has_two_ways(const std::string& name)
   return std::filesystem::is_socket(status) || std::filesystem::is_character_file(status);
 }
 
-// Without empty names, which stand for no file.
+// Refuses names of one file in two roles. Names are not empty, as empty ones stand for no file.
 inline void check_roles(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs)
 {
   for(std::size_t i = 0; i < inputs.size(); ++i)

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-// What the names of an option stand for.
+// Names of an option with their values.
 template <typename Value>
 using Name_table = std::vector<std::pair<std::string, Value> >;
 
-// The value of a name. If it is not in the table, the exception lists those that are; `kind` is what they name.
+// Returns the value of a name. If the name is not in the table, the exception lists the names there; `kind` is what they name.
 template <typename Value>
 Value find_name(const std::string& kind, const std::string& name, const Name_table<Value>& table)
 {

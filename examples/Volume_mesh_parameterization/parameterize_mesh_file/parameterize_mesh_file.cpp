@@ -183,7 +183,7 @@ Outcome run(const Options& options, Progress_line& progress)
   return outcome;
 }
 
-// The same, with what is thrown as a message of the result.
+// Runs the program, and turns exceptions into messages of the result.
 Outcome run_and_catch(const Options& options, Progress_line& progress)
 {
   Result result;
@@ -224,7 +224,7 @@ int main(int argc, char* argv[])
       return SUCCESS;
     }
     check(options);
-    // what is written there must be all; what is printed goes to the standard error
+    // the file must be all of the standard output; text goes to the standard error
     if(writes_to_standard_output(options))
       std::cout.rdbuf(std::cerr.rdbuf());
 

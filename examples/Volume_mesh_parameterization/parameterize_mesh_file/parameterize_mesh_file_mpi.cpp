@@ -158,7 +158,7 @@ Exit_code run(const Options& options, Progress_line& progress, Result& result)
   return code;
 }
 
-// The same, with what is thrown, in all processes, as a message of the result.
+// Runs the program, and turns exceptions of any process into messages of the result in all processes.
 Exit_code run_and_catch(const Options& options, Progress_line& progress, Result& result)
 {
   try
@@ -185,7 +185,7 @@ std::vector<double> of_processes(const double x)
   return all;
 }
 
-// Of bad input there is nothing to tell but the message.
+// Writes the report, which is the message alone for bad input.
 void write_report(const std::string& filename, const Result& result, const Exit_code code, const Progress_line& progress)
 {
   rusage usage;
@@ -240,7 +240,7 @@ int run(const int argc, char* argv[])
       if(!options.report.empty())
         write_report(options.report, result, static_cast<Exit_code>(code), progress);
     }
-    catch(const std::exception& error) // of rank 0, after all communication
+    catch(const std::exception& error) // an error of rank 0, after all communication
     {
       message = error.what();
       code = BAD_INPUT;
@@ -259,11 +259,11 @@ int main(int argc, char* argv[])
   int number = static_cast<int>(of_petsc.size());
   of_petsc.push_back(nullptr);
   char** begin = of_petsc.data();
-  setenv("SCOTCH_PTHREAD_NUMBER", "1", 0); // with threads, PT-Scotch finds another partition in each run
+  setenv("SCOTCH_PTHREAD_NUMBER", "1", 0); // PT-Scotch with threads would find another partition in each run
   if(PetscInitialize(&number, &begin, nullptr, nullptr) != 0)
     return BAD_INPUT;
   if(rank() != 0)
-    std::cout.setstate(std::ios::failbit); // of help, too, only one prints
+    std::cout.setstate(std::ios::failbit); // only one process prints, also the help
   const int code = run(static_cast<int>(petsc - argv), argv);
   PetscFinalize();
   return code;

@@ -35,7 +35,7 @@ struct Source
   }
 };
 
-// What is wrong with a mesh is said with the name of its file.
+// Calls f, and puts the name of the file before the sentence of an error.
 template <typename Function>
 auto naming(const std::string& filename, const Function& f)
 {

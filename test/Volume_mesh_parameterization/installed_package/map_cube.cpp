@@ -10,7 +10,7 @@
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
-int number_of_iterations(); // of the other translation unit
+int number_of_iterations(); // defined in the other translation unit
 
 int main()
 {

@@ -25,7 +25,7 @@ namespace fixed_boundary {
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = VMP::internal;
 
-// What the stages have in common.
+// Problem that the stages have in common.
 template <typename Energy, typename Solver>
 struct Problem
 {
@@ -56,7 +56,7 @@ struct Outcome
   Eigen::Matrix3Xd positions;
   VMP::Error_code status;
   double energy;
-  std::vector<VMP::Parameterization_step> steps; // of both stages
+  std::vector<VMP::Parameterization_step> steps; // steps of both stages
 };
 
 // Ends after this number of steps.

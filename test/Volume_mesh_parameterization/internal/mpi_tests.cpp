@@ -159,7 +159,7 @@ std::string check_map(const Problem& problem, const NamedParameters& np, const d
   return result.untangling_method;
 }
 
-// How the call ends if only the culprit has changed its part.
+// Returns how the call ends if only the culprit has changed its part.
 template <typename NamedParameters>
 std::string end_of(const Distributed_soup& soup, const Points& targets, const NamedParameters& np)
 {
@@ -384,7 +384,7 @@ TEST_CASE("each process reads a part of the files")
   CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, slice, images).status == VMP::OK);
   const std::string name = "mpi_" + std::to_string(size()) + "_<out> & \"in\"";
   const std::string victim = "mpi_" + std::to_string(size()) + "_victim.txt", link = name + "_0.vtu.tmp";
-  if(rank() == 0) // what may stand in the place of a temporary file
+  if(rank() == 0) // a link that may stand for a temporary file
   {
     std::ofstream(victim) << "of somebody else";
     std::filesystem::remove(link);
@@ -536,7 +536,7 @@ TEST_CASE("the environment is the user's")
 
 int main(int argc, char* argv[])
 {
-  setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); // with threads, PT-Scotch finds another partition in each run
+  setenv("SCOTCH_PTHREAD_NUMBER", "1", 1); // PT-Scotch with threads would find another partition in each run
   PetscInitialize(nullptr, nullptr, nullptr, nullptr);
   const int failures = Catch::Session().run(argc, argv);
   PetscFinalize();

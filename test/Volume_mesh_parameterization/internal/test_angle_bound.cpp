@@ -86,7 +86,7 @@ double largest_angle_distortion(const Numbered_mesh_3& mesh, const Matrix3Xd& im
   return result;
 }
 
-// Without the cells in the corners, whose vertices are all on the boundary.
+// Returns a twisted cube without the cells in its corners, whose vertices are all on the boundary.
 Numbered_mesh_3 twisted_cube_with_inner_corners()
 {
   return mapped_cube(6, 0.1, [](const Vector3d& p) -> Vector3d
@@ -117,7 +117,7 @@ TEST_CASE("A bound below the largest distortion of angles is met, with the bound
   CHECK(bounded.result.energy > free.result.energy);
 }
 
-// From a map with a stricter bound, steps under the barrier lead to the minimum that is reached from outside.
+// Steps under the barrier that begin at a map with a stricter bound lead to the minimum that is reached from outside.
 TEST_CASE("No step exceeds the bound once it is met, and the energy is minimized below it")
 {
   const Numbered_mesh_3 mesh = twisted_cube_with_inner_corners();

@@ -1,4 +1,4 @@
-// What the maps of a boundary to a ball and to a cube are made of.
+// Parts of the maps of a boundary to a ball and to a cube.
 #include "catch.h"
 #include "cube_mesh.h"
 

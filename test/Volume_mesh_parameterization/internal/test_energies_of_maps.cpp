@@ -1,4 +1,4 @@
-// What the adapters of energies do to the minimizers.
+// Effects of the adapters of energies on the minimizers.
 #include "catch.h"
 #include "cube_mesh.h"
 #include "fixed_boundary.h"

@@ -367,14 +367,14 @@ struct Counting_solver : Solver<>
   }
 };
 
-// By linear finite elements, each with the same weight, and a dense factorization.
+// Computes the harmonic map by linear finite elements, each with the same weight, and a dense factorization.
 Matrix3Xd harmonic_map(const Numbered_mesh_3& mesh)
 {
   const int n = mesh.number_of_vertices(), free = mesh.number_of_free_vertices;
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
   for(const std::array<int, 4>& cell : mesh.cells)
   {
-    Eigen::Matrix<double, 3, 4> gradients; // of the barycentric coordinates
+    Eigen::Matrix<double, 3, 4> gradients; // gradients of the barycentric coordinates
     gradients.rightCols(3) = VMP::internal::edge_matrix(mesh.source, cell).inverse().transpose();
     gradients.col(0) = -gradients.rightCols(3).rowwise().sum();
     const Eigen::Matrix4d products = gradients.transpose() * gradients;
@@ -636,7 +636,7 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   VMP::internal::Progress_3 progress = patient_progress();
   const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, judged(mesh, image), progress);
   CHECK(edges.size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
-  CHECK(edges.size() <= 8); // of 16
+  CHECK(edges.size() <= 8); // there are 16
   split_patch_edges_3(mesh, image, edges);
   image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
   CHECK(number_of_inverted_cells(mesh, image) == 0);
@@ -718,7 +718,7 @@ TEST_CASE("Flat cells become thicker, and only the vertices of flat cells move")
 
 TEST_CASE("Untangling with regular cells does not depend on slivers of the source")
 {
-  // the same problem, with a source that is flattened to slivers in a place of each vertex
+  // one problem, with slivers of the source at each vertex in turn
   Numbered_mesh_3 mesh = ring(6);
   const auto untangled = [&]()
   {
@@ -928,7 +928,7 @@ TEST_CASE("Threads find the facets, and the first of several mistakes, that one 
   for(const std::array<int, 4>& cell : mesh.cells)
     soup.cells.push_back({ std::size_t(cell[0]), std::size_t(cell[1]), std::size_t(cell[2]), std::size_t(cell[3]) });
   soup.points.resize(mesh.number_of_vertices());
-  for(std::size_t c = 5; c < soup.cells.size(); c += 500) // they overlap their neighbors
+  for(std::size_t c = 5; c < soup.cells.size(); c += 500) // inverted cells overlap their neighbors
     std::swap(soup.cells[c][0], soup.cells[c][1]);
   const auto mistake = [&](const bool is_parallel) -> std::string
   {

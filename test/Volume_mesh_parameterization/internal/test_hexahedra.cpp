@@ -160,7 +160,7 @@ Body l_shaped_bar()
   return bar;
 }
 
-// By the divergence theorem, with two triangles for each quadrangle: independent of the corners.
+// Computes the volume by the divergence theorem, with two triangles for each quadrangle: independent of the corners.
 double enclosed_volume(const Hexahedron_soup_3& mesh)
 {
   double sum = 0;
@@ -589,7 +589,7 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     const std::vector<K::Triangle_3> facets = body.boundary_facets(), quadrangles = boundary_facets(mesh);
     for(const std::array<double, 3>& p : body.soup.points)
       if(distance(p, facets) == 0)
-        CHECK(distance(p, quadrangles) < 0.5); // of the spacing
+        CHECK(distance(p, quadrangles) < 0.5); // half of the spacing
   }
 }
 
@@ -653,7 +653,7 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
       {
         CHECK(result.status == VMP::ERROR_INTERRUPTED);
         CHECK(mesh.cells.empty());
-        CHECK_FALSE(is_valid); // what is valid once is not lost
+        CHECK_FALSE(is_valid); // a mesh that is valid once is not lost
       }
     }
     CHECK(is_valid);
@@ -926,7 +926,7 @@ TEST_CASE("Hexahedra know the subdomain that their centers are mapped to")
 
 namespace {
 
-// Of an input file of Abaqus: behind each line that begins with an asterisk, the words that commas separate.
+// Returns the sections of an input file of Abaqus: for each line that begins with an asterisk, the words behind, separated by commas.
 std::map<std::string, std::vector<std::string> > sections_of_inp(const std::string& text)
 {
   std::map<std::string, std::vector<std::string> > result;

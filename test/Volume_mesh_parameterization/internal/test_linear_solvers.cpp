@@ -241,7 +241,7 @@ TEMPLATE_LIST_TEST_CASE("An indefinite matrix is reported, and the solver stays 
   solver.analyze_pattern(A);
   const VectorXd b = random_vector(3 * A.size());
 
-  for(const double diagonal : {-dominant_diagonal, 1., 3.}) // from negative definite to slightly indefinite
+  for(const double diagonal : {-dominant_diagonal, 1., 3.}) // negative definite to slightly indefinite
   {
     fill(A, diagonal);
     REQUIRE(Eigen::LLT<MatrixXd>(dense(A)).info() != Eigen::Success);

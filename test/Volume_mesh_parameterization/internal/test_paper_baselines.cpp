@@ -40,7 +40,7 @@ using VMP::internal::edge_matrix;
 
 namespace {
 
-// With the mean volume 1 of the cells of source and target, as the methods expect it.
+// Scales source and target such that the mean volume of their cells is 1, as the methods expect.
 Numbered_mesh_3 scaled(Numbered_mesh_3 mesh)
 {
   const double n = static_cast<double>(mesh.cells.size());

@@ -1,4 +1,4 @@
-// What a search that was blocked leads to: the cells to refine, and whether the approach of the boundary goes on.
+// Plans after a blocked search: the cells to refine, and whether the approach of the boundary continues.
 #include "catch.h"
 #include "cube_mesh.h"
 
@@ -119,7 +119,7 @@ TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the a
   const std::vector<std::size_t> blocking = sorted(blocking_cells_3(mesh, mesh.source));
   REQUIRE(blocking.size() > 2);
 
-  std::vector<std::size_t> others; // that do not block
+  std::vector<std::size_t> others; // cells that do not block
   for(std::size_t c = 0; others.size() < blocking.size(); ++c)
     if(!std::binary_search(blocking.begin(), blocking.end(), c))
       others.push_back(c);

@@ -113,7 +113,7 @@ TEST_CASE("A stirred boundary slides back to the affine map")
     CHECK(result.status == VMP::OK);
     CHECK(result.boundary_residual == 0);
     CHECK(result.number_of_sliding_vertices == number_of_boundary_vertices - number_of_corners);
-    CHECK(result.energy == Approx(0.25 + 1 + 4)); // of a box with sides 2, 1 and 1/2
+    CHECK(result.energy == Approx(0.25 + 1 + 4)); // the energy of a box with sides 2, 1 and 1/2
     const Matrix3Xd u = image(complex);
     for(int v = 0; v < complex.mesh.number_of_vertices(); ++v)
       CHECK((u.col(v) - f(complex.mesh.source.col(v))).norm() < 1e-4);

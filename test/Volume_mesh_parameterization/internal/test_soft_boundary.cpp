@@ -32,7 +32,7 @@ struct Solver_of_approach
   internal::Linear_solver_of<Precise_solver> solver{traits};
 };
 
-// With a solver of its own.
+// Soft boundary with a solver of its own.
 class Approach : private Solver_of_approach, public internal::Boundary_approach_3
 {
 public:
@@ -92,7 +92,7 @@ bool run(Approach& approach, const internal::Numbered_mesh_3& mesh)
   bool has_relaxed = false;
   while(approach.is_running() && approach.last_step().iteration < 500)
   {
-    const double energy_before = approach.energy(); // with the weight that the step uses
+    const double energy_before = approach.energy(); // energy with the weight that the step uses
     const bool was_relaxing = approach.is_relaxing();
     approach.step();
     REQUIRE(is_flip_free(mesh, approach.positions()));
@@ -296,7 +296,7 @@ TEST_CASE("The distance of two vertices that share no cell is kept")
   CHECK(approach.positions()(0, a) - approach.positions()(0, b) == Approx(0.25).epsilon(1e-5));
 }
 
-// From the aligned source, with an end as soon as it is blocked.
+// Start at the aligned source, with an end as soon as the approach is blocked.
 const internal::Approach_start_3 impatient = {{}, 0, 1};
 
 // Two vertices of the boundary change their places.
