@@ -22,8 +22,8 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
   $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>
   $<TARGET_NAME_IF_EXISTS:CGAL::CHOLMOD_support>)
 
-# The same with the engine compiled once, for those who have many units or build often. Eigen aligns memory by the
-# processor that a unit is compiled for; the engine and its users must agree on that.
+# The same with the engine compiled once, for those who have many units or build often. It agrees with units of any flags:
+# no type that both know depends on them, so its users learn nothing but the macro.
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
@@ -40,7 +40,9 @@ template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Par
 }
 ]] @ONLY)
   file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[
-#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h> // engine.cpp has its definition
+// The other files have their definitions.
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
@@ -50,16 +52,19 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
                                     std::vector<Eigen::Vector3d>& images, const Budget& budget);
 }
 ]] @ONLY)
-  add_library(${PROJECT_NAME}_engine STATIC
-    ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp)
+  # The sparse solvers allocate memory by the flags of a unit, as all of Eigen does. By another name, they are the engine's own.
+  file(CONFIGURE OUTPUT sparse_systems.cpp CONTENT [[
+#define Eigen Eigen_of_Volume_mesh_parameterization
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems_impl.h>
+]] @ONLY)
+  add_library(${PROJECT_NAME}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp
+    ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/sparse_systems.cpp)
   add_library(CGAL::Volume_mesh_parameterization_engine ALIAS ${PROJECT_NAME}_engine)
   set_target_properties(${PROJECT_NAME}_engine PROPERTIES EXPORT_NAME Volume_mesh_parameterization_engine)
   target_link_libraries(${PROJECT_NAME}_engine PUBLIC ${PROJECT_NAME})
-  target_compile_definitions(${PROJECT_NAME}_engine PUBLIC
-    CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE EIGEN_MAX_ALIGN_BYTES=64)
-  # Energies are compiled with the programs: with other instructions, they are rounded otherwise than the engine.
+  target_compile_definitions(${PROJECT_NAME}_engine PUBLIC CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE)
   if(${PROJECT_NAME}_NATIVE)
-    target_compile_options(${PROJECT_NAME}_engine PUBLIC -march=native)
+    target_compile_options(${PROJECT_NAME}_engine PRIVATE -march=native)
   endif()
   # The package's configuration asks for what the engine was built with.
   if(TARGET CGAL::TBB_support)

@@ -36,7 +36,7 @@ struct Grid_problem
   Cells cells;
   Matrix hessian;
   Packs packs;
-  Eigen::Matrix3Xd u, gradient;
+  CGAL::Volume_mesh_parameterization::internal::Matrix3Xd u, gradient;
 
 private:
   static Mesh make_mesh(const Jittered_grid& grid)

@@ -50,7 +50,7 @@ public:
   template <typename TargetOfStep>
   void step(const double weight, const TargetOfStep& target_of_step)
   {
-    Positions gradient;
+    CGAL::Volume_mesh_parameterization::internal::Matrix3Xd gradient;
     assemble_energy(m_packs, m_energy, m_u, 1., gradient, m_hessian);
     for(int v = m_first_prescribed; v < m_hessian.size(); ++v)
       m_hessian.block(m_hessian.position(v, v)).diagonal().array() += 2 * weight;

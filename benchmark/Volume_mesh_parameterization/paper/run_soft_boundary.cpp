@@ -58,7 +58,8 @@ public:
   // In lengths for which the mesh has volume 1; in those of u, its cells have.
   double squared_gradient_norm(const Eigen::Matrix3Xd& u) const
   {
-    Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, u.cols());
+    CGAL::Volume_mesh_parameterization::internal::Matrix3Xd gradient;
+    gradient.setZero(3, u.cols());
     add_energy_gradient(m_packs, m_energy, u, gradient);
     return std::pow(m_number_of_cells, 2. / 3) * gradient.squaredNorm();
   }

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -123,7 +125,7 @@ public:
   /// a row of blocks.
   Eigen::Matrix<NT, 3, 1> multiply_row(const int row, const NT* x) const
   {
-    using Four = Eigen::Array<NT, 4, 1>; // the fourth entry belongs to the next column and is dropped
+    using Four = Eigen::Array<NT, 4, 1, Eigen::DontAlign>; // the fourth entry belongs to the next column and is dropped
     Four sum = Four::Zero();
     for(int k = row_begin(row); k < row_end(row); ++k)
     {
@@ -137,7 +139,7 @@ public:
 private:
   std::vector<int> m_row_begin;
   std::vector<int> m_columns;
-  Eigen::Array<NT, Eigen::Dynamic, 1> m_values;
+  internal::Dynamic_matrix<NT, Eigen::Dynamic> m_values;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

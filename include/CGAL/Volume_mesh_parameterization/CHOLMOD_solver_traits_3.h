@@ -111,7 +111,8 @@ public:
   /// solves \f$A x = b\f$ with the last factorization; the tolerance is not needed.
   ///
   /// \return `SUCCESS`, `OUT_OF_MEMORY`, or `FAILED` if the solution is not finite
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double /* tolerance */)
+  template <typename Vector>
+  Linear_solver_status solve(const std::decay_t<Vector>& b, Vector& x, const double /* tolerance */)
   {
     if(b.size() == 0)
     {

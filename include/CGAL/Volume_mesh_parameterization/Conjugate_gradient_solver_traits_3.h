@@ -61,7 +61,8 @@ public:
   /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or
   ///         `NOT_POSITIVE_DEFINITE` where a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once;
   ///         `FAILED` if a number is not finite
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+  template <typename Vector>
+  Linear_solver_status solve(const std::decay_t<Vector>& b, Vector& x, const double tolerance,
                              const std::function<bool()>& goes_on = nullptr)
   { return m_solver.solve(b, x, tolerance, goes_on); }
 

@@ -41,9 +41,9 @@ struct Problem
 };
 
 // The images from which untangling starts.
-inline Eigen::Matrix3Xd harmonic_start(const internal::Numbered_mesh_3& mesh, internal::Newton_system_3& system)
+inline internal::Matrix3Xd harmonic_start(const internal::Numbered_mesh_3& mesh, internal::Newton_system_3& system)
 {
-  Eigen::Matrix3Xd positions = mesh.target;
+  internal::Matrix3Xd positions = mesh.target;
   internal::Progress_3 progress(internal::Budget(), 1);
   harmonic_map_3(system, positions, progress);
   return snapped(mesh, positions);
@@ -53,7 +53,7 @@ constexpr double theta = 0.01;
 
 struct Outcome
 {
-  Eigen::Matrix3Xd positions;
+  internal::Matrix3Xd positions;
   VMP::Error_code status;
   double energy;
   std::vector<VMP::Parameterization_step> steps; // steps of both stages

@@ -27,7 +27,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Eigen::Matrix3d;
-using Eigen::Matrix3Xd;
+using CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
 using Eigen::Vector3d;
 using Default_solver = VMP::Conjugate_gradient_solver_traits_3<>;
 using Stretch = VMP::internal::Cell_energy_of<VMP::Stretch_energy_3>;

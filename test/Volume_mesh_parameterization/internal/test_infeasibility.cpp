@@ -76,11 +76,12 @@ Mesh octahedron(const double north, const double south)
 void enclose(Mesh& m, const int v, const double z)
 {
   const int n = m.number_of_vertices();
-  m.target.conservativeResize(3, n + 4);
-  m.target.rightCols(4) << 0, 1, 0, 0,
-                           0, 0, 1, 0,
-                           z, z, z, z + 1;
-  m.source = m.target;
+  Eigen::Matrix3Xd points(3, n + 4);
+  points.leftCols(n) = m.target;
+  points.rightCols(4) << 0, 1, 0, 0,
+                         0, 0, 1, 0,
+                         z, z, z, z + 1;
+  m.source = m.target = points;
   for(int i = 0; i < 4; ++i)
   {
     std::array<int, 4> cell = {n, n + 1, n + 2, n + 3};

@@ -25,7 +25,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = VMP::internal;
 
-using Eigen::Matrix3Xd;
+using CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
 using internal::Cell_energy_3;
 using internal::Cell_kernels_3;
 using internal::Numbered_mesh_3;

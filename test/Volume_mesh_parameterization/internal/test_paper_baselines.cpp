@@ -33,7 +33,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Eigen::Matrix3d;
-using Eigen::Matrix3Xd;
+using CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
 using Eigen::Vector3d;
 using VMP::internal::Numbered_mesh_3;
 using VMP::internal::edge_matrix;

@@ -21,7 +21,7 @@
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = CGAL::Volume_mesh_parameterization::internal;
 
-using Eigen::Matrix3Xd;
+using CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
 using internal::Blocked_approach_3;
 using internal::Found_map_3;
 using internal::Numbered_mesh_3;

@@ -23,7 +23,7 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Complex = Cube_complex<>;
 using Eigen::Matrix3d;
-using Eigen::Matrix3Xd;
+using CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
 using Eigen::Vector3d;
 using VMP::Parameterization_result;
 using VMP::internal::Numbered_mesh_3;

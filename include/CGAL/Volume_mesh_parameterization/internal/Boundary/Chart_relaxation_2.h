@@ -13,10 +13,10 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
-
-#include <Eigen/Sparse>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -62,13 +62,13 @@ public:
 
   void run(std::vector<Eigen::Vector3d>& images, const Budget& budget)
   {
-    Solver solver;
+    const auto solver = make_symmetric_sparse_solver();
     State state = evaluate(m_images, 1);
     m_epsilon = first_epsilon(state.smallest_determinant);
     for(int iteration = 0; iteration < 100 && !budget.is_exhausted() && m_number_of_unknowns > 0; ++iteration)
     {
       state = evaluate(m_images, m_epsilon);
-      const State next = newton_step(state, solver);
+      const State next = newton_step(state, *solver);
       const double decrease = 1 - next.energy / state.energy;
       if(decrease == 0 || (next.smallest_determinant > 0 && decrease < 1e-3))
         break;
@@ -78,13 +78,12 @@ public:
   }
 
 private:
-  using Matrix = Eigen::SparseMatrix<double>;
-  using Solver = Eigen::SimplicialLDLT<Matrix>;
+  using Columns_2 = Dynamic_matrix<double, 2, Eigen::Dynamic>;
 
   struct Triangle
   {
     std::array<int, 3> vertices;
-    Eigen::Matrix2d to_rest; // the Jacobian is the edges of the image times this matrix
+    Small_matrix<2, 2> to_rest; // the Jacobian is the edges of the image times this matrix
     double area;
   };
 
@@ -106,7 +105,7 @@ private:
       p[i] = eigen_point(mesh, v[i]);
     }
     const Eigen::Vector3d a = p[1] - p[0], b = p[2] - p[0];
-    Eigen::Matrix2d rest;
+    Small_matrix<2, 2> rest;
     rest << a.norm(), a.dot(b) / a.norm(), 0, a.cross(b).norm() / a.norm();
     t.to_rest = rest.inverse();
     t.area = rest.determinant() / 2;
@@ -118,30 +117,35 @@ private:
   {
     if(m_number_of_unknowns == 0)
       return;
-    std::vector<Eigen::Triplet<double> > entries;
-    Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(m_number_of_unknowns, 2);
-    Eigen::Matrix<double, 3, 2> difference;
+    std::vector<Sparse_entry> entries;
+    std::array<VectorXd, 2> right;
+    right.fill(VectorXd::Zero(m_number_of_unknowns));
+    Small_matrix<3, 2> difference;
     difference << -1, -1, 1, 0, 0, 1;
     for(const Triangle& t : m_triangles)
     {
-      const Eigen::Matrix<double, 3, 2> gradients = difference * t.to_rest;
+      const Small_matrix<3, 2> gradients = difference * t.to_rest;
       const Eigen::Matrix3d K = t.area * gradients * gradients.transpose();
       for(int i = 0; i < 3; ++i)
         for(int k = 0; k < 3; ++k)
         {
           const int row = m_unknown[t.vertices[i]], column = m_unknown[t.vertices[k]];
           if(row >= 0 && column >= 0)
-            entries.emplace_back(row, column, K(i, k));
+            entries.push_back({ row, column, K(i, k) });
           else if(row >= 0)
-            right.row(row) -= K(i, k) * m_images.col(t.vertices[k]).transpose();
+            for(int axis = 0; axis < 2; ++axis)
+              right[axis][row] -= K(i, k) * m_images(axis, t.vertices[k]);
         }
     }
-    Matrix matrix(m_number_of_unknowns, m_number_of_unknowns);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::MatrixX2d solution = Solver(matrix).solve(right);
-    for(std::size_t i = 0; i < m_unknown.size(); ++i)
-      if(m_unknown[i] >= 0)
-        m_images.col(i) = solution.row(m_unknown[i]);
+    const auto solver = make_symmetric_sparse_solver();
+    solver->factorize(m_number_of_unknowns, entries);
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      const VectorXd solution = solver->solve(right[axis]);
+      for(std::size_t i = 0; i < m_unknown.size(); ++i)
+        if(m_unknown[i] >= 0)
+          m_images(axis, i) = solution[m_unknown[i]];
+    }
   }
 
   void write(std::vector<Eigen::Vector3d>& images) const
@@ -153,19 +157,19 @@ private:
     }
   }
 
-  static Eigen::Matrix2d edges(const Triangle& t, const Eigen::Matrix2Xd& u)
+  static Small_matrix<2, 2> edges(const Triangle& t, const Columns_2& u)
   {
-    Eigen::Matrix2d result;
+    Small_matrix<2, 2> result;
     result << u.col(t.vertices[1]) - u.col(t.vertices[0]), u.col(t.vertices[2]) - u.col(t.vertices[0]);
     return result;
   }
 
-  State evaluate(const Eigen::Matrix2Xd& u, const double epsilon) const
+  State evaluate(const Columns_2& u, const double epsilon) const
   {
     State state = { 0, (std::numeric_limits<double>::infinity)() };
     for(const Triangle& t : m_triangles)
     {
-      const Eigen::Matrix2d J = edges(t, u) * t.to_rest;
+      const Small_matrix<2, 2> J = edges(t, u) * t.to_rest;
       const double D = J.determinant();
       state.energy += t.area * (J.squaredNorm() + (D * D + 1) / 2) / regularized_determinant(D, epsilon);
       state.smallest_determinant = (std::min)(state.smallest_determinant, D);
@@ -173,26 +177,22 @@ private:
     return state;
   }
 
-  State newton_step(const State& before, Solver& solver)
+  State newton_step(const State& before, Symmetric_sparse_solver& solver)
   {
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(2 * m_number_of_unknowns);
-    std::vector<Eigen::Triplet<double> > entries;
+    VectorXd gradient = VectorXd::Zero(2 * m_number_of_unknowns);
+    std::vector<Sparse_entry> entries;
     for(const Triangle& t : m_triangles)
       add_derivatives(t, gradient, entries);
-    Matrix hessian(gradient.size(), gradient.size());
-    hessian.setFromTriplets(entries.begin(), entries.end());
-    if(solver.rows() == 0)
-      solver.analyzePattern(hessian);
-    solver.factorize(hessian);
-    const Eigen::VectorXd solution = solver.solve(-gradient);
+    solver.factorize(2 * m_number_of_unknowns, entries);
+    const VectorXd solution = solver.solve(-gradient);
 
-    Eigen::Matrix2Xd direction = Eigen::Matrix2Xd::Zero(2, m_images.cols());
+    Columns_2 direction = Columns_2::Zero(2, m_images.cols());
     for(std::size_t v = 0; v < m_unknown.size(); ++v)
       if(m_unknown[v] >= 0)
         direction.col(v) = solution.segment<2>(2 * m_unknown[v]);
     for(double length = 1; length > 1e-12; length /= 2)
     {
-      const Eigen::Matrix2Xd candidate = m_images + length * direction;
+      const Columns_2 candidate = m_images + length * direction;
       const State after = evaluate(candidate, m_epsilon);
       if(after.energy <= before.energy + 1e-4 * length * gradient.dot(solution)
          && (after.smallest_determinant > 0 || before.smallest_determinant <= 0))
@@ -204,10 +204,10 @@ private:
     return before;
   }
 
-  void add_derivatives(const Triangle& t, Eigen::VectorXd& gradient, std::vector<Eigen::Triplet<double> >& entries) const
+  void add_derivatives(const Triangle& t, VectorXd& gradient, std::vector<Sparse_entry>& entries) const
   {
-    const Eigen::Matrix2d J = edges(t, m_images) * t.to_rest;
-    const Eigen::Vector4d j(J(0, 0), J(1, 0), J(0, 1), J(1, 1)), cofactors(J(1, 1), -J(0, 1), -J(1, 0), J(0, 0));
+    const Small_matrix<2, 2> J = edges(t, m_images) * t.to_rest;
+    const Small_matrix<4, 1> j(J(0, 0), J(1, 0), J(0, 1), J(1, 1)), cofactors(J(1, 1), -J(0, 1), -J(1, 0), J(0, 0));
     const double D = J.determinant(), root = std::sqrt(D * D + m_epsilon * m_epsilon);
     const double inverse = 1 / regularized_determinant(D, m_epsilon);
     const double slope = 1 / root;                                                              // chi' / chi
@@ -218,34 +218,38 @@ private:
 
     // J is the sum of a similarity p and a reflected one q, and its cofactors are p - q. In the basis of p, q and of the
     // vectors orthogonal to them in both planes of similarities, the Hessian couples p with q alone.
-    const Eigen::Vector2d p = (j + cofactors).head<2>() / 2, q = (j - cofactors).head<2>() / 2;
-    const auto unit = [](const Eigen::Vector2d& x) -> Eigen::Vector2d
-    { return x.isZero(0) ? Eigen::Vector2d(Eigen::Vector2d::UnitX()) : x.normalized(); };
-    const Eigen::Vector2d a = unit(p), b = unit(q);
-    Eigen::Matrix4d basis;
+    const Small_matrix<2, 1> p = (j + cofactors).head<2>() / 2, q = (j - cofactors).head<2>() / 2;
+    const auto unit = [](const Small_matrix<2, 1>& x) -> Small_matrix<2, 1>
+    { return x.isZero(0) ? Small_matrix<2, 1>(Small_matrix<2, 1>::UnitX()) : Small_matrix<2, 1>(x.normalized()); };
+    const Small_matrix<2, 1> a = unit(p), b = unit(q);
+    Small_matrix<4, 4> basis;
     basis <<  a[0],  b[0], -a[1], -b[1],
               a[1],  b[1],  a[0],  b[0],
              -a[1],  b[1], -a[0],  b[0],
               a[0], -b[0], -a[1],  b[1];
     basis /= std::sqrt(2.);
     const double pp = 2 * p.squaredNorm(), qq = 2 * q.squaredNorm(), pq = 2 * p.norm() * q.norm(); // each number stands twice in J
-    Eigen::Matrix2d coupled;
+    Small_matrix<2, 2> coupled;
     coupled << 2 * inverse + first + (second - 4 * inverse * slope) * pp, -second * pq,
                -second * pq, 2 * inverse - first + (second + 4 * inverse * slope) * qq;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
-    eigen.computeDirect(coupled);
-    basis.leftCols<2>() *= eigen.eigenvectors();
-    Eigen::Vector4d eigenvalues;
-    eigenvalues << eigen.eigenvalues(), 2 * inverse + first, 2 * inverse - first;
-    const Eigen::Matrix4d H = basis * eigenvalues.cwiseMax(1e-6 * inverse).asDiagonal() * basis.transpose();
+    const Eigen_decomposition_2 eigen = eigen_decomposition_2(coupled);
+    const Small_matrix<4, 2> turned = basis.leftCols<2>() * eigen.vectors;
+    basis.leftCols<2>() = turned;
+    Small_matrix<4, 1> eigenvalues;
+    eigenvalues << eigen.values, 2 * inverse + first, 2 * inverse - first;
+    const Small_matrix<4, 4> scaled = basis * eigenvalues.cwiseMax(1e-6 * inverse).asDiagonal();
+    const Small_matrix<4, 4> H = scaled * basis.transpose();
 
-    Eigen::Matrix<double, 4, 6> derivative = Eigen::Matrix<double, 4, 6>::Zero(); // derivative of j by the images
+    Small_matrix<4, 6> derivative = Small_matrix<4, 6>::Zero(); // derivative of j by the images
     for(int k = 0; k < 2; ++k)
       for(int i = 0; i < 3; ++i)
         derivative.block<2, 2>(2 * k, 2 * i).diagonal().setConstant(
           (i == 0) ? -t.to_rest.col(k).sum() : t.to_rest(i - 1, k));
-    const Eigen::Matrix<double, 6, 1> g = t.area * derivative.transpose() * (2 * inverse * j + first * cofactors);
-    const Eigen::Matrix<double, 6, 6> h = t.area * derivative.transpose() * H * derivative;
+    const Small_matrix<6, 4> weighted = t.area * derivative.transpose();
+    const Small_matrix<4, 1> slopes = 2 * inverse * j + first * cofactors;
+    const Small_matrix<6, 1> g = weighted * slopes;
+    const Small_matrix<6, 4> curved = weighted * H;
+    const Small_matrix<6, 6> h = curved * derivative;
     for(int i = 0; i < 6; ++i)
     {
       const int row = 2 * m_unknown[t.vertices[i / 2]] + i % 2;
@@ -254,14 +258,14 @@ private:
       gradient[row] += g[i];
       for(int k = 0; k < 6; ++k)
         if(m_unknown[t.vertices[k / 2]] >= 0)
-          entries.emplace_back(row, 2 * m_unknown[t.vertices[k / 2]] + k % 2, h(i, k));
+          entries.push_back({ row, 2 * m_unknown[t.vertices[k / 2]] + k % 2, h(i, k) });
     }
   }
 
   int m_u, m_v;
   std::vector<Boundary_mesh_3::Vertex_index> m_vertices; // vertices of the mesh
   std::vector<Triangle> m_triangles;
-  Eigen::Matrix2Xd m_images;
+  Columns_2 m_images;
   std::vector<int> m_unknown; // number of an inner vertex, or -1
   int m_number_of_unknowns = 0;
   double m_epsilon = 1;

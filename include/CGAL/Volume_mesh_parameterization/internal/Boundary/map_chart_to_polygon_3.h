@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
 
-#include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Surface_mesh_parameterization/Error_code.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
@@ -22,8 +22,6 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/centroid.h>
-
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +48,27 @@ public:
   }
 
   bool is_border_convex() const { return true; }
+};
+
+// Solves the linear systems of that package.
+struct Sparse_elimination_traits
+{
+  using NT = double;
+  using Vector = std::vector<double>;
+
+  struct Matrix
+  {
+    std::vector<Sparse_entry> entries;
+
+    Matrix(int, int) {}
+    void set_coef(const int i, const int j, const double x, bool) { entries.push_back({ i, j, x }); }
+  };
+
+  static bool linear_solver(const Matrix& A, const Vector& b, Vector& x, double& denominator)
+  {
+    denominator = 1;
+    return solve_by_elimination(A.entries, b, x);
+  }
 };
 
 // Spaces the images of the vertices of a path between those of its ends, along an axis, by their distances.
@@ -136,8 +155,6 @@ inline bool map_chart_to_polygon_3(const Surface_chart_3& chart, const int u, co
                                    std::vector<Eigen::Vector3d>& images)
 {
   namespace SMP = Surface_mesh_parameterization;
-  using Matrix = Eigen_sparse_matrix<double>::EigenType;
-  using Solver = Eigen_solver_traits<Eigen::SparseLU<Matrix> >;
 
   std::vector<Boundary_point_2> start;
   for(const int w : chart.vertices)
@@ -148,7 +165,8 @@ inline bool map_chart_to_polygon_3(const Surface_chart_3& chart, const int u, co
   for(const auto w : chart.mesh.vertices())
     uv_map[w] = start[w];
 
-  SMP::Mean_value_coordinates_parameterizer_3<Boundary_mesh_3, Prescribed_border_parameterizer_3, Solver> parameterizer;
+  SMP::Mean_value_coordinates_parameterizer_3<Boundary_mesh_3, Prescribed_border_parameterizer_3,
+                                              Sparse_elimination_traits> parameterizer;
   if(SMP::parameterize(mesh, parameterizer, border, uv_map) != SMP::OK)
     return false;
   const auto vertices = chart.mesh.vertices();

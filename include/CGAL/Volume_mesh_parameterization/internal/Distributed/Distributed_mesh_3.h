@@ -86,7 +86,7 @@ public:
   int number_of_own_rows() const { return m_mesh.number_of_free_vertices - m_mesh.number_of_copied_vertices; }
 
   // Writes the images of the points of the slice; points without a cell get coordinates that are not numbers.
-  void write(const Eigen::Matrix3Xd& positions, std::vector<Point>& images) const
+  void write(const Matrix3Xd& positions, std::vector<Point>& images) const
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<Point> own(m_own_numbers.size()), slice(m_size_of_slice, {nan, nan, nan});
@@ -149,7 +149,7 @@ private:
       = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return is_prescribed[v] == 0; });
     const std::vector<int> positions = places_in(order);
     std::vector<bool> is_not_own_free;
-    Eigen::Matrix3Xd source(3, order.size());
+    Matrix3Xd source(3, order.size());
     for(const std::size_t v : order)
     {
       source.col(is_not_own_free.size()) = Eigen::Map<const Eigen::Vector3d>(points[v].data());

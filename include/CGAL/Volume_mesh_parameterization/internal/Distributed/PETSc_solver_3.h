@@ -115,7 +115,7 @@ private:
     Newton_matrix_3& matrix() override { return m_matrix; }
     Linear_solver_status factorize() override { return m_solver.factorize(std::get<Matrix>(m_matrix)); }
 
-    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+    Linear_solver_status solve(const VectorXd& b, VectorXd& x, const double tolerance,
                                const Budget&) override // processes may see different budgets
     { return m_solver.solve(b, x, tolerance); }
 
@@ -160,9 +160,9 @@ private:
     return Linear_solver_status::SUCCESS;
   }
 
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance)
+  Linear_solver_status solve(const VectorXd& b, VectorXd& x, const double tolerance)
   {
-    x.setZero(b.size());
+    x.setZero(b.size(), 1);
     if(m_communicator.all(b.head(3 * number_of_own_rows()).isZero(0))) // KSPSTCG finds no direction for zero
       return Linear_solver_status::SUCCESS;
     check(KSPSetTolerances(m_ksp, tolerance, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));

@@ -63,7 +63,7 @@ namespace CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS {
 // Computes exponentials (and below logarithms) by Eigen's vectorized functions.
 inline Pack exp(const Pack& a)
 {
-  Eigen::Array<double, Pack::size, 1> values;
+  Eigen::Array<double, Pack::size, 1, Eigen::DontAlign> values;
   a.store(values.data());
   values = values.exp();
   return Pack::load(values.data());
@@ -71,7 +71,7 @@ inline Pack exp(const Pack& a)
 
 inline Pack log(const Pack& a)
 {
-  Eigen::Array<double, Pack::size, 1> values;
+  Eigen::Array<double, Pack::size, 1, Eigen::DontAlign> values;
   a.store(values.data());
   values = values.log();
   return Pack::load(values.data());

@@ -32,7 +32,7 @@ public:
     : m_mesh(mesh), m_surface(surface), m_solver(solver), m_budget(budget)
   {
     m_numbered.is_parallel = is_parallel;
-    Eigen::Matrix3Xd points(3, mesh.points.size());
+    Matrix3Xd points(3, mesh.points.size());
     std::vector<bool> is_fixed;
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
@@ -201,12 +201,13 @@ private:
     if(distance < smallest_distance * goals.mean_edge)
       return;
     const auto& [a, b, c] = triangle;
-    Eigen::Matrix<double, 3, 2> sides;
+    Small_matrix<3, 2> sides;
     sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
-    const Eigen::Matrix2d products = sides.transpose() * sides;
+    const Small_matrix<2, 2> products = sides.transpose() * sides;
     if(!(products.determinant() > 0))
       return;
-    const Eigen::Vector2d st = products.inverse() * (sides.transpose() * (q - m_numbered.target.col(a)));
+    const Small_matrix<2, 2> inverse = products.inverse();
+    const Small_matrix<2, 1> st = inverse * (sides.transpose() * (q - m_numbered.target.col(a)));
     const Eigen::Vector3d way = factor * (p - q) / distance;
     goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
                                   way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
@@ -235,13 +236,13 @@ private:
   // Takes positions, put back onto the boundary. Where a corner would be inverted, or so flat that the next steps would serve
   // it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
   // steps are left to mend them.
-  void put_back(const Eigen::Matrix3Xd& moved, const bool was_valid)
+  void put_back(const Matrix3Xd& moved, const bool was_valid)
   {
     constexpr int number_of_attempts = 5; // a guess
     constexpr double largest_loss = 0.9;  // a guess; part of a scaled Jacobian that a step may lose
-    const Eigen::Matrix3Xd before = m_numbered.target;
+    const Matrix3Xd before = m_numbered.target;
     const bool may_shorten = was_valid || inverted_cells(m_numbered, moved).number == 0;
-    const auto quality = [&](const Eigen::Matrix3Xd& positions, const std::size_t c)
+    const auto quality = [&](const Matrix3Xd& positions, const std::size_t c)
     {
       return scaled_jacobian(edge_matrix(positions, m_numbered.cells[c]));
     };

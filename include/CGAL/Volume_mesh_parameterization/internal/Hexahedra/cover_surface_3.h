@@ -30,7 +30,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Triangles_of_boundary = std::vector<std::array<int, 3> >; // triangles of hexahedra on the boundary
 
-inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const Eigen::Matrix3Xd& positions,
+inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const Matrix3Xd& positions,
                                                                              const std::array<int, 3>& triangle)
 {
   const auto& [a, b, c] = triangle;
@@ -40,7 +40,7 @@ inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(con
 // Calls `f` with each point, the nearest point of the triangles, and the triangle of the latter.
 template <typename Function>
 void for_each_nearest(const std::vector<Eigen::Vector3d>& points, const Triangles_of_boundary& triangles,
-                      const Eigen::Matrix3Xd& positions, const Function& f)
+                      const Matrix3Xd& positions, const Function& f)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Triangle_3> triangles_in_space;
@@ -65,7 +65,7 @@ struct Cover_of_vertex_3
 
 inline std::vector<Cover_of_vertex_3> covers_of_vertices_3(const std::vector<Eigen::Vector3d>& points,
                                                            const Triangles_of_boundary& triangles,
-                                                           const Eigen::Matrix3Xd& positions)
+                                                           const Matrix3Xd& positions)
 {
   std::vector<Cover_of_vertex_3> result(positions.cols());
   for(const std::array<int, 3>& triangle : triangles)
@@ -81,7 +81,7 @@ inline std::vector<Cover_of_vertex_3> covers_of_vertices_3(const std::vector<Eig
 }
 
 // Returns the sum of the squares of the distances of points from the triangles, as far as they exceed a tolerance.
-inline double uncovered(const Eigen::Matrix3Xd& positions, const Cover_of_vertex_3& cover, const double tolerance)
+inline double uncovered(const Matrix3Xd& positions, const Cover_of_vertex_3& cover, const double tolerance)
 {
   double sum = 0;
   for(const Eigen::Vector3d& p : cover.points)

@@ -54,7 +54,7 @@ inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const
 // if none is inverted then, brings them nearer to corners of boxes, all alike or (with an exponent) the worst ones first. An
 // exhausted budget ends the search at the next step. Vertices that are not free stay.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
+Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
                                    Linear_solver_3& solver, const Budget& budget)
 {
   constexpr double theta = 0.5; // a guess; how much volumes count beside shapes
@@ -65,7 +65,7 @@ Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
   const Quadratic_penalty_3 penalty = penalty_of_goals_3(mesh, goals, unknowns, boxes.unit);
   Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, &penalty);
   Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
-  Eigen::Matrix3Xd positions = mesh.target;
+  Matrix3Xd positions = mesh.target;
   if(inverted_cells(mesh, positions).number > 0)
     positions = untangle_cells_3(system, positions, theta, untangling).positions;
   if(inverted_cells(mesh, positions).number > 0)

@@ -25,7 +25,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 using Corners_of_vertex = std::vector<std::array<int, 4> >; // corners that have the vertex
 
 // Returns the sum of the squares by which scaled Jacobians are below the target, or a part of the sum that reaches the bound.
-inline double shortage(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners, const double target,
+inline double shortage(const Matrix3Xd& positions, const Corners_of_vertex& corners, const double target,
                        const double bound = (std::numeric_limits<double>::infinity)())
 {
   double sum = 0;
@@ -34,7 +34,7 @@ inline double shortage(const Eigen::Matrix3Xd& positions, const Corners_of_verte
   return sum;
 }
 
-inline double mean_length_of_edges(const Eigen::Matrix3Xd& positions, const Corners_of_vertex& corners)
+inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_vertex& corners)
 {
   double sum = 0;
   for(const std::array<int, 4>& corner : corners)
@@ -47,7 +47,7 @@ inline double mean_length_of_edges(const Eigen::Matrix3Xd& positions, const Corn
 // search (Hooke and Jeeves 1961). Uncovered points of the surface have a price, or vertices would leave tips.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
                                const Body_surface_3& surface, const std::vector<Cover_of_vertex_3>& covers,
-                               const double target, const Budget& budget, Eigen::Matrix3Xd& positions)
+                               const double target, const Budget& budget, Matrix3Xd& positions)
 {
   constexpr int number_of_sweeps = 10;                         // a guess
   constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges

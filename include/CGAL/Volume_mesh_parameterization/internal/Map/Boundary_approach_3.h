@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // prescribed vertices to their targets is minimal. Keeps every orientation: the rotation is proper
 // and the scale positive. (Jin et al. minimize the same sum over 13 variables with a penalty that makes
 // the matrix nearly a scaled rotation, and round the result; the closed form is due to Umeyama 1991.)
-inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
+inline Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
 {
   const Eigen::Index n = mesh.number_of_prescribed_vertices();
   if(n == 0)
@@ -42,7 +42,7 @@ inline Eigen::Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
   if(!(scale > 0))
     return mesh.source;
   const Eigen::Matrix3d scaled_rotation = scale * polar.rotation;
-  Eigen::Matrix3Xd result(3, mesh.source.cols());
+  Matrix3Xd result(3, mesh.source.cols());
   for(Eigen::Index v = 0; v < result.cols(); ++v)
     result.col(v) = scaled_rotation * (mesh.source.col(v) - source_mean) + target_mean;
   return result;
@@ -99,11 +99,11 @@ public:
   const Parameterization_step& last_step() const { return m_last_step; }
 
   // The images of all vertices; those of the prescribed ones are near their targets.
-  Eigen::Matrix3Xd positions() const { return m_minimizer->iterate().positions(); }
+  Matrix3Xd positions() const { return m_minimizer->iterate().positions(); }
   Map_3 map() const { return judged(m_mesh, positions()); }
 
   // The same with the prescribed vertices on their targets.
-  Eigen::Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
+  Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
 
   // May the minimization with fixed boundary take over from there?
   bool can_snap() const
@@ -147,7 +147,7 @@ private:
     return box.norm() / std::cbrt(volume(m_mesh, m_mesh.source));
   }
 
-  void minimize(const Eigen::Matrix3Xd& u)
+  void minimize(const Matrix3Xd& u)
   {
     m_penalty.set_weight(penalty_factor(weight()));
     m_minimizer.emplace(m_system, m_penalty, m_energy, u, m_parameters, diameter());
@@ -156,7 +156,7 @@ private:
   void raise_weight()
   {
     ++m_number_of_raises;
-    minimize(Eigen::Matrix3Xd(m_minimizer->iterate().u));
+    minimize(Matrix3Xd(m_minimizer->iterate().u));
   }
 
   // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
@@ -164,7 +164,7 @@ private:
   bool is_blocked()
   {
     constexpr std::size_t number_of_first_raises = 3;
-    const Eigen::Matrix3Xd at_targets = snapped_positions();
+    const Matrix3Xd at_targets = snapped_positions();
     m_distances.push_back((at_targets - positions()).colwise().norm().maxCoeff());
     m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, at_targets).number);
     const std::size_t n = m_distances.size();
@@ -181,7 +181,7 @@ private:
   bool m_has_constraints; // other than the targets
   std::size_t m_patience;
   std::size_t m_number_of_raises;
-  Eigen::Matrix3Xd m_aligned_source;
+  Matrix3Xd m_aligned_source;
   double m_length;        // cube root of the volume of the target
   Scaled_cells_3 m_scaled;
   Quadratic_penalty_3 m_penalty;

@@ -25,7 +25,7 @@ public:
   Carried_search_3() = default;
 
   // New points are midpoints in the image, too.
-  Carried_search_3(const Numbered_body_3& body, const Eigen::Matrix3Xd& image, const std::vector<Insertion_3>& insertions,
+  Carried_search_3(const Numbered_body_3& body, const Matrix3Xd& image, const std::vector<Insertion_3>& insertions,
                    const Refinement_plan_3& plan)
     : m_approach(plan.approach), m_untangling(plan.untangling)
   {
@@ -66,7 +66,7 @@ public:
     result.patience = patience;
     if(!m_approach.goes_on)
       return result;
-    const Eigen::Matrix3Xd images = positions(body);
+    const Matrix3Xd images = positions(body);
     m_approach.goes_on = inverted_cells(body.mesh, images).number == 0;
     if(m_approach.goes_on)
     {
@@ -77,9 +77,9 @@ public:
   }
 
 private:
-  Eigen::Matrix3Xd positions(const Numbered_body_3& body) const
+  Matrix3Xd positions(const Numbered_body_3& body) const
   {
-    Eigen::Matrix3Xd result(3, body.points.size());
+    Matrix3Xd result(3, body.points.size());
     for(std::size_t v = 0; v < body.points.size(); ++v)
       result.col(v) = m_images.col(body.points[v]);
     return result;
@@ -87,7 +87,7 @@ private:
 
   Blocked_approach_3 m_approach;
   Stuck_untangling_3 m_untangling;
-  Eigen::Matrix3Xd m_images; // of the points
+  Matrix3Xd m_images; // of the points
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -26,7 +26,7 @@ struct Found_map_3;
 // Where the approach of a boundary starts, and how soon it gives up.
 struct Approach_start_3
 {
-  Eigen::Matrix3Xd positions;       // the images of all vertices, which invert no cell; none: the aligned source
+  Matrix3Xd positions;       // the images of all vertices, which invert no cell; none: the aligned source
   std::size_t number_of_raises = 0; // of the weight, that have led there
   // So many raises in a row that have not helped are the end.
   std::size_t patience = (std::numeric_limits<std::size_t>::max)();
@@ -35,7 +35,7 @@ struct Approach_start_3
 // Where untangling starts, and when it is left to a refinement to go on.
 struct Untangling_start_3
 {
-  Eigen::Matrix3Xd positions;                 // the images of all vertices; none: the harmonic map
+  Matrix3Xd positions;                 // the images of all vertices; none: the harmonic map
   std::size_t most_inverted_cells_to_split = 0; // if so many at most are left
 };
 

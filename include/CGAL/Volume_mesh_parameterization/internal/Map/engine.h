@@ -35,7 +35,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Puts vertices and cells into the order of all that follows: free vertices first, neighbors in space are neighbors in
 // memory. Writes source, cells, user numbers and the number of free vertices; returns the old number of each vertex.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
+std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Matrix3Xd& points,
                                            const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
@@ -43,7 +43,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
                        Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Eigen::Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
+Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
                                    const Budget& budget);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
@@ -60,7 +60,7 @@ Parameterization_result refused_result(const Input_check_3& check, const Progres
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Eigen::Matrix3Xd& points,
+std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Matrix3Xd& points,
                                            const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh)
 {
   const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed, mesh.is_parallel);

@@ -24,9 +24,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
 // without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. No images at all if
 // none are given.
-inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
+inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
 {
-  Eigen::Matrix3Xd result = mesh.initial;
+  Matrix3Xd result = mesh.initial;
   const auto is_missing = [&](const int v) { return mesh.initial.col(v).array().isNaN().any(); };
   for(int v = 0; v < result.cols(); ++v)
     if(is_missing(v))
@@ -42,14 +42,14 @@ inline Eigen::Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Lin
 // Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
 // displacements, and untangles. One point for all becomes the harmonic map, which recovers affine maps. If it inverts
 // cells, so may that with respect to regular cells, but mostly fewer, so that patches suffice.
-inline void untangle_from_3(Newton_system_3& system, const Eigen::Matrix3Xd& initial, const bool may_split,
+inline void untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, const bool may_split,
                             Progress_3& progress, Found_map_3& found)
 {
   const Numbered_mesh_3& mesh = system.mesh();
   constexpr double energy_tolerance = 1e-6; // of what is a start only
   progress.begin_stage();
-  Eigen::Matrix3Xd displacements = snapped(mesh, initial) - initial;
-  const auto image = [&]() -> Eigen::Matrix3Xd { return snapped(mesh, initial + displacements); };
+  Matrix3Xd displacements = snapped(mesh, initial) - initial;
+  const auto image = [&]() -> Matrix3Xd { return snapped(mesh, initial + displacements); };
   Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   const Map_3 start = judged(mesh, image());
   found.number_of_inverted_cells_at_start = start.number_of_inverted_cells;
@@ -72,12 +72,12 @@ inline void untangle_from_3(Newton_system_3& system, const Eigen::Matrix3Xd& ini
 // either, from the harmonic map.
 inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
                                            Linear_solver_3& solver, const Map_options_3& options,
-                                           const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
+                                           const Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
   progress.begin_stage();
   const bool goes_on = start.cols() > 0, may_split = options.untangling.most_inverted_cells_to_split > 0;
-  const Eigen::Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, progress);
-  const Eigen::Matrix3Xd one_point = mesh.base_point.replicate(1, mesh.number_of_vertices());
+  const Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, progress);
+  const Matrix3Xd one_point = mesh.base_point.replicate(1, mesh.number_of_vertices());
   const bool has_initial = !goes_on && initial.cols() > 0;
   Newton_system_3 system(mesh, free_vertices(mesh), solver);
   if(goes_on)
@@ -100,7 +100,7 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
                                           Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress,
                                           Found_map_3& found)
 {
-  std::optional<Eigen::Matrix3Xd> snapped_positions;
+  std::optional<Matrix3Xd> snapped_positions;
   {
     Boundary_approach_3 approach(mesh, energy, solver, options.soft, options.constraints, options.approach);
     progress.begin_stage();

@@ -43,7 +43,7 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
 }
 
 // By how much the boundary is missed, where most, and what can be done.
-inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions,
+inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
                                             const bool is_refinable)
 {
   const auto distance_of = [&](const int w) { return (positions.col(w) - mesh.target.col(w)).norm(); };

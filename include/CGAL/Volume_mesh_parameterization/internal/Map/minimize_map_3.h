@@ -30,7 +30,7 @@ struct Dominant_cells_3
 };
 
 inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
-                                         const Eigen::Matrix3Xd& image)
+                                         const Matrix3Xd& image)
 {
   constexpr double far_above = 100;
   const std::vector<double> psi
@@ -115,7 +115,7 @@ public:
   }
 
   // Do a few cells hold most of the energy?
-  bool is_dominated(const Eigen::Matrix3Xd& image)
+  bool is_dominated(const Matrix3Xd& image)
   {
     if(m_mesh.is_whole()) // the median of a part is not that of all
       m_dominant = dominant_cells_3(m_mesh, m_energy, image);

@@ -99,9 +99,9 @@ inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_
 // The cells that keep the prescribed vertices farthest from their targets away from there: not positive if all prescribed
 // vertices were put on their targets, and with a vertex more than half as far from it as any of these cells has.
 // What keeps the others away often resolves itself once these cells give way.
-inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, const Matrix3Xd& positions)
 {
-  const Eigen::Matrix3Xd at_targets = snapped(mesh, positions);
+  const Matrix3Xd at_targets = snapped(mesh, positions);
   const auto distance = [&](const std::size_t c)
   {
     double result = 0;

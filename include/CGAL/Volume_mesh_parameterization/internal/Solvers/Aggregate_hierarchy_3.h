@@ -25,7 +25,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // the number of rows. Small systems get no levels. Single precision suffices, whatever the precision of the system.
 class Aggregate_hierarchy_3
 {
-  static auto at(Eigen::VectorXf& v, const int i) { return v.segment<3>(3 * std::size_t(i)); }
+  using Vector_of_floats = Dynamic_matrix<float, Eigen::Dynamic>;
+  using Square_matrix = Dynamic_matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
+
+  static auto at(Vector_of_floats& v, const int i) { return v.segment<3>(3 * std::size_t(i)); }
 
 public:
   static constexpr int rows_per_aggregate = 32; // a guess; rows of the matrix, on the first level
@@ -84,8 +87,8 @@ private:
   {
     Block_sparse_matrix_3<float> matrix;
     int aggregates_per_group;
-    std::vector<Eigen::MatrixXf> inverses; // inverses of groups
-    Eigen::VectorXf residual, step, correction;
+    std::vector<Dynamic_matrix<float, Eigen::Dynamic, Eigen::Dynamic> > inverses; // inverses of groups
+    Vector_of_floats residual, step, correction;
   };
 
   // Makes a level, whose matrix has a block for each pair of aggregates between which A has one.
@@ -111,8 +114,8 @@ private:
     Level level;
     level.matrix.set_pattern(std::move(row_begin), std::move(all_columns));
     level.aggregates_per_group = aggregates_per_group;
-    for(Eigen::VectorXf* v : { &level.residual, &level.step, &level.correction })
-      v->setZero(3 * columns.size());
+    for(Vector_of_floats* v : { &level.residual, &level.step, &level.correction })
+      *v = Vector_of_floats::Zero(3 * columns.size());
     return level;
   }
 
@@ -145,7 +148,7 @@ private:
     for_each_range(m_is_parallel, A.size(), level.aggregates_per_group, [&](const std::size_t group, const int first, const int last)
     {
       const int n = 3 * (last - first);
-      Eigen::MatrixXd B = Eigen::MatrixXd::Zero(n, n);
+      Square_matrix B = Square_matrix::Zero(n, n);
       for(int row = first; row < last; ++row)
         for(int k = A.row_begin(row); k < A.row_end(row); ++k)
           if(A.column(k) >= first && A.column(k) < last)
@@ -159,14 +162,14 @@ private:
 
   // Inverts a small matrix by sweeps of one row after the other, and returns whether all pivots are positive. A factorization
   // by Eigen would add some 50 kB of machine code to each header-only unit.
-  static bool invert_positive_definite(Eigen::MatrixXd& B)
+  static bool invert_positive_definite(Square_matrix& B)
   {
     for(Eigen::Index k = 0; k < B.rows(); ++k)
     {
       const double pivot = B(k, k);
       if(!(pivot > 0))
         return false;
-      const Eigen::VectorXd column = B.col(k), scaled = column / pivot;
+      const VectorXd column = B.col(k), scaled = column / pivot;
       B.noalias() -= scaled * column.transpose();
       B.col(k) = scaled;
       B.row(k) = scaled.transpose();
@@ -228,7 +231,7 @@ private:
   }
 
   template <typename Vector>
-  static void sum_rows(const Vector& fine, const int size, const int first, const int last, Eigen::VectorXf& coarse)
+  static void sum_rows(const Vector& fine, const int size, const int first, const int last, Vector_of_floats& coarse)
   {
     const int n = static_cast<int>(fine.size() / 3);
     for(int i = first; i < last; ++i)

@@ -59,7 +59,8 @@ public:
   }
 
   // Solves the system. Asks `goes_on()` every 16 iterations, and ends as at the limit of iterations if the answer is no.
-  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+  template <typename Right, typename Solution>
+  Linear_solver_status solve(const Right& b, Solution& x, const double tolerance,
                              const std::function<bool()>& goes_on)
   {
     m_number_of_iterations = 0;
@@ -97,7 +98,7 @@ public:
   int number_of_iterations() const { return m_number_of_iterations; }
 
 private:
-  using Vector = Eigen::Matrix<NT, Eigen::Dynamic, 1>;
+  using Vector = Dynamic_matrix<NT, Eigen::Dynamic>;
 
   // Length of ranges of rows, a guess. The length is fixed, and each range has its own partial sum, so that sums have the same
   // bits for any number of threads.

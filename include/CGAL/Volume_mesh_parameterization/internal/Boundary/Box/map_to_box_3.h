@@ -116,9 +116,9 @@ struct Box_boundary_3
   double area() const
   { return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2] + half_lengths[2] * half_lengths[0]); }
 
-  Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
+  Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const
   {
-    Eigen::Matrix<double, 3, 2> result = Eigen::Matrix<double, 3, 2>::Zero();
+    Small_matrix<3, 2> result = Small_matrix<3, 2>::Zero();
     int column = 0;
     for(int axis = 0; axis < 3; ++axis)
       if(!is_on_side(image, axis))

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
 
 #include <cmath>
 
@@ -102,7 +103,7 @@ private:
 // Map of a surface onto a surface around the origin, such that the image of each triangle is seen from inside.
 //
 // A `Domain` tells where the image of a vertex may move:
-//   Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const;   // columns may be zero
+//   Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const;   // columns may be zero
 //   Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& tangential_step) const;
 //   static constexpr double curvature;
 //   double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;   // the distance
@@ -218,17 +219,16 @@ private:
     for(const Radial_distortion_3& triangle : m_triangles)
       triangle.add_derivatives(image, gradient, hessian);
 
-    const Eigen::Matrix<double, 3, 2> tangents = m_domain.tangents(image);
-    Eigen::Matrix2d tangential = tangents.transpose() * hessian * tangents;
-    tangential -= Domain::curvature * image.dot(gradient) * Eigen::Matrix2d::Identity();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
-    eigen.computeDirect(tangential);
-    const double smallest = 1e-8 * eigen.eigenvalues().cwiseAbs().maxCoeff();
-    const Eigen::Vector2d slope = eigen.eigenvectors().transpose() * (tangents.transpose() * gradient);
-    Eigen::Vector2d step;
+    const Small_matrix<3, 2> tangents = m_domain.tangents(image);
+    Small_matrix<2, 2> tangential = tangents.transpose() * hessian * tangents;
+    tangential -= Domain::curvature * image.dot(gradient) * Small_matrix<2, 2>::Identity();
+    const auto [eigenvalues, eigenvectors] = eigen_decomposition_2(tangential);
+    const double smallest = 1e-8 * eigenvalues.cwiseAbs().maxCoeff();
+    const Small_matrix<2, 1> slope = eigenvectors.transpose() * (tangents.transpose() * gradient);
+    Small_matrix<2, 1> step;
     for(int i = 0; i < 2; ++i)
-      step[i] = (slope[i] == 0) ? 0 : -slope[i] / (std::max)(std::abs(eigen.eigenvalues()[i]), smallest);
-    return tangents * (eigen.eigenvectors() * step);
+      step[i] = (slope[i] == 0) ? 0 : -slope[i] / (std::max)(std::abs(eigenvalues[i]), smallest);
+    return tangents * (eigenvectors * step);
   }
 
   const Vertex_rings_3& m_rings;

@@ -40,9 +40,9 @@ struct Unit_sphere_3
 {
   static constexpr double curvature = 1; // the curvature of the unit sphere
 
-  Eigen::Matrix<double, 3, 2> tangents(const Eigen::Vector3d& image) const
+  Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const
   {
-    Eigen::Matrix<double, 3, 2> result;
+    Small_matrix<3, 2> result;
     result.col(0) = image.unitOrthogonal();
     result.col(1) = image.cross(result.col(0));
     return result;

@@ -30,7 +30,7 @@ public:
   using Facet = std::array<int, 3>;
   using Pair = std::pair<std::size_t, std::size_t>; // indices of facets
 
-  Self_intersection_3(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets) : m_points(points), m_facets(facets)
+  Self_intersection_3(const Matrix3Xd& points, const std::vector<Facet>& facets) : m_points(points), m_facets(facets)
   {}
 
   // The first pair, whatever the order is in which the boxes are compared. Triangles without area are left out. Nothing, if
@@ -92,7 +92,7 @@ private:
     return true;
   }
 
-  const Eigen::Matrix3Xd& m_points;
+  const Matrix3Xd& m_points;
   const std::vector<Facet>& m_facets;
 };
 

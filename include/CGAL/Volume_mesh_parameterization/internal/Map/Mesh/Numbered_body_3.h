@@ -60,10 +60,10 @@ struct Numbered_body_3
   }
 
   // The columns of the vertices of an array over the points.
-  Eigen::Matrix3Xd columns(const std::vector<std::array<double, 3> >& of_points) const
+  Matrix3Xd columns(const std::vector<std::array<double, 3> >& of_points) const
   {
     constexpr int vertices_per_range = 4096;
-    Eigen::Matrix3Xd result(3, points.size());
+    Matrix3Xd result(3, points.size());
     for_each_in_ranges(mesh.is_parallel, points.size(), vertices_per_range,
                        [&](const std::size_t v) { result.col(v) = to_vector(of_points[points[v]]); });
     return result;

@@ -28,9 +28,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // its own vertices. Its last cells and its last free vertices are copies of those that other processes own.
 struct Numbered_mesh_3
 {
-  Eigen::Matrix3Xd source;               // one column a vertex
-  Eigen::Matrix3Xd target;               // the image; prescribed for the vertices that are not free
-  Eigen::Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
+  Matrix3Xd source;               // one column a vertex
+  Matrix3Xd target;               // the image; prescribed for the vertices that are not free
+  Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
   Eigen::Vector3d base_point = Eigen::Vector3d::Zero(); // the target of free vertices, near those of the others
@@ -52,7 +52,7 @@ struct Numbered_mesh_3
 };
 
 // The positions with the prescribed vertices on their targets.
-inline Eigen::Matrix3Xd snapped(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 {
   const int n = mesh.number_of_prescribed_vertices();
   positions.rightCols(n) = mesh.target.rightCols(n);
@@ -208,7 +208,7 @@ Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
   return result;
 }
 
-inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions)
+inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Matrix3Xd& positions)
 {
   return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
 }
@@ -216,7 +216,7 @@ inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Eigen::Matr
 // The images of all vertices, with the verdict of exact predicates on them.
 struct Map_3
 {
-  Eigen::Matrix3Xd positions;
+  Matrix3Xd positions;
   std::size_t number_of_inverted_cells = (std::numeric_limits<std::size_t>::max)(); // or flat ones
   std::vector<std::size_t> inverted_cells; // those of this process
   bool meets_boundary = false;
@@ -227,7 +227,7 @@ struct Map_3
 };
 
 // With the prescribed vertices to be on their targets.
-inline Map_3 judged(const Numbered_mesh_3& mesh, Eigen::Matrix3Xd positions)
+inline Map_3 judged(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 {
   const int n = mesh.number_of_prescribed_vertices();
   Found_cells inverted = inverted_cells(mesh, positions);

@@ -25,7 +25,7 @@ class Planar_patches_3
 public:
   using Facet = std::array<int, 3>;
 
-  Planar_patches_3(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
+  Planar_patches_3(const Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
     : m_patch(facets.size())
   {
     unite_coplanar_facets(points, facets);
@@ -41,7 +41,7 @@ public:
 
 private:
   // twice the area, times the unit normal
-  static Eigen::Vector3d area_vector(const Eigen::Matrix3Xd& points, const Facet& facet)
+  static Eigen::Vector3d area_vector(const Matrix3Xd& points, const Facet& facet)
   {
     const Eigen::Vector3d a = points.col(facet[1]) - points.col(facet[0]);
     const Eigen::Vector3d b = points.col(facet[2]) - points.col(facet[0]);
@@ -53,7 +53,7 @@ private:
   { return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized(); }
 
   // Are two facets with a common edge coplanar, and on either side of it?
-  static bool are_coplanar(const Eigen::Matrix3Xd& points, const Facet& f, const Facet& g)
+  static bool are_coplanar(const Matrix3Xd& points, const Facet& f, const Facet& g)
   {
     constexpr double small_angle = 1e-3; // a rounded coordinate turns a small facet much
     const Eigen::Vector3d m = area_vector(points, f).stableNormalized(), n = area_vector(points, g).stableNormalized();
@@ -74,7 +74,7 @@ private:
     return i;
   }
 
-  void unite_coplanar_facets(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets)
+  void unite_coplanar_facets(const Matrix3Xd& points, const std::vector<Facet>& facets)
   {
     Disjoint_sets patches(facets.size());
     for_each_edge(facets, [&](const auto begin, const auto end) // one of more than two facets joins none of them
@@ -89,7 +89,7 @@ private:
       m_patch[f] = patches.find(f);
   }
 
-  void fit_planes(const Eigen::Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
+  void fit_planes(const Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
   {
     m_normal.assign(facets.size(), Eigen::Vector3d::Zero());
     m_is_planar.assign(facets.size(), true);
@@ -150,7 +150,7 @@ public:
 
   // The positions with the vertices of the boundary moved back to where they belong, which rounding or scaling made
   // them leave. A coordinate that cannot change keeps its bits.
-  Eigen::Matrix3Xd restored(Eigen::Matrix3Xd positions) const
+  Matrix3Xd restored(Matrix3Xd positions) const
   {
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
     {
@@ -164,7 +164,7 @@ public:
 
   // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in
   // directions along the axes there is none.
-  double residual(const Eigen::Matrix3Xd& positions) const
+  double residual(const Matrix3Xd& positions) const
   {
     double result = 0;
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
@@ -178,7 +178,7 @@ public:
 
   // Is each facet of a planar patch oriented as in the target? Decided by exact predicates on the
   // coordinates, without the one in which the normal is the longest.
-  bool has_same_orientations(const Eigen::Matrix3Xd& positions) const
+  bool has_same_orientations(const Matrix3Xd& positions) const
   {
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       if(m_patches.is_planar(m_patches.patch(f))
@@ -211,10 +211,10 @@ private:
   }
 
   // from where it may be
-  Eigen::Vector3d offset(const Eigen::Matrix3Xd& positions, const int v) const
+  Eigen::Vector3d offset(const Matrix3Xd& positions, const int v) const
   { return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v)); }
 
-  CGAL::Orientation orientation(const Eigen::Matrix3Xd& positions, const std::size_t facet) const
+  CGAL::Orientation orientation(const Matrix3Xd& positions, const std::size_t facet) const
   {
     using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
     int longest;
@@ -235,7 +235,7 @@ private:
 };
 
 // With prescribed vertices that may slide.
-inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Eigen::Matrix3Xd positions)
+inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Matrix3Xd positions)
 {
   Map_3 map = judged(mesh, std::move(positions));
   map.distance_to_boundary = boundary.residual(map.positions);

@@ -38,6 +38,17 @@ struct Input_check_3
 template <typename... Parts>
 Input_check_3 failed_check(const Error_code status, const Parts&... parts) { return { status, sentence(parts...), true }; }
 
+// Points that coincide have no size. The volume of a cell is a product of three lengths, and energies have their fourth powers.
+inline Input_check_3 check_size(const Eigen::AlignedBox3d& box, const char* const name)
+{
+  constexpr double smallest = 1e-70, largest = 1e70;
+  const double diagonal = box.isEmpty() ? 0 : box.diagonal().stableNorm();
+  if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
+    return {};
+  return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
+                      ", which is not between ", smallest, " and ", largest, ".");
+}
+
 // Can there be a map? Names the first reason against it.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget = Budget());
@@ -66,20 +77,9 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
   return {};
 }
 
-// Points that coincide have no size. The volume of a cell is a product of three lengths, and energies have their fourth powers.
-inline Input_check_3 check_size(const Eigen::AlignedBox3d& box, const char* const name)
-{
-  constexpr double smallest = 1e-70, largest = 1e70;
-  const double diagonal = box.isEmpty() ? 0 : box.diagonal().stableNorm();
-  if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
-    return {};
-  return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,
-                      ", which is not between ", smallest, " and ", largest, ".");
-}
-
 inline Input_check_3 check_sizes(const Numbered_mesh_3& mesh)
 {
-  const Eigen::Matrix3Xd initial = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
+  const Matrix3Xd initial = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
   const std::pair<Eigen::AlignedBox3d, const char*> boxes[]
     = { { bounding_box(*mesh.communicator, mesh.source), "source" }, { target_box(mesh), "prescribed points" },
         { bounding_box(*mesh.communicator, initial), "initial images" } };

@@ -198,7 +198,7 @@ private:
 
   const Tetrahedron_soup_3& m_soup;
   std::vector<std::size_t> m_numbers;
-  Eigen::Array<std::size_t, Eigen::Dynamic, 1> m_mirrors; // first written by threads, as the items of compressed rows
+  Dynamic_matrix<std::size_t, Eigen::Dynamic> m_mirrors; // first written by threads, as the items of compressed rows
   std::vector<std::size_t> m_marked_facets; // the facet of a cell, for each that `soup.facets` marks first
 };
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #include <Eigen/Geometry>
@@ -60,7 +61,7 @@ template <typename Item>
 struct Compressed_rows
 {
   std::vector<std::size_t> begin; // of each row; while items are filled in, one place further
-  Eigen::Array<Item, Eigen::Dynamic, 1> items; // first written by the threads, which so share the clearing of its pages
+  Dynamic_matrix<Item, Eigen::Dynamic> items; // first written by the threads, which so share the clearing of its pages
 
   template <typename For_each_row_of>
   Compressed_rows(const std::size_t number_of_rows, const std::size_t number_of_items,
@@ -176,23 +177,22 @@ std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::arr
 
 // Two edges of a facet, and its area by these; `position(v)` is that of a vertex.
 template <typename Facet, typename Position>
-Eigen::Matrix<double, 3, 2> edges_of_facet(const Facet& facet, const Position& position)
+Small_matrix<3, 2> edges_of_facet(const Facet& facet, const Position& position)
 {
   const Eigen::Vector3d origin = position(facet[0]);
-  Eigen::Matrix<double, 3, 2> result;
+  Small_matrix<3, 2> result;
   result << position(facet[1]) - origin, position(facet[2]) - origin;
   return result;
 }
 
-inline double area_of_facet(const Eigen::Matrix<double, 3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; }
+inline double area_of_facet(const Small_matrix<3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; }
 
 // The squared singular values of the map between two triangles with edges X and U, the larger one first: the eigenvalues of
 // U^T U relative to X^T X, from half of a trace and a determinant.
-inline Eigen::Array2d squared_singular_values_of_facet(const Eigen::Matrix<double, 3, 2>& X,
-                                                       const Eigen::Matrix<double, 3, 2>& U)
+inline Small_array_2 squared_singular_values_of_facet(const Small_matrix<3, 2>& X, const Small_matrix<3, 2>& U)
 {
-  const Eigen::Matrix2d source = X.transpose() * X, image = U.transpose() * U;
-  const Eigen::Matrix2d relative = source.inverse() * image;
+  const Small_matrix<2, 2> source = X.transpose() * X, image = U.transpose() * U;
+  const Small_matrix<2, 2> inverse = source.inverse(), relative = inverse * image;
   const double half = relative.trace() / 2, determinant = relative.determinant();
   const double largest = half + std::sqrt((std::max)(half * half - determinant, 0.));
   return { largest, (std::max)(determinant / largest, 0.) };
@@ -211,8 +211,8 @@ double facet_distortion_3(const std::vector<Facet>& facets, const Point& point, 
   }
   for(const Facet& facet : facets)
   {
-    const Eigen::Matrix<double, 3, 2> X = edges_of_facet(facet, point), U = edges_of_facet(facet, image);
-    const Eigen::Array2d squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, U);
+    const Small_matrix<3, 2> X = edges_of_facet(facet, point), U = edges_of_facet(facet, image);
+    const Small_array_2 squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, U);
     result += area_of_facet(X) / area_of_facets * squares.log().matrix().norm() / 2;
   }
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;

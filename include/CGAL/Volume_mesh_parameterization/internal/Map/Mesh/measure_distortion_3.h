@@ -45,14 +45,14 @@ inline void replace_by_infinity(Distortion_3& distortion)
 }
 
 // The signed singular values of a map in each cell that this process owns.
-inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 {
   return values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell) -> Eigen::Vector3d
   { return signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse()); });
 }
 
 // By what the singular values of a map are multiplied where its image is scaled to the volume of the source.
-inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 { return std::cbrt(volume(mesh, mesh.source) / volume(mesh, image)); }
 
 // The distortions of a map by its singular values in each cell, multiplied by a factor.
@@ -70,7 +70,7 @@ inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std:
   return result;
 }
 
-inline Cell_quality_3 measure_quality_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+inline Cell_quality_3 measure_quality_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 {
   const Cell_quality_3 own = worst_quality(values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell)
   {
@@ -81,7 +81,7 @@ inline Cell_quality_3 measure_quality_3(const Numbered_mesh_3& mesh, const Eigen
            communicator.minimum(own.smallest_scaled_Jacobian), communicator.maximum(own.largest_aspect_ratio) };
 }
 
-inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& image)
+inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 { return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)).angle_max; }
 
 // Psi of each cell, with the singular values multiplied by a factor.
@@ -111,9 +111,9 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
-inline double angle_distortion_of_facet(const Eigen::Matrix<double, 3, 2>& X, const Eigen::Matrix<double, 3, 2>& U)
+inline double angle_distortion_of_facet(const Small_matrix<3, 2>& X, const Small_matrix<3, 2>& U)
 {
-  const Eigen::Array2d s = squared_singular_values_of_facet(X, U).sqrt();
+  const Small_array_2 s = squared_singular_values_of_facet(X, U).sqrt();
   return angle_distortion(s[0], s[1]);
 }
 

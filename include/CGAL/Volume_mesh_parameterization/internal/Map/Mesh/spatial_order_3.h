@@ -32,7 +32,7 @@ void sort_in_space(const Iterator begin, const Iterator end, const std::vector<E
 
 // An order of the vertices, the free ones first, in which neighbors in space are neighbors in memory: of the free ones
 // only, the others keep their order.
-inline std::vector<std::size_t> spatial_order_3(const Eigen::Matrix3Xd& source, const std::vector<bool>& is_prescribed,
+inline std::vector<std::size_t> spatial_order_3(const Matrix3Xd& source, const std::vector<bool>& is_prescribed,
                                                 const bool is_parallel = false)
 {
   const std::vector<Exact_point_3> points

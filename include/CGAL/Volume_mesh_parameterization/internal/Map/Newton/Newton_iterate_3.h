@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 struct Line_search_step_3
 {
   double length = 0;            // 0 if no step was acceptable
-  Eigen::Matrix3Xd positions;   // after the step, if there is one
+  Matrix3Xd positions;   // after the step, if there is one
   Energy_evaluation evaluation;
 };
 
@@ -29,13 +29,13 @@ struct Line_search_step_3
 struct Newton_iterate_3
 {
   double unit = 1;               // of the system
-  Eigen::Matrix3Xd u = {};
+  Matrix3Xd u = {};
   Energy_evaluation evaluation = {}; // of the energy that is minimized
   double energy_of_other_cells = 0; // that no unknown vertex belongs to
   Newton_direction_3 direction = {};
   double step_length = 0;
 
-  Eigen::Matrix3Xd positions() const { return u / unit; } // of all vertices, in the units of the user
+  Matrix3Xd positions() const { return u / unit; } // of all vertices, in the units of the user
   double energy() const { return evaluation.energy + energy_of_other_cells; }
 
   // Moves along a direction, if it is usable, as far as `search()` finds. Returns whether there was an acceptable step.
@@ -68,7 +68,7 @@ inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cel
   const double smallest_length = std::isinf(gradient_bound) ? 1e-12 : 1e-3 * first_length;
   for(double length = first_length; length > smallest_length; length /= 2)
   {
-    Eigen::Matrix3Xd trial = iterate.u + length * iterate.direction.vectors;
+    Matrix3Xd trial = iterate.u + length * iterate.direction.vectors;
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if((!must_be_flip_free || evaluation.is_flip_free())
        && evaluation.energy <= iterate.evaluation.energy + sufficient_decrease * length * iterate.direction.slope
@@ -95,8 +95,8 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
 {
   while(true)
   {
-    const Eigen::Matrix3Xd doubled = 2 * step.length * iterate.direction.vectors;
-    Eigen::Matrix3Xd trial = iterate.u + doubled;
+    const Matrix3Xd doubled = 2 * step.length * iterate.direction.vectors;
+    Matrix3Xd trial = iterate.u + doubled;
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy)
        || system.largest_step(iterate.u, doubled) < 1)
@@ -147,7 +147,7 @@ private:
 // Where a Newton iteration has ended, and why.
 struct Newton_result_3
 {
-  Eigen::Matrix3Xd positions;     // the images of all vertices, in the units of the user
+  Matrix3Xd positions;     // the images of all vertices, in the units of the user
   double energy = 0;              // of all cells
   Error_code status = ERROR_NOT_CONVERGED;
   std::string reason = {};        // for the status; empty if there is nothing to add
@@ -183,14 +183,14 @@ inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phas
 // that of a solver which is not exact leaves about the squared tolerance of its gain. Then further steps with the same
 // matrix follow, until no more than a part of the energy is left to gain, or the budget is exhausted. Returns the last
 // direction, which is not usable if there was none.
-inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Eigen::Matrix3Xd& positions, Progress_3& progress,
+inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& positions, Progress_3& progress,
                                          const double energy_tolerance = 1e-14)
 {
   constexpr int maximal_number_of_steps = 20;
   const Dirichlet_energy_3 energy;
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;
-  Eigen::Matrix3Xd u = system.unit() * positions;
+  Matrix3Xd u = system.unit() * positions;
   if(progress.is_interrupted())
     return {};
   Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance, progress.budget());

@@ -33,7 +33,7 @@ inline double scale_of(const Cell_energy_3& energy)
 class Minimizer_3
 {
 public:
-  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Eigen::Matrix3Xd& positions,
+  Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Matrix3Xd& positions,
               const Negative_curvature& negative_curvature)
     : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.unit(), system.unit() * positions },
       m_negative_curvature(negative_curvature)
@@ -157,7 +157,7 @@ using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3
 // Minimizes from images on that invert no cell; vertices that are not unknown stay where they are. The first step that
 // promises no more than the negligible part of the energy is the last one: the next one would gain about its square.
 inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_energy_3& energy,
-                                         const Eigen::Matrix3Xd& positions, Progress_3& progress,
+                                         const Matrix3Xd& positions, Progress_3& progress,
                                          const Negative_curvature& negative_curvature = Negative_curvature(),
                                          const Ends_here& ends_here = nullptr, const double negligible_gain = 1e-8)
 {

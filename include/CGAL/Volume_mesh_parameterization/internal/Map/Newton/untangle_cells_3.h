@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangler_3
 {
 public:
-  Untangler_3(Newton_system_3& system, const Eigen::Matrix3Xd& u, const double theta, const std::size_t few,
+  Untangler_3(Newton_system_3& system, const Matrix3Xd& u, const double theta, const std::size_t few,
               const double solver_tolerance)
     : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few(few), m_iterate{ system.unit(), u }, m_best(u)
   {
@@ -32,7 +32,7 @@ public:
   }
 
   const Newton_iterate_3& iterate() const { return m_iterate; }
-  const Eigen::Matrix3Xd& best() const { return m_best; } // with the fewest inverted cells so far
+  const Matrix3Xd& best() const { return m_best; } // with the fewest inverted cells so far
 
   void step(const Budget& budget)
   {
@@ -83,14 +83,14 @@ private:
   double m_theta, m_solver_tolerance, m_epsilon;
   std::size_t m_few;
   Newton_iterate_3 m_iterate;
-  Eigen::Matrix3Xd m_best;
+  Matrix3Xd m_best;
   std::size_t m_fewest_inverted_cells, m_halved_inverted_cells;
   std::size_t m_steps_without_progress = 0, m_steps_without_half = 0;
 };
 
 // Untangles until no cell is inverted, or a few that are better left to patches. The result has the fewest inverted cells
 // of all steps.
-inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Eigen::Matrix3Xd& positions, const double theta,
+inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Matrix3Xd& positions, const double theta,
                                         Progress_3& progress, const std::size_t few = 0,
                                         const double solver_tolerance = 1e-2)
 {

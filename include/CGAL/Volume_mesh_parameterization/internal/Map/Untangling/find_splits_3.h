@@ -66,7 +66,7 @@ inline bool is_inside(const Numbered_mesh_3& mesh, const std::array<int, 2>& edg
 
 // The edges of a patch at vertices of inverted cells that move; and those inside that join two prescribed vertices, and are
 // in a cell at any vertex of an inverted one. Those of inverted cells come last.
-inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const Eigen::Matrix3Xd& image)
+inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const Matrix3Xd& image)
 {
   std::set<int> centers;
   for(const std::size_t c : inverted_cells(patch, image).cells)
@@ -93,9 +93,9 @@ inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const E
 }
 
 // The points with the midpoints of edges, which come after the first n points.
-inline Eigen::Matrix3Xd with_midpoints(const Eigen::Matrix3Xd& points, const Edges_3& edges, const int n)
+inline Matrix3Xd with_midpoints(const Matrix3Xd& points, const Edges_3& edges, const int n)
 {
-  Eigen::Matrix3Xd result(3, points.cols() + edges.size());
+  Matrix3Xd result(3, points.cols() + edges.size());
   result.leftCols(n) = points.leftCols(n);
   result.rightCols(points.cols() - n) = points.rightCols(points.cols() - n);
   for(std::size_t i = 0; i < edges.size(); ++i)
@@ -104,7 +104,7 @@ inline Eigen::Matrix3Xd with_midpoints(const Eigen::Matrix3Xd& points, const Edg
 }
 
 // Splits edges of a patch, one after the other, at their midpoints in source and image. The new vertices move.
-inline void split_patch_edges_3(Numbered_mesh_3& patch, Eigen::Matrix3Xd& image, const Edges_3& edges)
+inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const Edges_3& edges)
 {
   const int n = patch.number_of_free_vertices;
   const int number_of_edges = static_cast<int>(edges.size());
@@ -167,7 +167,7 @@ std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solve
     Patch_mesh_3 split = patch;
     split_patch_edges_3(split.mesh, split.positions, edges);
     Newton_system_3 system(split.mesh, free_vertices(split.mesh), solver);
-    const Eigen::Matrix3Xd found = untangle_patch_by_3(attempt, system, split.positions, budget);
+    const Matrix3Xd found = untangle_patch_by_3(attempt, system, split.positions, budget);
     goes_on = after_attempt();
     return inverted_cells(split.mesh, found).number;
   };
@@ -212,7 +212,7 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
   };
   Edges_3 result;
   std::vector<bool> is_solved(mesh.number_of_vertices(), false); // the vertices that move in a patch
-  const auto is_chosen = [&](const Eigen::Matrix3Xd& image, const std::array<int, 4>& cell)
+  const auto is_chosen = [&](const Matrix3Xd& image, const std::array<int, 4>& cell)
   {
     return !is_positive(image, cell) && std::none_of(cell.begin(), cell.end(), [&](const int v) { return is_solved[v]; });
   };

@@ -58,7 +58,7 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
 
 // Those of rings of cells around them, too.
 template <typename Condition>
-std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions,
+std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
                                        const Condition& is_chosen, const int number_of_rings)
 {
   std::vector<bool> result = free_vertices_of(mesh, [&](const auto& cell) { return is_chosen(positions, cell); });
@@ -71,7 +71,7 @@ std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Eigen:
 // The cells for which `is_chosen` is true with rings of cells around them, whose free vertices move: one patch for each
 // connected part.
 template <typename Condition>
-std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Eigen::Matrix3Xd& positions, const Condition& is_chosen,
+std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Condition& is_chosen,
                                const int number_of_rings)
 {
   const std::vector<bool> is_moving = free_vertices_around(mesh, positions, is_chosen, number_of_rings);
@@ -108,9 +108,9 @@ struct Patch_mesh_3
 {
   Numbered_mesh_3 mesh;
   std::vector<int> vertices; // their numbers in the mesh of the patch
-  Eigen::Matrix3Xd positions;
+  Matrix3Xd positions;
 
-  Patch_mesh_3(const Numbered_mesh_3& whole, const Eigen::Matrix3Xd& image, const Patch_3& patch)
+  Patch_mesh_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Patch_3& patch)
     : vertices(patch.moving.begin(), patch.moving.end())
   {
     mesh.number_of_free_vertices = static_cast<int>(vertices.size());
@@ -141,7 +141,7 @@ struct Patch_mesh_3
   }
 
   // Puts the images of the vertices that move back to the whole mesh.
-  void write(Eigen::Matrix3Xd& image) const
+  void write(Matrix3Xd& image) const
   {
     for(int i = 0; i < mesh.number_of_free_vertices; ++i)
       image.col(vertices[i]) = positions.col(i);
@@ -175,7 +175,7 @@ public:
   // The free vertices of chosen cells, and of rings around them, are free. Where a process might have no memory for so
   // many cells, none is gathered, and nothing patched.
   template <typename Condition>
-  Neighborhood_3(const Numbered_mesh_3& whole, const Eigen::Matrix3Xd& image, const Condition& is_chosen,
+  Neighborhood_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Condition& is_chosen,
                  const int number_of_rings)
     : m_whole(whole), m_image(image), m_communicator(*whole.communicator)
   {
@@ -184,14 +184,14 @@ public:
   }
 
   const Numbered_mesh_3& mesh() const { return m_whole.is_whole() ? m_whole : m_mesh; }
-  const Eigen::Matrix3Xd& positions() const { return m_whole.is_whole() ? m_image : m_positions; }
+  const Matrix3Xd& positions() const { return m_whole.is_whole() ? m_image : m_positions; }
 
   // The image of the whole mesh with these positions of the free vertices.
-  Eigen::Matrix3Xd in_whole(const Eigen::Matrix3Xd& positions) const
+  Matrix3Xd in_whole(const Matrix3Xd& positions) const
   {
     if(m_whole.is_whole())
       return positions;
-    Eigen::Matrix3Xd result = m_image;
+    Matrix3Xd result = m_image;
     for(const auto& [v, place] : m_places)
       result.col(v) = positions.col(place);
     return result;
@@ -199,9 +199,9 @@ public:
 
   // What the first process finds, with its rounding: that of others may differ, if their processors do.
   template <typename Find>
-  Eigen::Matrix3Xd found_by_first(const Find& find) const
+  Matrix3Xd found_by_first(const Find& find) const
   {
-    const Eigen::Matrix3Xd found = m_communicator.rank() == 0 ? find() : Eigen::Matrix3Xd(3, 0);
+    const Matrix3Xd found = m_communicator.rank() == 0 ? find() : Matrix3Xd(3, 0);
     const std::vector<double> x = m_communicator.concatenated({ found.data(), found.data() + found.size() });
     return Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3);
   }
@@ -255,10 +255,10 @@ private:
   }
 
   const Numbered_mesh_3& m_whole;
-  Eigen::Matrix3Xd m_image;
+  Matrix3Xd m_image;
   const Communicator_3& m_communicator;
   Numbered_mesh_3 m_mesh;
-  Eigen::Matrix3Xd m_positions;
+  Matrix3Xd m_positions;
   std::vector<std::pair<int, int> > m_places; // of the free vertices that this process knows, in both meshes
 };
 

@@ -50,16 +50,16 @@ public:
   }
 
   // The whole mesh, and then patches of it.
-  void untangle(const Untangling_attempt_3& attempt, const Eigen::Matrix3Xd& start)
+  void untangle(const Untangling_attempt_3& attempt, const Matrix3Xd& start)
   {
-    const Eigen::Matrix3Xd positions
+    const Matrix3Xd positions
       = keep_better(attempt.name, [&] { return untangle_by_3(attempt, m_system, start, m_progress); });
     if(goes_on())
       untangle_patches(positions, std::string(attempt.name) + ", patches");
   }
 
   // Unless so many cells are inverted that they are no exceptions.
-  void untangle_patches(const Eigen::Matrix3Xd& start, const std::string& method)
+  void untangle_patches(const Matrix3Xd& start, const std::string& method)
   {
     if(inverted_cells(m_mesh, start).number <= most_exceptions(m_mesh.global_number_of_cells()))
       keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress); });
@@ -68,7 +68,7 @@ public:
   // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from. If cells are so
   // flat that a minimization would hardly take a step, the search goes on, too: in thin parts, the harmonic map shrinks
   // cells exponentially, and only the search over the whole mesh spreads them.
-  void begin_with_patches(const Eigen::Matrix3Xd& map)
+  void begin_with_patches(const Matrix3Xd& map)
   {
     constexpr double flat = 1e-12;
     const Found_map_3 start = m_best;
@@ -83,7 +83,7 @@ private:
   // Returns the images that `find()` does, and keeps them if they are the best. Images without inverted cells replace others
   // of that kind if there were steps, as those were flat.
   template <typename Find>
-  Eigen::Matrix3Xd keep_better(const std::string& method, const Find& find)
+  Matrix3Xd keep_better(const std::string& method, const Find& find)
   {
     m_progress.begin_attempt(method);
     const std::size_t steps_before = m_progress.number_of_steps();
@@ -110,7 +110,7 @@ private:
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
 // from the same start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are
 // left, so edges at these are rather split, if they may be.
-inline void untangle_3(Newton_system_3& system, const Map_3& start, const Eigen::Matrix3Xd& regular_start,
+inline void untangle_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
                        const bool may_split, Progress_3& progress, Found_map_3& found)
 {
   constexpr std::size_t few_to_split = 10;
@@ -129,7 +129,7 @@ inline void untangle_3(Newton_system_3& system, const Map_3& start, const Eigen:
 }
 
 // Goes on from images that an earlier search has left with few inverted cells, or none.
-inline void untangle_on_3(Newton_system_3& system, const Eigen::Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
+inline void untangle_on_3(Newton_system_3& system, const Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
 {
   Untangling_search_3 search(system, judged(system.mesh(), start), progress, found);
   search.untangle_patches(start, "patches");

@@ -57,7 +57,7 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
 
 // What an attempt makes of these images of all vertices; the system keeps its reference cells.
 inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
-                                     Eigen::Matrix3Xd positions, Progress_3& progress)
+                                     Matrix3Xd positions, Progress_3& progress)
 {
   system.set_references(attempt.has_regular_cells);
   if(attempt.is_harmonic)
@@ -69,7 +69,7 @@ inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton
 }
 
 // A few steps from images that invert no cell towards the cells of the source.
-inline Eigen::Matrix3Xd relaxed_3(Newton_system_3& system, const Eigen::Matrix3Xd& positions, const Budget& budget)
+inline Matrix3Xd relaxed_3(Newton_system_3& system, const Matrix3Xd& positions, const Budget& budget)
 {
   constexpr std::size_t number_of_steps = 10;
   const Untangling_energy_3 barrier(0, 0.01);
@@ -80,8 +80,8 @@ inline Eigen::Matrix3Xd relaxed_3(Newton_system_3& system, const Eigen::Matrix3X
 }
 
 // What an attempt makes of the images of a patch. Cells that have just become positive are flat, and are relaxed.
-inline Eigen::Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
-                                            const Eigen::Matrix3Xd& positions, const Budget& budget)
+inline Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
+                                            const Matrix3Xd& positions, const Budget& budget)
 {
   constexpr std::size_t maximal_number_of_steps = 250;
   Progress_3 steps(budget, maximal_number_of_steps);
@@ -90,17 +90,17 @@ inline Eigen::Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt,
 }
 
 // One attempt after the other, until no cell is inverted. Returns the images with the fewest inverted cells.
-inline Eigen::Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver,
-                                          const Eigen::Matrix3Xd& start, const Budget& budget)
+inline Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3& solver,
+                                          const Matrix3Xd& start, const Budget& budget)
 {
   Newton_system_3 system(patch, free_vertices(patch), solver);
-  Eigen::Matrix3Xd best = start;
+  Matrix3Xd best = start;
   std::size_t fewest = inverted_cells(patch, start).number;
   for(const Untangling_attempt_3& attempt : patch_attempts())
   {
     if(fewest == 0 || budget.is_exhausted())
       break;
-    const Eigen::Matrix3Xd found = untangle_patch_by_3(attempt, system, start, budget);
+    const Matrix3Xd found = untangle_patch_by_3(attempt, system, start, budget);
     const std::size_t number = inverted_cells(patch, found).number;
     if(number < fewest)
     {
@@ -115,10 +115,10 @@ inline Eigen::Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_s
 // its own in which all other vertices are prescribed where they are. Small problems get past what stops the whole, in
 // thousandths of a second. A step is a patch.
 inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
-                                          const Eigen::Matrix3Xd& start, Progress_3& progress)
+                                          const Matrix3Xd& start, Progress_3& progress)
 {
   constexpr int maximal_number_of_rings = 2;
-  const auto is_inverted = [](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+  const auto is_inverted = [](const Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return !is_positive(positions, cell); };
   progress.end_start();
   std::size_t number = inverted_cells(mesh, start).number;
@@ -126,7 +126,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
     return { start, 0, OK };
   // of what becomes inverted, too
   const Neighborhood_3 neighborhood(mesh, start, is_inverted, maximal_number_of_rings + 1);
-  Eigen::Matrix3Xd positions = neighborhood.positions();
+  Matrix3Xd positions = neighborhood.positions();
   const auto untangle = [&](const Patch_3& patch)
   {
     Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
@@ -158,19 +158,19 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
 
 // Relaxes patches of those cells that are flat, from a map on that inverts none. They hold most of an energy, and a
 // minimization over the whole mesh would deal with them in its first ten steps, which take far longer.
-inline Eigen::Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linear_solver_3& solver,
-                                             const Eigen::Matrix3Xd& image, const Budget& budget)
+inline Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linear_solver_3& solver,
+                                             const Matrix3Xd& image, const Budget& budget)
 {
   constexpr double flat_part = 0.01; // of the mean volume
   const double flat = flat_part * 6 * volume(whole, image) / whole.global_number_of_cells();
-  const auto is_flat = [&](const Eigen::Matrix3Xd& positions, const std::array<int, 4>& cell)
+  const auto is_flat = [&](const Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return edge_matrix(positions, cell).determinant() < flat; };
   const Neighborhood_3 neighborhood(whole, image, is_flat, 1);
-  Eigen::Matrix3Xd positions = neighborhood.positions();
+  Matrix3Xd positions = neighborhood.positions();
   for(const Patch_3& patch : patches_3(neighborhood.mesh(), positions, is_flat, 1))
   {
     Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
-    p.positions = neighborhood.found_by_first([&]() -> Eigen::Matrix3Xd
+    p.positions = neighborhood.found_by_first([&]() -> Matrix3Xd
     {
       if(budget.is_exhausted())
         return p.positions;

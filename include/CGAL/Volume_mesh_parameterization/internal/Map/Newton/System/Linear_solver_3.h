@@ -43,7 +43,7 @@ public:
   virtual ~Linear_system_3() = default;
   virtual Newton_matrix_3& matrix() = 0;
   virtual Linear_solver_status factorize() = 0; // the matrix as it is now
-  virtual Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance,
+  virtual Linear_solver_status solve(const VectorXd& b, VectorXd& x, double tolerance,
                                      const Budget& budget) = 0;
 };
 
@@ -59,9 +59,13 @@ public:
   virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
 };
 
-template <typename Solver>
+template <typename Solver, typename Vector>
+using Solution_of
+  = decltype(std::declval<Solver&>().solve(std::declval<const Vector&>(), std::declval<Vector&>(), 0.));
+
+template <typename Solver, typename Vector>
 using Solution_that_asks = decltype(std::declval<Solver&>().solve(
-  std::declval<const Eigen::VectorXd&>(), std::declval<Eigen::VectorXd&>(), 0., std::declval<std::function<bool()> >()));
+  std::declval<const Vector&>(), std::declval<Vector&>(), 0., std::declval<std::function<bool()> >()));
 
 template <typename Solver>
 using Number_of_iterations = decltype(std::declval<const Solver&>().number_of_iterations());
@@ -116,14 +120,25 @@ private:
       return m_owner.m_solver.factorize(A);
     }
 
-    Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, const double tolerance,
+    Linear_solver_status solve(const VectorXd& b, VectorXd& x, const double tolerance,
                                const Budget& budget) override
     {
+      const auto solve = [&](const auto& right, auto& solution)
+      {
+        if constexpr(boost::is_detected<Solution_that_asks, Solver, std::decay_t<decltype(solution)> >::value)
+          return m_owner.m_solver.solve(right, solution, tolerance, [&] { return !budget.is_exhausted(); });
+        else
+          return m_owner.m_solver.solve(right, solution, tolerance);
+      };
       Linear_solver_status status;
-      if constexpr(boost::is_detected<Solution_that_asks, Solver>::value)
-        status = m_owner.m_solver.solve(b, x, tolerance, [&] { return !budget.is_exhausted(); });
-      else
-        status = m_owner.m_solver.solve(b, x, tolerance);
+      if constexpr(boost::is_detected<Solution_of, Solver, VectorXd>::value)
+        status = solve(b, x);
+      else // of a user, who knows the vectors of Eigen
+      {
+        Eigen::VectorXd solution;
+        status = solve(Eigen::VectorXd(b), solution);
+        x = solution;
+      }
       if constexpr(boost::is_detected<Number_of_iterations, Solver>::value)
         m_owner.m_number_of_iterations += m_owner.m_solver.number_of_iterations();
       m_owner.m_number_of_cut_solutions += status == Linear_solver_status::ITERATION_LIMIT && !budget.is_exhausted();
@@ -146,10 +161,10 @@ struct Newton_direction_3
 {
   Linear_solver_status status = Linear_solver_status::FAILED;
   bool is_of_semidefinite_matrix = false;
-  Eigen::Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
+  Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
   double gradient_norm = 0;
   double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
-  Eigen::VectorXd slopes;    // what each row has of it, of this process
+  VectorXd slopes;    // what each row has of it, of this process
 
   double decrement() const { return std::sqrt((std::max)(0., -slope)); }
 

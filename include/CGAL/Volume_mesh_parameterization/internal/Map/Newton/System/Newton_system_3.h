@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
 // the cells: those that this process owns.
-inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u)
+inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Matrix3Xd& u)
 {
   const Cell_kernels_3& kernels = cell_kernels_3();
   std::vector<Energy_evaluation> parts(packs.number_of_own_chunks());
@@ -43,8 +43,8 @@ void for_each_chunk_in_rounds(const Cell_packs_3& packs, const Function& f)
 }
 
 // Adds the gradient by the unknown vertices, one column a row.
-inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
-                                Eigen::Matrix3Xd& gradient)
+inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& energy, const Matrix3Xd& u,
+                                Matrix3Xd& gradient)
 {
   const Cell_kernels_3& kernels = cell_kernels_3();
   for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
@@ -53,8 +53,8 @@ inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& 
 
 // The gradient and the Hessian, of which the part `negative_curvature` of negative eigenvalues in each cell is kept.
 template <typename NT>
-void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Eigen::Matrix3Xd& u,
-                     const double negative_curvature, Eigen::Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
+void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Matrix3Xd& u,
+                     const double negative_curvature, Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
 {
   const auto add_derivatives = std::get<Cell_kernels_3::Add_derivatives<NT> >(cell_kernels_3().add_derivatives);
   gradient.setZero(3, hessian.size());
@@ -70,7 +70,7 @@ void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, con
 }
 
 // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
-inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& u, const Eigen::Matrix3Xd& d)
+inline double largest_step_3(const Cell_packs_3& packs, const Matrix3Xd& u, const Matrix3Xd& d)
 {
   const Cell_kernels_3& kernels = cell_kernels_3();
   std::vector<double> parts(packs.number_of_own_chunks(), 1.);
@@ -85,7 +85,7 @@ inline double largest_step_3(const Cell_packs_3& packs, const Eigen::Matrix3Xd& 
 class Newton_system_3
 {
 public:
-  using Positions = Eigen::Matrix3Xd;
+  using Positions = Matrix3Xd;
 
   // With the cells of the source as reference.
   Newton_system_3(const Numbered_mesh_3& mesh, Unknowns_3 unknowns, Linear_solver_3& solver)
@@ -132,7 +132,7 @@ public:
   }
 
   // The smallest volume of a cell, with inverted ones below 0, relative to the mean one; of positions in the user's units.
-  double smallest_relative_volume(const Eigen::Matrix3Xd& positions) const
+  double smallest_relative_volume(const Matrix3Xd& positions) const
   {
     const Dirichlet_energy_3 any;
     return evaluate(Cell_energy_of<Dirichlet_energy_3>(any), m_unit * positions).smallest_determinant;
@@ -217,7 +217,7 @@ private:
     result.status = is_critical || is_factorized ? Linear_solver_status::SUCCESS : m_system->factorize();
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
-    Eigen::VectorXd solution = Eigen::VectorXd::Zero(gradient.size());
+    VectorXd solution = VectorXd::Zero(gradient.size());
     if(!is_critical)
       result.status = m_system->solve(-gradient, solution, tolerance, budget);
     if(result.is_exact() || result.status == Linear_solver_status::ITERATION_LIMIT)
@@ -225,9 +225,9 @@ private:
       result.slope = dot(gradient, solution);
       if(!(result.slope < 0) && result.gradient_norm > 0) // otherwise it would pass for a minimum
         result.status = Linear_solver_status::NOT_POSITIVE_DEFINITE;
-      Positions direction = Eigen::Map<const Positions>(solution.data(), 3, columns.cols());
+      Positions direction = Eigen::Map<const Eigen::Matrix3Xd>(solution.data(), 3, columns.cols());
       m_unknowns.project(direction);
-      result.slopes = columns.cwiseProduct(direction).colwise().sum();
+      result.slopes = columns.cwiseProduct(direction).colwise().sum().transpose();
       result.vectors = m_unknowns.to_vertices(direction);
     }
     return result;

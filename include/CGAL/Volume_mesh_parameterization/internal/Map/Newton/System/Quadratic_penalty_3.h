@@ -26,7 +26,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Quadratic_penalty_3
 {
 public:
-  using Positions = Eigen::Matrix3Xd;
+  using Positions = Matrix3Xd;
 
   explicit Quadratic_penalty_3(std::vector<Linear_constraint_3<int> > constraints, const double weight)
     : m_constraints(std::move(constraints)), m_weight(weight)

@@ -61,17 +61,17 @@ public:
   int vertex(const int row) const { return m_vertices[row]; }
 
   // Puts the columns of the rows to their vertices; adding the result to positions leaves the others as they are.
-  Eigen::Matrix3Xd to_vertices(const Eigen::Matrix3Xd& columns) const
+  Matrix3Xd to_vertices(const Matrix3Xd& columns) const
   {
     // adding 0. would turn -0. into 0.
-    Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, number_of_vertices(), -0.);
+    Matrix3Xd result = Matrix3Xd::Constant(3, number_of_vertices(), -0.);
     for(int row = 0; row < size(); ++row)
       result.col(vertex(row)) = columns.col(row);
     return result;
   }
 
   // Newton steps stay in the directions P if P H P d = -P g is solved in place of H d = -g.
-  void project(Eigen::Matrix3Xd& columns) const
+  void project(Matrix3Xd& columns) const
   {
     for(std::size_t row = 0; row < m_projectors.size(); ++row)
       columns.col(row) = m_projectors[row] * columns.col(row);

@@ -1,0 +1,66 @@
+// Matrices whose memory and alignment depend on no flags.
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
+
+#include "catch.h"
+
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace {
+
+using Columns = CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
+
+Eigen::Matrix3Xd numbers(const Eigen::Index n)
+{ return Eigen::Matrix3Xd::NullaryExpr(3, n, [](const Eigen::Index i, const Eigen::Index k) { return double(10 * k + i); }); }
+
+} // namespace
+
+TEST_CASE("A dynamic matrix takes expressions of itself that have another size")
+{
+  Columns a = numbers(7);
+  a = a.rightCols(3);
+  CHECK(a == numbers(7).rightCols(3));
+  a = a.rowwise().reverse();
+  CHECK(a.cols() == 3);
+  const Columns b = a;
+  a = Eigen::Matrix3d::Identity() * a;
+  CHECK(a == b);
+  a = a.leftCols(0);
+  CHECK(a.size() == 0);
+}
+
+TEST_CASE("A dynamic matrix is copied, moved and exchanged with its numbers")
+{
+  Columns a = numbers(5), b = a;
+  const double* const data = a.data();
+  b(0, 0) = -1;
+  CHECK(a == numbers(5));
+  Columns c = std::move(a);
+  CHECK(c.data() == data);
+  CHECK(c == numbers(5));
+  std::swap(b, c);
+  CHECK(b.data() == data);
+  CHECK(c(0, 0) == -1);
+  c = std::as_const(c);
+  CHECK(c(0, 0) == -1);
+  c.resize(3, 9);
+  CHECK(c.cols() == 9);
+  CHECK(reinterpret_cast<std::uintptr_t>(c.data()) % 64 == 0);
+}
+
+TEST_CASE("The eigenvectors of a symmetric matrix of two rows belong to its eigenvalues, whatever its scale is")
+{
+  using CGAL::Volume_mesh_parameterization::internal::Small_matrix;
+  const double scale = GENERATE(1., 1e-200, 1e200);
+  const auto numbers_of_matrix = GENERATE(std::array{ 2., 1., 3. }, std::array{ 1., 0., 5. }, std::array{ 5., 0., 1. },
+                                          std::array{ -1., 4., -1. }, std::array{ 2., 0., 2. });
+  const auto [a, b, c] = numbers_of_matrix;
+  Small_matrix<2, 2> A;
+  A << a, b, b, c;
+  const auto [values, vectors] = CGAL::Volume_mesh_parameterization::internal::eigen_decomposition_2(scale * A);
+  CHECK(values[0] <= values[1]);
+  CHECK((vectors.transpose() * vectors).isIdentity(1e-14));
+  CHECK((vectors * (values / scale).asDiagonal() * vectors.transpose()).isApprox(A, 1e-14));
+}

@@ -1,0 +1,7 @@
+#include "map_grid.h"
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  error "This unit links the engine."
+#endif
+
+Points images_by_engine() { return images_of_grid(); }

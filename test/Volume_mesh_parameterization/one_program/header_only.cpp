@@ -1,0 +1,3 @@
+#include "map_grid.h"
+
+Points images_by_headers() { return images_of_grid(); }

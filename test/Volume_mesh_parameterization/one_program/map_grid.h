@@ -1,0 +1,32 @@
+// What each unit of the program that uses the package does: maps a grid of cubes to a ball, and refines where that is needed.
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+using Points = std::vector<std::array<double, 3> >;
+
+static Points images_of_grid()
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const int n = 4;
+  Points points, targets, images;
+  std::vector<std::array<int, 4> > cells;
+  for(int v = 0; v < n * n * n; ++v)
+  {
+    points.push_back({ double(v % n), double(v / n % n), double(v / n / n) });
+    if(v % n < n - 1 && v / n % n < n - 1 && v / n / n < n - 1)
+      for(const auto& [a, b] : { std::array{ 1, 1 + n }, { 1 + n, n }, { n, n + n * n }, { n + n * n, n * n },
+                                 { n * n, 1 + n * n }, { 1 + n * n, 1 } })
+        cells.push_back({ v, v + a, v + b, v + 1 + n + n * n });
+  }
+  if(VMP::Ball_boundary_parameterizer_3().parameterize(points, cells, targets) != VMP::OK)
+    throw std::runtime_error("no boundary");
+  const auto result = CGAL::stretch_minimizing_volume_parameterization(points, cells, targets, images,
+                                                                       CGAL::parameters::do_refine(true));
+  if(result.status != VMP::OK)
+    throw std::runtime_error(result.message);
+  return images;
+}
