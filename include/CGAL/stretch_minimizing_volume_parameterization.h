@@ -230,7 +230,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename VertexUVWMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING
-          , typename = std::enable_if_t<!Volume_mesh_parameterization::internal::is_soup<C3t3> > // that is another overload
+          , typename = std::enable_if_t<!Volume_mesh_parameterization::internal::is_soup<C3t3> > // a soup is for another overload
 #endif
           >
 Volume_mesh_parameterization::Parameterization_result

@@ -55,7 +55,7 @@ public:
   Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }
 
   /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
-  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`. The function `goes_on`, if there is one, is asked every
+  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`. The function `may_continue`, if there is one, is asked every
   /// few iterations; where it returns `false`, the iteration ends as at its limit.
   ///
   /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or
@@ -63,8 +63,8 @@ public:
   ///         `FAILED` if a number is not finite
   template <typename Vector>
   Linear_solver_status solve(const std::decay_t<Vector>& b, Vector& x, const double tolerance,
-                             const std::function<bool()>& goes_on = nullptr)
-  { return m_solver.solve(b, x, tolerance, goes_on); }
+                             const std::function<bool()>& may_continue = nullptr)
+  { return m_solver.solve(b, x, tolerance, may_continue); }
 
   /// returns the number of iterations of the last call of `solve()`.
   int number_of_iterations() const { return m_solver.number_of_iterations(); }

@@ -32,7 +32,7 @@ scaled Jacobian of its eight corners.
 struct Hexahedral_mesh_result
 {
   Error_code status = OK;                ///< how the computation ended
-  std::string message;                   ///< sentences about the status, with its place
+  std::string message;                   ///< sentences about the status, and where it arises
   std::size_t number_of_vertices = 0;          ///< all vertices of the mesh
   std::size_t number_of_boundary_vertices = 0; ///< vertices on the boundary of the body
   std::size_t number_of_cells = 0;             ///< hexahedra

@@ -48,31 +48,30 @@ Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const do
 
 makes hexahedra of a tetrahedral mesh that has been mapped to a box or a polycube: the preimage of a grid.
 
-The grid has the planes of all boundary facets of the domain, and between two neighbors of them planes at equal
-distances near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The
-boxes inside the domain are pulled back. So the vertices on the boundary lie on the boundary of the body, and on its
-edges and corners that are mapped to those of the domain. Then vertices move, in a few rounds: each corner of a
+The grid has the planes of all boundary facets of the domain, and between two neighboring planes others at equal distances
+near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The boxes
+inside the domain are pulled back. So vertices on the boundary of the domain lie on the boundary of the body, and on the
+edges and corners of the body that are mapped to edges and corners of the domain. Then vertices move, in a few rounds: each corner of a
 hexahedron is taken for a tetrahedron, which is untangled \cgalCite{cgal:gkkrs-ffm-21} and then made similar to the
-corner of a box by the same energy, and by its square for the sake of the worst corners. First those inside move, and then
-all: those on the boundary in its tangent planes, from where they are put back to its nearest points after each round, and
-along sharp edges of the body that are mapped to edges of the domain, with more than 60 degrees between the normals on
-both sides. A weak pull to where they came from keeps them apart, and a strong one draws quadrangles to those vertices of
-the body's boundary that are far from all of them, so that it remains covered. Where the smallest scaled Jacobian is below 0.1
-after a round, or below 0.3 after the last one, vertices move one after the other such that the worst corners around them
-become better. The rounds end when one gains less than 0.002 of the mean.
+corner of a box by the energy that untangles, and by its square for the sake of the worst corners. First the vertices inside
+move, and then all. Vertices on the boundary move in its tangent planes, and are put back to the nearest points of the boundary
+after each round; others move along sharp edges of the body, with more than 60 degrees between the normals on both sides,
+that are mapped to edges of the domain. A weak pull to their first positions keeps vertices apart, and a strong one draws
+quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the boundary remains covered. If the smallest scaled Jacobian is below 0.1
+after a round, or below 0.3 after the last one, vertices move one after the other such that their worst corners become
+better. The rounds end when a round raises the mean by less than 0.002.
 
-Where normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
-almost flat: then a layer of hexahedra is put along the faces on both sides, of which each has one quadrangle there, in the
-manner of Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing (2019). It
-ends at other convex edges, on the faces behind them: the wall of a cylinder gets a layer, and its ends a ring of
-quadrangles. If the minimal scaled Jacobian is below 0.2 in the end, the same is done with one layer along all of the
-boundary, or without any if that was it. If corners are still inverted then, both are tried again with vertices that may
-leave the boundary at first, where corners are untangled easily: a weight that grows draws them back, while Newton steps
-invert no corner again.
+If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
+almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon
+and Bommes, Selective padding for polycube-based hexahedral meshing (2019). The layer ends at other convex edges, on the faces
+behind: the wall of a cylinder gets a layer, and its ends a ring of quadrangles. If the minimal scaled Jacobian is below 0.2
+in the end, the search is made again with one layer along the whole boundary, or, if the layers were this one, without any. If
+corners are still inverted, both are tried again with vertices that may leave the boundary at first, where corners are
+untangled easily: a growing weight draws the vertices back, while Newton steps invert no corner again.
 
-The best of all these meshes is returned: that with the fewest inverted corners, or, among these, with the largest sum of
-the mean scaled Jacobian and the minimal one, of which no more than 0.3 counts. That all corners are positive is checked with
-exact predicates on the coordinates written.
+The best of all meshes is returned: the one with the fewest inverted corners, or, among several, with the largest sum of the
+mean scaled Jacobian and the minimal one, which counts up to 0.3. Exact predicates on the coordinates written check that all
+corners are positive.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -102,7 +101,7 @@ exact predicates on the coordinates written.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status with its place, and the scaled Jacobians: `OK`, also if the computation was ended with a mesh whose
+\return the status and where it arises, and the scaled Jacobians: `OK`, also if the computation was ended with a mesh whose
         corners are positive, as `Hexahedral_mesh_result::is_interrupted` tells; `ERROR_INTERRUPTED` if it was ended
         without one; `ERROR_EMPTY_COMPLEX`; `ERROR_NON_FINITE_COORDINATE`; `ERROR_SIZE_OUT_OF_RANGE` if the diagonal of the
         mesh or of its image is not between 1e-70 and 1e70, or the grid has more than 10^7 boxes, of which each that is
@@ -138,7 +137,7 @@ Hexahedral_mesh_result hexahedral_mesh(const PointRange& points, const CellRange
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-makes hexahedra of a soup in the same way, with its references.
+makes hexahedra of a soup, with its references.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -153,8 +152,8 @@ Hexahedral_mesh_result hexahedral_mesh(const Tetrahedron_soup_3& soup, const Ima
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-makes hexahedra of a complex in the same way. Their references are the indices of its subdomains; those of hexahedra that
-are made of arrays are 0.
+makes hexahedra of a complex. The references of hexahedra are the indices of subdomains; hexahedra made of arrays have the
+reference 0.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and

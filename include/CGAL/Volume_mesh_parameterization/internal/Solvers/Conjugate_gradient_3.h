@@ -58,10 +58,10 @@ public:
     return Linear_solver_status::SUCCESS;
   }
 
-  // Solves the system. Asks `goes_on()` every 16 iterations, and ends as at the limit of iterations if the answer is no.
+  // Solves the system. Asks `may_continue()` every 16 iterations, and ends as at the limit of iterations if the answer is no.
   template <typename Right, typename Solution>
   Linear_solver_status solve(const Right& b, Solution& x, const double tolerance,
-                             const std::function<bool()>& goes_on)
+                             const std::function<bool()>& may_continue)
   {
     m_number_of_iterations = 0;
     m_solution.setZero();
@@ -73,7 +73,7 @@ public:
 
     while(rz > target && m_number_of_iterations < m_maximal_number_of_iterations)
     {
-      if(m_number_of_iterations % 16 == 15 && goes_on && !goes_on())
+      if(m_number_of_iterations % 16 == 15 && may_continue && !may_continue())
         break;
       const double curvature = multiply();
       if(!(curvature > 0))

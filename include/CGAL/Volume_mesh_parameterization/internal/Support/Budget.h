@@ -30,15 +30,15 @@ class Budget
 {
 public:
   explicit Budget(const double seconds = (std::numeric_limits<double>::infinity)(),
-                  std::function<bool()> goes_on = [] { return true; })
-    : m_seconds(seconds), m_goes_on(std::move(goes_on))
+                  std::function<bool()> may_continue = [] { return true; })
+    : m_seconds(seconds), m_may_continue(std::move(may_continue))
   { m_timer.start(); }
 
   double seconds() const { return m_timer.time(); } // time since the construction
 
   bool is_exhausted() const
   {
-    *m_is_exhausted = *m_is_exhausted || seconds() > m_seconds || !m_goes_on();
+    *m_is_exhausted = *m_is_exhausted || seconds() > m_seconds || !m_may_continue();
     return *m_is_exhausted;
   }
 
@@ -46,7 +46,7 @@ public:
 
 private:
   double m_seconds;
-  std::function<bool()> m_goes_on;
+  std::function<bool()> m_may_continue;
   Real_timer m_timer;
   std::shared_ptr<bool> m_is_exhausted = std::make_shared<bool>(false);
 };
