@@ -51,7 +51,7 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Points& targets, const 
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .visitor(std::ref(progress)));
   }, named_solver(options.solver));
-  // a vertex without a cell keeps its place, or takes the prescribed one
+  // vertices without a cell keep their points, or take the prescribed ones
   for(std::size_t v = 0; v < uvw.size(); ++v)
     if(std::isnan(uvw[v][0]))
       uvw[v] = std::isnan(targets[v][0]) ? mesh.points[v] : targets[v];
@@ -86,7 +86,7 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
   }
 }
 
-// Makes hexahedra of a map that has been written, if it meets the boundary, and adds to its outcome what became of them.
+// Makes hexahedra of a map that has been written, if the map meets the boundary, and adds their result to the outcome.
 void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh, const Points& uvw,
                     Progress_line& progress, Outcome& outcome)
 {
@@ -112,7 +112,7 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
       ? " The hexahedra are valid, but better ones might have been found." : " There are no valid hexahedra yet."));
 }
 
-// Writes what there is of a map. Of a file that cannot be written, the outcome tells, and which others are there.
+// Writes the files of a map. The outcome tells which file cannot be written, and which others have been.
 void write_files(const Options& options, const Source& source, const Points& uvw, Progress_line& progress, Outcome& outcome)
 {
   std::string written;
