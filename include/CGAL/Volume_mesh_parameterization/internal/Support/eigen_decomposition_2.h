@@ -14,6 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,7 +29,8 @@ struct Eigen_decomposition_2
   Small_matrix<2, 2> vectors;
 };
 
-// Scales the matrix without its trace to entries up to 1, so that no square overflows.
+// Computes both from the matrix without its trace, scaled to entries up to 1, so that no square overflows. Operations have the
+// order of those of Eigen, which rounds alike.
 inline Eigen_decomposition_2 eigen_decomposition_2(const Small_matrix<2, 2>& A)
 {
   const double shift = A.trace() / 2;
@@ -39,20 +42,24 @@ inline Eigen_decomposition_2 eigen_decomposition_2(const Small_matrix<2, 2>& A)
     b /= scale;
     c /= scale;
   }
-  const double radius = std::sqrt((a - c) * (a - c) + 4 * b * b) / 2, mean = (a + c) / 2;
+  const double radius = std::sqrt((a - c) * (a - c) + 4 * (b * b)) / 2, mean = (a + c) / 2;
   const double smaller = mean - radius, larger = mean + radius;
 
   Eigen_decomposition_2 result;
-  result.values << smaller * scale + shift, larger * scale + shift;
+  result.values << smaller, larger;
+  result.values *= scale;
+  result.values.array() += shift;
   result.vectors.setIdentity();
   if(larger - smaller > std::abs(larger) * std::numeric_limits<double>::epsilon())
   {
     a -= larger;
     c -= larger;
-    const double x = (a * a > c * c) ? -b : -c, y = (a * a > c * c) ? a : b;
-    const double length = std::sqrt(x * x + y * y);
-    result.vectors << -y / length, x / length,
-                       x / length, y / length;
+    const double aa = a * a, bb = b * b, cc = c * c;
+    if(aa > cc)
+      result.vectors.col(1) << -b / std::sqrt(aa + bb), a / std::sqrt(aa + bb);
+    else
+      result.vectors.col(1) << -c / std::sqrt(cc + bb), b / std::sqrt(cc + bb);
+    result.vectors.col(0) << result.vectors.col(1).unitOrthogonal();
   }
   return result;
 }
