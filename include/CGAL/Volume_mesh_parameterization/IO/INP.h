@@ -23,7 +23,7 @@ namespace internal {
 // As many digits of a number as its field has room for: all 17 of most.
 inline std::string INP_number(const double number)
 {
-  constexpr std::ptrdiff_t room = 20;
+  constexpr std::ptrdiff_t room = 20; // characters of a number that Abaqus and CalculiX read
   char digits[32];
   std::to_chars_result end = std::to_chars(digits, digits + sizeof(digits), number);
   for(int precision = 17; end.ptr - digits > room; --precision)
