@@ -1,4 +1,4 @@
-// What each unit of the program that uses the package does: maps a grid of cubes to a ball, and refines where that is needed.
+// Work of each unit of the program that uses the package: maps a grid of cubes to a ball, and refines where that is needed.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 
