@@ -26,11 +26,13 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
 # no type that both know depends on them, so its users learn nothing but the macro.
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
-#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/distortion_of_soup_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel_impl.h>
 namespace CGAL::Volume_mesh_parameterization {
 template class internal::Conjugate_gradient_3<float>;
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
@@ -40,13 +42,9 @@ template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Par
 }
 ]] @ONLY)
   file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[
-// The other files have their definitions.
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
 namespace CGAL::Volume_mesh_parameterization::internal {
 template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Landmarks_3& landmarks,
                                     std::vector<Eigen::Vector3d>& images, const Budget& budget);

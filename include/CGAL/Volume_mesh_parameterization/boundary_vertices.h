@@ -12,71 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
-#endif
-
-#include <limits>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
-namespace internal {
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body);
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body);
-
-// Returns a sentence that tells where the boundary of a body is not a manifold; an empty one for other errors.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, Error_code status);
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body)
-{
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  Numbered_surface_3 surface;
-  surface.facets = body.boundary;
-  surface.cells = &body.soup.cells;
-  std::vector<std::size_t> numbers(body.soup.points.size(), none);
-  for(std::array<std::size_t, 3>& facet : surface.facets)
-    for(std::size_t& v : facet)
-    {
-      if(numbers[v] == none)
-      {
-        numbers[v] = surface.vertices.size();
-        surface.vertices.push_back(v);
-        surface.points.push_back(to_vector(body.soup.points[v]));
-      }
-      v = numbers[v];
-    }
-  return surface;
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body)
-{
-  const Numbered_surface_3 surface = surface_of(body);
-  std::vector<std::size_t> result;
-  for(const std::size_t v : non_manifold_vertices(surface.vertices.size(), surface.facets))
-    result.push_back(surface.vertices[v]);
-  return result;
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, const Error_code status)
-{
-  if(status != ERROR_NON_MANIFOLD_BOUNDARY)
-    return "";
-  const std::vector<std::size_t> points = non_manifold_points(body);
-  return sentence(" It is none at ", points.size(), " vertices, among them the one at ",
-                  describe(to_vector(body.soup.points[points.front()])), ".");
-}
-
-#endif
-
-} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions

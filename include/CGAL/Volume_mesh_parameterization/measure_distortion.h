@@ -12,35 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/distortion_of_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
-#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
-#endif
-
 namespace CGAL::Volume_mesh_parameterization {
-namespace internal {
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images);
-
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-
-// Measures the distortion with all points prescribed, so that the map is their target.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images)
-{
-  check_simplices(soup);
-  require(images.size() == soup.points.size(), "There are as many images as points.");
-  const Numbered_mesh_3 mesh = Numbered_body_3(soup, std::vector<bool>(soup.points.size(), true), images).mesh;
-  return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, mesh.target));
-}
-
-#endif
-
-} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions

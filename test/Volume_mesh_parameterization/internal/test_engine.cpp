@@ -16,7 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>

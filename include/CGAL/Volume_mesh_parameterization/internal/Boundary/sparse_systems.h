@@ -49,7 +49,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::unique_ptr<Symmetric_sparse_solver
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems_impl.h>
 #endif
 

@@ -17,7 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
 
 #include <petscsystypes.h>
 

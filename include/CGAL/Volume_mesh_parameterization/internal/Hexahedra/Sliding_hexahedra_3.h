@@ -12,9 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/engine.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -53,9 +53,8 @@ inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const
 // Moves the vertices of hexahedra, whose corners are the cells and overlap, starting at their targets: untangles corners, and
 // if none is inverted then, brings them nearer to corners of boxes, all alike or (with an exponent) the worst ones first. An
 // exhausted budget ends the search at the next step. Vertices that are not free stay.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
-                                   Linear_solver_3& solver, const Budget& budget)
+inline Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
+                                   const Budget& budget)
 {
   constexpr double theta = 0.5; // a guess; how much volumes count beside shapes
   Unknowns_3 unknowns(goals.projectors);

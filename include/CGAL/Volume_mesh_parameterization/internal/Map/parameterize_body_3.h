@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
@@ -37,6 +38,9 @@ struct Map_problem_3
   Progress_3& progress;
 };
 
+// The seam of the map: all between arrays and the images of points. It knows no complex, an energy only as `Cell_energy_3`, and
+// a solver only as `Linear_solver_3`, so that it can be compiled once.
+
 // From a body to the images of its points.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
@@ -47,6 +51,19 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
                                                        std::vector<std::array<double, 3> >& images);
+
+// The parts of it, for a mesh of which each process has a part.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
+                       Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
+                                      const Cell_energy_3& energy, const Linear_solver_3& solver,
+                                      const Progress_3& progress);
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress);
 
 // A line of `verbose`.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step);
@@ -119,8 +136,8 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Map/refine_and_find_map_3.h>
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>
 #endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_PARAMETERIZE_BODY_3_H

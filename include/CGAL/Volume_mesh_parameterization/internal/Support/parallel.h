@@ -12,19 +12,13 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-// CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, a macro that the target CGAL::Volume_mesh_parameterization_engine
-// defines, means that the functions of the engine are compiled once, in a library; otherwise they are inline.
-// CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE means that a unit has the definitions of these functions; the unit of the
-// library defines this macro by itself.
+// With the macro CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, which the target CGAL::Volume_mesh_parameterization_engine
+// defines, the functions that headers `x.h` declare are compiled once, with that library. Otherwise each unit has them inline,
+// of the headers `x_impl.h` at the foot of these.
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 #else
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE inline
-#  define CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#endif
-
-#if defined(CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE) && defined(CGAL_LINKED_WITH_TBB)
-#  include <tbb/parallel_for.h>
 #endif
 
 #include <CGAL/tags.h>
@@ -149,23 +143,10 @@ auto values_of_indices(const bool is_parallel, const std::size_t n, const Functi
   return result;
 }
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Index_function f)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if(is_parallel)
-  {
-    tbb::parallel_for(first, last, f);
-    return;
-  }
-#endif
-  static_cast<void>(is_parallel);
-  for(std::size_t i = first; i < last; ++i)
-    f(i);
-}
-#endif
-
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Support/parallel_impl.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_PARALLEL_H

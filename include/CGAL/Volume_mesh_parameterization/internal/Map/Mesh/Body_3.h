@@ -17,10 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
-#endif
-
 #include <CGAL/property_map.h>
 
 #include <boost/container/static_vector.hpp>
@@ -122,33 +118,6 @@ struct Body_of_complex_3 : Body_3
   }
 };
 
-#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_ENGINE_IS_HERE
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::array<std::size_t, 4> >& cells,
-                                                         const std::vector<std::size_t>& sides)
-{
-  std::vector<std::array<std::size_t, 3> > result;
-  result.reserve(sides.size());
-  for(const std::size_t side : sides)
-  {
-    const auto& [i, j, k] = facets_of_cell[side % 4];
-    const std::array<std::size_t, 4>& cell = cells[side / 4];
-    result.push_back({ cell[j], cell[k], cell[i] });
-  }
-  return result;
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
-{
-  check_simplices(soup);
-  const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
-  const auto boundary = facets_of_sides(soup.cells, sides);
-  return { std::move(soup), boundary, sides };
-}
-
-#endif
-
 // What the user tells of the points of a body. Without a target or an initial image, a point has coordinates that are not
 // numbers.
 struct Prescription_3
@@ -212,5 +181,9 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_BODY_3_H

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
@@ -81,6 +82,21 @@ inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::
       v = places[v];
     return cell;
   });
+}
+
+// Puts vertices and cells into the order of all that follows: free vertices first, neighbors in space are neighbors in
+// memory. Writes source, cells, user numbers and the number of free vertices; returns the old number of each vertex.
+inline std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<int, 4> >& cells, const Matrix3Xd& points,
+                                                  const std::vector<bool>& is_prescribed, Numbered_mesh_3& mesh)
+{
+  const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed, mesh.is_parallel);
+  mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
+  mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers, mesh.is_parallel);
+  mesh.source.resize(3, points.cols());
+  constexpr int vertices_per_range = 4096;
+  for_each_in_ranges(mesh.is_parallel, order.size(), vertices_per_range,
+                     [&](const std::size_t i) { mesh.source.col(i) = points.col(order[i]); });
+  return order;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -1,0 +1,242 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_MAP_TO_BOX_3_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_MAP_TO_BOX_3_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Returns the points, moved and scaled such that their bounding box becomes the cube [-1, 1]^3.
+inline std::vector<Eigen::Vector3d> in_bounding_cube(std::vector<Eigen::Vector3d> points)
+{
+  Eigen::AlignedBox3d box;
+  for(const Eigen::Vector3d& point : points)
+    box.extend(point);
+  const Eigen::Vector3d sizes = box.sizes().cwiseMax((std::numeric_limits<double>::min)());
+  for(Eigen::Vector3d& point : points)
+    point = 2 * (point - box.center()).cwiseQuotient(sizes);
+  return points;
+}
+
+// Returns the corner with positive coordinates of the box in the unit sphere whose faces, seen from the center, have solid
+// angles in the ratio of the areas of another box. The angle of the face normal to the third axis of a box with corner
+// (a, b, c) is 4 atan(a b / c).
+inline Eigen::Vector3d corner_on_sphere(const Eigen::Vector3d& half_lengths)
+{
+  const Eigen::Vector3d areas = half_lengths.minCoeff() * half_lengths.cwiseInverse();
+  Eigen::Vector3d corner;
+  for(int axis = 0; axis < 3; ++axis)
+  {
+    const double t = std::tan(CGAL_PI / 2 * areas[(axis + 1) % 3] / areas.sum());
+    const double u = std::tan(CGAL_PI / 2 * areas[(axis + 2) % 3] / areas.sum());
+    corner[axis] = std::sqrt(t * u);
+  }
+  return corner;
+}
+
+// Returns eight different vertices for the corners of a box, by two measures: on the sphere, the charts between them have
+// areas in the ratio of the faces of the box; in space, the vertices are close to the corners of the bounding box.
+inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& points,
+                                         const std::vector<Eigen::Vector3d>& images,
+                                         const Eigen::Vector3d& half_lengths)
+{
+  const double weight_of_box = 0.3; // lowered the distortion most over organic and mechanical models
+  const std::vector<Eigen::Vector3d> cube_points = in_bounding_cube(points);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); // turns the images into the directions of the points (Kabsch)
+  for(std::size_t v = 0; v < cube_points.size(); ++v)
+    covariance += cube_points[v] * images[v].transpose();
+  const Eigen::Matrix3d rotation = rotation_and_stretch_3(covariance).rotation;
+  const Eigen::Vector3d positive_corner = corner_on_sphere(half_lengths);
+  std::array<int, 8> corners = {};
+  std::vector<bool> is_corner(points.size(), false);
+  for(int k = 0; k < 8; ++k)
+  {
+    const Eigen::Vector3d corner(side_of_corner(k, 0), side_of_corner(k, 1), side_of_corner(k, 2));
+    const Eigen::Vector3d direction = rotation.transpose() * corner.cwiseProduct(positive_corner);
+    double largest = -(std::numeric_limits<double>::infinity)();
+    for(std::size_t v = 0; v < images.size(); ++v)
+    {
+      const double closeness = direction.dot(images[v]) + weight_of_box * corner.dot(cube_points[v]) / 3;
+      if(!is_corner[v] && closeness > largest)
+      {
+        largest = closeness;
+        corners[k] = static_cast<int>(v);
+      }
+    }
+    is_corner[corners[k]] = true;
+  }
+  return corners;
+}
+
+// Boundary of a box around the origin, as a domain of `Radial_map_3`. Vertices move in their face or along their edge: a
+// vertex is on a face if one of its coordinates is exactly the one of the face.
+struct Box_boundary_3
+{
+  static constexpr double curvature = 0; // faces and edges are flat
+
+  Eigen::Vector3d half_lengths;
+
+  bool is_on_side(const Eigen::Vector3d& image, const int axis) const { return std::abs(image[axis]) == half_lengths[axis]; }
+
+  double area() const
+  { return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2] + half_lengths[2] * half_lengths[0]); }
+
+  Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const
+  {
+    Small_matrix<3, 2> result = Small_matrix<3, 2>::Zero();
+    int column = 0;
+    for(int axis = 0; axis < 3; ++axis)
+      if(!is_on_side(image, axis))
+        result(axis, column++) = 1;
+    return result;
+  }
+
+  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const { return image + step; }
+
+  // Returns the distance from the origin of the face that contains the triangle.
+  double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+  {
+    for(int axis = 0; axis < 3; ++axis)
+      if(is_on_side(a, axis) && a[axis] == b[axis] && a[axis] == c[axis])
+        return half_lengths[axis];
+    return 1;
+  }
+};
+
+// Maps the charts between the paths to the faces of the box on which their borders are. Returns whether all are mapped.
+inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path,
+                               std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  std::vector<std::size_t> chart_of_face(mesh.number_of_faces());
+  const std::size_t number_of_charts = Polygon_mesh_processing::connected_components(
+    mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
+    parameters::edge_is_constrained_map(boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
+      [&](const Boundary_mesh_3::Edge_index e) -> bool { return is_on_path[e]; })));
+  for(std::size_t i = 0; i < number_of_charts; ++i)
+  {
+    const Surface_chart_3 chart = extract_chart(mesh, chart_of_face, i);
+    Eigen::AlignedBox3d border;
+    for(const int v : chart.vertices)
+      if(!images[v].isZero(0))
+        border.extend(images[v]);
+    int axis;
+    if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
+      return false;
+    for(const int v : chart.vertices)
+      images[v][axis] = (border.min)()[axis];
+    if(!map_chart_to_polygon_3(chart, (axis + 1) % 3, (axis + 2) % 3, images))
+      return false;
+  }
+  return true;
+}
+
+// Maps a triangulated topological sphere with a known image on the unit sphere onto the boundary of a box: twelve paths on
+// the surface become the edges of the box, and the charts between them its faces. Lengths on the sphere guide the paths and
+// the first map of the charts, as long thin parts of the surface are compact there. The last step lowers the distortion of
+// the map from the surface itself.
+inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere,
+                                      const Eigen::Vector3d& half_lengths, const std::array<int, 8>& corners,
+                                      std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  const Vertex_rings_3 rings(mesh);
+  Cube_edge_router_3 router(rings, sphere, corners, budget);
+  if(!router.run())
+    return Cube_edge_router_3(rings, sphere, mirrored(corners), budget).run() ? ERROR_MIRRORED_CORNERS
+                                                                              : ERROR_BOUNDARY_TOO_COARSE;
+  Boundary_mesh_3 sphere_mesh = mesh;
+  set_points(sphere_mesh, sphere);
+  images.assign(sphere.size(), Eigen::Vector3d::Zero());
+  for(int k = 0; k < 8; ++k)
+    for(int axis = 0; axis < 3; ++axis)
+      images[corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
+  std::vector<bool> is_on_path(mesh.number_of_edges(), false);
+  for(std::size_t i = 0; i < 12; ++i)
+  {
+    const std::vector<int>& path = router.path(i);
+    map_path_to_segment_3(sphere_mesh, path, router.edge(i).axis, images);
+    for(std::size_t k = 1; k < path.size(); ++k)
+      is_on_path[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(path[k - 1]),
+                                         Boundary_mesh_3::Vertex_index(path[k])))] = true;
+  }
+  if(!map_charts_to_box(sphere_mesh, is_on_path, images, budget))
+    return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const Box_boundary_3 domain = { half_lengths };
+  Radial_map_3<Box_boundary_3>(rings, points, images, domain, budget).relax(100, 1e-4);
+  return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+}
+
+inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Eigen::Vector3d& half_lengths,
+                                    const std::optional<std::array<int, 8> >& corners,
+                                    std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  if(mesh.number_of_vertices() < 8)
+    return ERROR_BOUNDARY_TOO_COARSE;
+  std::vector<Eigen::Vector3d> sphere;
+  const Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget);
+  if(status != OK)
+    return status;
+  return map_sphere_to_box_3(mesh, sphere, half_lengths,
+                             corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths), images, budget);
+}
+
+// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
+inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
+                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Eigen::Vector3d lower = (box.min)(), upper = (box.max)();
+  if(spacing > 0)
+  {
+    lower = spacing * (lower / spacing).array().round();
+    upper = ((lower.array() + spacing).max)(spacing * (upper / spacing).array().round());
+  }
+  const double size = (upper - lower).maxCoeff();
+  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
+  const Error_code status = map_mesh_to_box_3(mesh, half_lengths, std::nullopt, images, budget);
+  if(status != OK)
+    return status;
+  for(Eigen::Vector3d& image : images)
+    for(int axis = 0; axis < 3; ++axis)
+      image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
+        : (lower[axis] + upper[axis]) / 2 + size * image[axis];
+  Boundary_mesh_3 image = mesh;
+  set_points(image, images);
+  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
+                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
+                        const Budget& budget)
+{
+  Boundary_mesh_3 mesh;
+  const Error_code status = build_boundary_mesh_3(surface, mesh);
+  return status == OK ? map_mesh_to_box_3(mesh, half_lengths, corners, images, budget) : status;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_BOX_MAP_TO_BOX_3_IMPL_H

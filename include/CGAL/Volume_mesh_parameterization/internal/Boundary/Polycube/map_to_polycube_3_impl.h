@@ -1,0 +1,187 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
+
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Proposes labels with more and more smoothing, and takes the map of the least distortion. Where the boundary is too coarse,
+// faces for which there is no room are given to neighboring charts, and borders that fold are unfolded.
+inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
+                                             const double spacing, std::vector<Eigen::Vector3d>& images,
+                                             const Budget& budget)
+{
+  Error_code status = ERROR_NO_POLYCUBE;
+  std::multimap<double, Polycube_map_3> maps; // by distortion
+  std::set<std::vector<std::size_t> > tried;
+  Normal_labels_3 costs(mesh, budget);
+  for(double smoothing = 0.001; smoothing < 0.1 && !budget.is_exhausted(); smoothing *= std::sqrt(2.))
+  {
+    std::vector<std::size_t> candidate = costs.closest();
+    costs.minimize(smoothing, candidate);
+    for(int attempt = 0; attempt < 10 && !budget.is_exhausted(); ++attempt)
+    {
+      if(!repair_labels_3(mesh, costs, smoothing, candidate, budget) || !tried.insert(candidate).second)
+        break;
+      Polycube_map_3 map(mesh, box, candidate, spacing);
+      const Error_code status_of_map = map.start(budget);
+      if(status == ERROR_NO_POLYCUBE)
+        status = status_of_map;
+      const bool has_changed = give_away_faces(mesh, map.flipped_faces(), costs, candidate)
+        || unfold_chain(mesh, map.charts(), costs, candidate);
+      if(status_of_map == OK)
+        maps.emplace(map.distortion(), std::move(map));
+      if(!has_changed)
+        break;
+    }
+  }
+  for(auto& [distortion, map] : maps)
+  {
+    status = map.finish(budget);
+    if(status == OK)
+    {
+      images = map.images();
+      break;
+    }
+  }
+  return status;
+}
+
+// Body that shares no point with the other bodies of a surface, and the numbers of its vertices on the whole surface.
+struct Separate_body_3
+{
+  Numbered_surface_3 surface;
+  std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<std::size_t> vertices;
+};
+
+inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
+{
+  std::size_t number_of_points = 0;
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    number_of_points = (std::max)(number_of_points, *std::max_element(cell.begin(), cell.end()) + 1);
+  Disjoint_sets sets(number_of_points);
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    for(const std::size_t v : cell)
+      sets.unite(cell[0], v);
+  std::map<std::size_t, std::size_t> number_of_set;
+  const auto body_of = [&](const std::size_t point)
+  { return number_of_set.emplace(sets.find(point), number_of_set.size()).first->second; };
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    body_of(cell[0]);
+
+  std::vector<Separate_body_3> bodies(number_of_set.size());
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    bodies[body_of(cell[0])].cells.push_back(cell);
+  std::vector<std::size_t> number(whole.vertices.size());
+  for(std::size_t v = 0; v < number.size(); ++v)
+  {
+    Separate_body_3& body = bodies[body_of(whole.vertices[v])];
+    number[v] = body.vertices.size();
+    body.vertices.push_back(v);
+    body.surface.points.push_back(whole.points[v]);
+    body.surface.vertices.push_back(whole.vertices[v]);
+  }
+  for(const auto& [a, b, c] : whole.facets)
+    bodies[body_of(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+  return bodies;
+}
+
+// Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
+// a ring linked with another one must be. A body with cavities has no polycube.
+inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
+                                     std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
+  if(bodies.size() == 1)
+    return ERROR_NO_POLYCUBE;
+  std::vector<Eigen::Vector3d> result(whole.points.size());
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for(Separate_body_3& body : bodies)
+  {
+    body.surface.cells = &body.cells;
+    std::vector<Eigen::Vector3d> part;
+    if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, part, budget); status != OK)
+      return status;
+    Eigen::AlignedBox3d box, other_boxes;
+    for(const Eigen::Vector3d& p : part)
+      box.extend(p);
+    for(const Eigen::AlignedBox3d& other : boxes)
+      other_boxes.extend(other);
+    double shift = 0;
+    if(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
+    {
+      const double distance = (other_boxes.max)().x() - (box.min)().x();
+      shift = spacing > 0 ? spacing * std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8;
+    }
+    boxes.push_back(box.translate(shift * Eigen::Vector3d::UnitX()));
+    for(std::size_t v = 0; v < part.size(); ++v)
+      result[body.vertices[v]] = part[v] + shift * Eigen::Vector3d::UnitX();
+  }
+  images = result;
+  return OK;
+}
+
+inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numbered_surface_3& surface,
+                                         const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
+                                         const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  if(labels.empty())
+  {
+    const Error_code status = map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
+    if(status == OK || budget.is_exhausted())
+      return status;
+    const Error_code kind = check_sphere(mesh);
+    if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+      return map_bodies_apart_3(surface, spacing, images, budget);
+    return kind == OK ? map_to_bounding_box_3(mesh, box, spacing, images, budget)
+                      : map_to_box_with_holes_3(mesh, box, spacing, *surface.cells, surface.vertices, images, budget);
+  }
+  Polycube_map_3 map(mesh, box, labels, spacing);
+  Error_code status = map.start(budget);
+  if(status == OK)
+    status = map.finish(budget);
+  if(status == OK)
+    images = map.images();
+  return status;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
+                             const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Boundary_mesh_3 mesh;
+  Error_code status = build_boundary_mesh_3(surface, mesh);
+  if(status != OK)
+    return status;
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
+  set_points(mesh, unit_points(mesh));
+  status = map_mesh_to_polycube_3(mesh, surface, box, labels, spacing, images, budget);
+  std::vector<Eigen::Vector3d> any;
+  if(status != OK && spacing > 0 && map_mesh_to_polycube_3(mesh, surface, box, labels, 0, any, budget) == OK)
+    return ERROR_SPACING_TOO_COARSE;
+  return status;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_CHECK_INPUT_3_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_CHECK_INPUT_3_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
+{
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const Eigen::Vector3d point = mesh.source.col(v);
+    if(!point.allFinite())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "A vertex of the source has the coordinates ", describe(point), ".");
+    if(mesh.initial.cols() > 0 && mesh.initial.col(v).array().isInf().any())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "The initial image of the vertex at ", describe(point),
+                          " is ", describe(mesh.initial.col(v)), ".");
+    if(v < mesh.number_of_free_vertices) // its target, the base point, is no number either where one of the others is none
+      continue;
+    const Eigen::Vector3d target = mesh.target.col(v);
+    if(target.array().isNaN().any())
+      return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The boundary vertex at ", describe(point), " has no target.");
+    if(!target.allFinite())
+      return failed_check(ERROR_NON_FINITE_COORDINATE, "The target of the boundary vertex at ", describe(point),
+                          " is ", describe(target), ".");
+  }
+  return {};
+}
+
+inline Input_check_3 check_sizes(const Numbered_mesh_3& mesh)
+{
+  const Matrix3Xd initial = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
+  const std::pair<Eigen::AlignedBox3d, const char*> boxes[]
+    = { { bounding_box(*mesh.communicator, mesh.source), "source" }, { target_box(mesh), "prescribed points" },
+        { bounding_box(*mesh.communicator, initial), "initial images" } };
+  for(const auto& [box, name] : boxes)
+    if(const Input_check_3 check = check_size(box, name); check.status != OK)
+      return check;
+  return {};
+}
+
+inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
+{
+  const Found_cells inverted = inverted_cells(mesh, mesh.source);
+  const double number_of_cells = mesh.global_number_of_cells();
+  if(!inverted.first)
+    return {};
+  return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
+                      " cells of the source have no positive volume; the first one is cell ", mesh.user_number(*inverted.first),
+                      " with volume ", edge_matrix(mesh.source, mesh.cells[*inverted.first]).determinant() / 6,
+                      static_cast<double>(inverted.number) == number_of_cells ? "; exchange two vertices of each cell." : ".");
+}
+
+// The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
+inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
+{
+  const Eigen::Matrix3d inverse = edges.inverse();
+  return edges.determinant() > 0 && inverse.allFinite() && inverse.determinant() > 0;
+}
+
+inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
+{
+  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
+  { return !has_positive_inverse(edge_matrix(mesh.source, cell)); });
+  return !flat.first ? Input_check_3()
+    : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(*flat.first),
+                   " of the source is so flat that its volume is positive in exact arithmetic only.");
+}
+
+// Each connected component of the target must have a positive volume, which depends on its boundary only. Where processes
+// share the mesh, none knows the components, and they count as one.
+inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
+{
+  Disjoint_sets components(mesh.number_of_vertices());
+  std::vector<double> volumes(mesh.number_of_vertices(), volume(mesh, mesh.target));
+  if(mesh.is_whole())
+  {
+    for(const std::array<int, 4>& cell : mesh.cells)
+      for(int i = 1; i < 4; ++i)
+        components.unite(cell[0], cell[i]);
+    const std::vector<double> volumes_of_cells = values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell)
+    { return edge_matrix(mesh.target, cell).determinant() / 6; });
+    std::fill(volumes.begin(), volumes.end(), 0.);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      volumes[components.find(mesh.cells[c][0])] += volumes_of_cells[c];
+  }
+  const double flat = 1e-12 * std::pow(target_diagonal(mesh), 3);
+  for(const std::array<int, 4>& cell : mesh.cells)
+    if(const double volume = volumes[components.find(cell[0])]; !(volume > 0))
+      return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ", volume,
+                          ", which must be positive: it is ", volume >= -flat ? "flat." : "turned inside out.");
+  return {};
+}
+
+// Three prescribed vertices on a line make each of their cells flat.
+inline bool is_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 3>& facet)
+{
+  const auto point = [&](const int i) { return exact_point(mesh.target.col(facet[i])); };
+  return std::none_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_free(v); })
+         && CGAL::collinear(point(0), point(1), point(2));
+}
+
+inline bool has_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
+{
+  const auto& [v, w, x, y] = cell;
+  return is_flat_facet(mesh, { v, w, x }) || is_flat_facet(mesh, { v, w, y })
+      || is_flat_facet(mesh, { v, x, y }) || is_flat_facet(mesh, { w, x, y });
+}
+
+// Refinement splits facets inside the body, but none of the boundary.
+inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
+{
+  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
+  if(!flat.first)
+    return {};
+  Input_check_3 result
+    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat.number, " cells have a facet whose three vertices are prescribed"
+                   " on a line; the first one is cell ", mesh.user_number(*flat.first), ".");
+  if(!mesh.is_whole())
+    return result; // which facets are on the boundary is known to all processes together only
+  for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
+    if(is_flat_facet(mesh, facet))
+    {
+      result.is_refinable = false;
+      result.message += " No refinement helps: the facet with the vertices at " + describe(mesh.source.col(facet[0]))
+                        + ", " + describe(mesh.source.col(facet[1])) + " and " + describe(mesh.source.col(facet[2]))
+                        + " is on the boundary. Move a target of it off the line.";
+      break;
+    }
+  return result;
+}
+
+inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
+{
+  const Found_cells inverted = find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
+           && !is_positive(mesh.target, cell);
+  });
+  if(!inverted.first)
+    return {};
+  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
+                      " cells have four prescribed vertices and no positive volume in the target; the first one is cell ",
+                      mesh.user_number(*inverted.first), ".");
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget)
+{
+  if(mesh.global_number_of_cells() == 0)
+    return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
+  for(const auto check : { check_coordinates, check_sizes, check_source_cells, check_source_determinants,
+                           check_target_volume, check_prescribed_facets, check_prescribed_cells })
+  {
+    const Input_check_3 result = check(mesh);
+    const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);
+    if(code != OK)
+      return { static_cast<Error_code>(code), message, result.is_refinable };
+    if(!mesh.communicator->all(!budget.is_exhausted()))
+      return failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED));
+  }
+  return {};
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_CHECK_INPUT_3_IMPL_H
