@@ -772,10 +772,11 @@ TEST_CASE("Threads turn a soup, or find its first fault, as one does")
   CHECK(soup.cells == turned.cells);
 
   for(const std::size_t c : {9000, 5000})
-    std::swap(soup.cells[c][0], soup.cells[c][1]);
+    soup.points[4 * c] = soup.points[4 * c + 1];
   CHECK(sentence([&] { VMP::orient_tetrahedron_soup<CGAL::Parallel_tag>(soup); })
         == sentence([&] { VMP::orient_tetrahedron_soup(soup); }));
-  CHECK(sentence([&] { VMP::orient_tetrahedron_soup(soup); }).find("cell 5000 (counted from 0) has the negative volume") == 0);
+  CHECK(sentence([&] { VMP::orient_tetrahedron_soup(soup); })
+        == "2 cells have zero volume, among them cells 5000 and 9000 (counted from 0)");
 }
 #endif
 

@@ -17,11 +17,11 @@
 
 struct Options
 {
-  std::string source, target, domain, landmarks, output, refined_source, report, energy, solver, boundary;
+  std::string source, target, domain, landmarks, others, initial, output, refined_source, report, energy, solver, boundary;
   std::vector<std::string> hexahedra;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
-  bool do_refine, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
+  bool do_merge_points, do_separate, are_displacements, do_refine, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
 };
 
 // The options of a program, and the text around them in its help.
@@ -41,7 +41,8 @@ tells; the vertices inside are placed such that no cell is inverted or flat, and
 
   SOURCE.mesh  the mesh: a MEDIT file (*.mesh or *.meshb), or one of VTK (*.vtu) without compression
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
-               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates
+               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates.
+               Lines may tell vertices inside as well, which are met
 Each file may be a pipe, or - for the standard input or output; then the summary goes to the standard error.
 )";
 
@@ -74,7 +75,8 @@ inline boost::program_options::options_description distortion(Options& options)
   po::options_description result("Distortion", width);
   result.add_options()
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
-     "what is minimized: stretch, symmetric_dirichlet, mips (angles only), arap, dirichlet, lscm or lpm")
+     "what is minimized: stretch, for maps to a ball, box or polycube; symmetric_dirichlet, where the boundary moves little, or "
+     "cells are to keep their shapes, as in boundary layers; mips (angles only), arap, dirichlet, lscm or lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
     ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
      "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum");
@@ -113,6 +115,12 @@ inline Command_line command_line(Options& options)
      "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu or *.inp)")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
+  po::options_description source("Source", width);
+  source.add_options()
+    ("merge-points", po::bool_switch(&options.do_merge_points), "join cells where several points have one place")
+    ("separate", po::bool_switch(&options.do_separate),
+     "where the body touches itself at a vertex or an edge, give each of its parts there vertices of its own");
+
   po::options_description boundary("Boundary", width);
   boundary.add_options()
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
@@ -121,6 +129,12 @@ inline Command_line command_line(Options& options)
     ("landmarks", po::value(&options.landmarks)->value_name("FILE"),
      "lines as of TARGET for some vertices, where --to is to bring them: a ball is turned such that they are close, a box has "
      "eight of them as corners, each in the octant of its line")
+    ("displacements", po::bool_switch(&options.are_displacements), "TARGET tells by what vertices move, and not where they go")
+    ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
+     "what vertices of the boundary without a target do: missing: there is no map; stay: they stay where they are; slide: they "
+     "move in the planes and along the straight edges of the boundary, and those with a target do not")
+    ("initial", po::value(&options.initial)->value_name("FILE"),
+     "a map nearby to start from, a file as TARGET: what --output has written for other targets")
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
      "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
      "auto: fixed, and soft if that finds no map")
@@ -146,7 +160,7 @@ inline Command_line command_line(Options& options)
   options_of_both_programs::add_limits(computation, options);
 
   po::options_description all(width);
-  all.add(files).add(boundary).add(distortion).add(computation);
+  all.add(files).add(source).add(boundary).add(distortion).add(computation);
   return { "parameterize_mesh_file", all, help_before_options, help_after_options };
 }
 
@@ -183,7 +197,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
               << ")\n";
     return false;
   }
-  for(std::string* name : { &options.source, &options.target, &options.landmarks })
+  for(std::string* name : { &options.source, &options.target, &options.landmarks, &options.initial })
     if(*name == "-")
       *name = "/dev/stdin";
   if(!options.hexahedra.empty() && options.hexahedra.back() == "-")

@@ -8,6 +8,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 #include <string>
@@ -48,11 +50,25 @@ public:
 
   void show(const std::string& text) const
   {
+    m_text = text;
+    m_seconds_of_text = seconds();
     if(m_is_shown)
       std::cerr << "\r\033[K" << text << std::flush;
   }
 
-  bool goes_on() const { return is_end_requested == 0 && m_timer.time() < m_time_limit; }
+  // Is asked again and again, and shows the time where nothing else moves.
+  bool goes_on() const
+  {
+    const double time = seconds();
+    if(m_is_shown && !m_text.empty() && time > (std::max)(m_seconds_of_text, m_seconds_of_time) + 0.5)
+    {
+      m_seconds_of_time = time;
+      std::cerr << "\r\033[K" << m_text << ", " << std::lround(time) << " s" << std::flush;
+    }
+    return is_end_requested == 0 && time < m_time_limit;
+  }
+
+  double seconds() const { return m_timer.time(); } // since the beginning of the program
 
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
   {
@@ -63,7 +79,6 @@ public:
          << step.iteration << ", " << step.number_of_inverted_cells << " inverted cells";
     if(step.kind == VMP::Step_kind::NEWTON)
       text << ", energy " << step.energy;
-    text << ", " << m_timer.time() << " s";
     show(text.str());
     return goes_on();
   }
@@ -94,6 +109,8 @@ private:
   static inline volatile sig_atomic_t is_end_requested = 0;
 
   bool m_is_shown;
+  mutable std::string m_text;
+  mutable double m_seconds_of_text = 0, m_seconds_of_time = 0; // when it was shown first, and the time after it last
   double m_time_limit; // in seconds, from the beginning of the program
   CGAL::Real_timer m_timer;
   std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step> m_steps;

@@ -5,6 +5,7 @@
 #include "Command_line.h"
 #include "Output_file.h"
 #include "Result_report.h"
+#include "mend_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
@@ -26,6 +27,10 @@ struct Outcome
   Exit_code exit_code;
   std::string status_code; // the name of the result's status, or of what was thrown
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
+  std::vector<std::string> files = {};                          // that are written
+  double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
+  std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0,
+              number_of_separated_vertices = 0, number_of_targets_inside = 0;
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
 };
@@ -60,7 +65,9 @@ inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Pa
 inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
-                      .add("landmarks", options.landmarks)
+                      .add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
+                      .add("separate", options.do_separate).add("displacements", options.are_displacements)
+                      .add("others", options.others).add("initial", options.initial)
                       .add("boundary", options.boundary).add("refine", options.do_refine)
                       .add("slide", options.do_slide).add("energy", options.energy)
                       .add("volume_weights", options.use_volume_weights)
@@ -91,6 +98,25 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
                       .add("mean_scaled_jacobian", result.mean_scaled_jacobian);
 }
 
+inline std::string list(const std::vector<std::string>& names)
+{
+  std::string result;
+  for(std::size_t i = 0; i < names.size(); ++i)
+    result += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return result;
+}
+
+// The last lines.
+inline void print_end(const Outcome& outcome)
+{
+  std::cout << "seconds: reading " << outcome.seconds_reading << ", boundary " << outcome.seconds_boundary << ", map "
+            << outcome.result.seconds_total << ", hexahedra " << outcome.seconds_hexahedra << "\n";
+  if(!outcome.files.empty())
+    std::cout << "Written: " << list(outcome.files) << "\n";
+  if(outcome.exit_code == SUCCESS && outcome.result.status == CGAL::Volume_mesh_parameterization::OK)
+    std::cout << "Success\n";
+}
+
 // Without a map, there is nothing to tell of bad input but the message and the options.
 inline void write_report(const Options& options, const Outcome& outcome, const Progress_line& progress)
 {
@@ -104,6 +130,14 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
   if(outcome.exit_code != BAD_INPUT || result.has_valid_map)
   {
     add(report, result);
+    report.add("coinciding_points", outcome.number_of_coinciding_points)
+          .add("merged_points", outcome.number_of_merged_points)
+          .add("turned_cells", outcome.number_of_turned_cells)
+          .add("separated_vertices", outcome.number_of_separated_vertices)
+          .add("targets_inside", outcome.number_of_targets_inside)
+          .add("seconds_reading", outcome.seconds_reading)
+          .add("seconds_boundary", outcome.seconds_boundary)
+          .add("seconds_hexahedra", outcome.seconds_hexahedra);
     if(outcome.hexahedra)
       report.add("hexahedra", json(*outcome.hexahedra));
     report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());

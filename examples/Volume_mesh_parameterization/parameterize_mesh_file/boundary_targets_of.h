@@ -129,7 +129,8 @@ inline void name_missing_target(const std::string& filename,
   for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
     if(std::isnan(targets[v][0]))
       throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
-                             + " (counted from 0) is on the boundary of the source, but has no target");
+                             + " (counted from 0) is on the boundary of the source, but has no target; if others stay where "
+                             "they are, --others stay tells this");
 }
 
 // None if the name of the file is empty.
@@ -164,7 +165,7 @@ inline Points targets_on_domain(const std::string& domain, const double spacing,
     vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
   if(!vertices.empty())
     message += " It is none at " + std::to_string(vertices.size()) + " vertices, among them vertex "
-      + std::to_string(vertices.front()) + " (counted from 0).";
+      + std::to_string(vertices.front()) + " (counted from 0). Where only vertices or edges join cells there, --separate parts them.";
   throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
 }
 

@@ -6,6 +6,7 @@
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
 #include "Output_file.h"
+#include "Target_points.h"
 #include "boundary_targets_of.h"
 #include "check_roles.h"
 
@@ -38,7 +39,7 @@ inline std::vector<std::string> without_empty(std::vector<std::string> names)
 }
 
 inline std::vector<std::string> inputs(const Options& options)
-{ return without_empty({ options.source, options.target, options.landmarks }); }
+{ return without_empty({ options.source, options.target, options.landmarks, options.initial }); }
 
 inline std::vector<std::string> outputs(const Options& options)
 {
@@ -69,6 +70,10 @@ inline void check(const Options& options)
     named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
     throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
+  if(named_others(options.others) != Others::MISSING && options.target.empty())
+    throw std::runtime_error("other vertices than those of TARGET are told by --others, and --to has none");
+  if(options.are_displacements && options.target.empty())
+    throw std::runtime_error("displacements are those of TARGET, and --to has none");
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.energy_tolerance >= 0))

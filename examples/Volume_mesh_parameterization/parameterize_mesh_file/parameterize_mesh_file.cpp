@@ -5,6 +5,7 @@
 #include "Output_file.h"
 #include "Progress_line.h"
 #include "Report.h"
+#include "Target_points.h"
 #include "boundary_targets_of.h"
 #include "check_options.h"
 #include "read_source.h"
@@ -32,16 +33,17 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
-Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Points& targets, const Options& options,
-                    Progress_line& progress, Points& uvw)
+Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, const Points& initial,
+                    const Options& options, Progress_line& progress, Points& uvw)
 {
+  const Points& targets = target.points;
   Result result = std::visit([&](const auto& solver)
   {
-    return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
-      mesh, targets, uvw,
-      params::boundary_mode(named_boundary_mode(options.boundary))
+    const auto np
+      = params::boundary_mode(named_boundary_mode(options.boundary))
         .do_refine(options.do_refine)
-        .do_slide_boundary(options.do_slide)
+        .do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE)
+        .vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained))
         .energy(named_energy(options.energy))
         .use_volume_weights(options.use_volume_weights)
         .energy_tolerance(options.energy_tolerance)
@@ -49,13 +51,18 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Points& targets, const 
         .minimize_maximal_angle_distortion(options.minimize_maximal_angle_distortion)
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-        .visitor(std::ref(progress)));
+        .visitor(std::ref(progress));
+    const auto parameterize_from = [&](const auto& np)
+    { return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mesh, targets, uvw, np); };
+    return initial.empty() ? parameterize_from(np) : parameterize_from(np.initial_map(CGAL::make_property_map(initial)));
   }, named_solver(options.solver));
   // vertices without a cell keep their points, or take the prescribed ones
   for(std::size_t v = 0; v < uvw.size(); ++v)
     if(std::isnan(uvw[v][0]))
       uvw[v] = std::isnan(targets[v][0]) ? mesh.points[v] : targets[v];
   result.message = with_names_of_options(result.message);
+  if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
+    result.message += " If TARGET has displacements, --displacements tells this.";
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(progress.reason()) + (result.has_valid_map
       ? " The map is valid, but the energy is not minimal yet." : " There is no map without inverted cells yet.");
@@ -96,8 +103,13 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
     return;
   }
   progress.show("making hexahedra");
-  const VMP::Hexahedral_mesh_result hexahedra = Hexahedra_file(options.hexahedra).write(mesh, uvw, progress);
+  const double begin = progress.seconds();
+  const Hexahedra_file file(options.hexahedra);
+  const VMP::Hexahedral_mesh_result hexahedra = file.write(mesh, uvw, progress);
   outcome.hexahedra = hexahedra;
+  outcome.seconds_hexahedra = progress.seconds() - begin;
+  if(hexahedra.status == VMP::OK)
+    outcome.files.push_back(file.name());
   if(hexahedra.status == VMP::OK && !hexahedra.is_interrupted)
     return;
   if(hexahedra.status != VMP::OK)
@@ -115,25 +127,25 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
 // Writes the files of a map. The outcome tells which file cannot be written, and which others have been.
 void write_files(const Options& options, const Source& source, const Points& uvw, Progress_line& progress, Outcome& outcome)
 {
-  std::string written;
   const auto fail = [&](const Exit_code exit_code, const char* status_code, const std::string& sentence)
   {
     outcome.exit_code = exit_code;
     outcome.status_code = status_code;
-    outcome.result.message = (written.empty() ? "No file is written. "
-      : (outcome.result.status == VMP::OK ? "The map is complete" : outcome.result.message + " It is") + " in " + written + ". ") + sentence;
+    outcome.result.message = (outcome.files.empty() ? "No file is written. "
+      : (outcome.result.status == VMP::OK ? "The map is complete" : outcome.result.message + " It is") + " in "
+        + list(outcome.files) + ". ") + sentence;
   };
   try
   {
     if(!options.output.empty())
     {
-      write_map(options.output, source.as_in_file(), uvw, progress);
-      written = options.output;
+      write_map(options.output, source.oriented_as_in_file(), uvw, progress);
+      outcome.files.push_back(options.output);
     }
     if(!options.refined_source.empty())
     {
-      write_mesh(options.refined_source, source.as_in_file(), progress);
-      written += (written.empty() ? "" : " and ") + options.refined_source;
+      write_mesh(options.refined_source, source.oriented_as_in_file(), progress);
+      outcome.files.push_back(options.refined_source);
     }
     if(!options.hexahedra.empty())
       make_hexahedra(options, source.soup, uvw, progress, outcome);
@@ -161,23 +173,49 @@ Outcome run(const Options& options, Progress_line& progress)
   CGAL_USE(limit);
 #endif
   progress.begin("reading " + options.source);
-  Source source = read_source(options.source, progress);
+  Source source = read_source(options, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;
+  progress.show("");
+  if(!options.is_quiet)
+    for(const std::string& note : source.notes)
+      std::cerr << "note: " << options.source << ": " << note << std::endl;
+
   const bool has_file = !options.target.empty();
-  progress.begin(has_file ? "reading " + options.target : "mapping the boundary to " + options.domain);
-  const Landmarks landmarks = landmarks_of_file(options.landmarks, mesh, progress);
-  const Points targets = has_file ? targets_of_file(options.target, mesh, progress)
-    : naming(options.source, [&]
-      { return targets_on_domain(options.domain, Hexahedra_file(options.hexahedra).spacing(), landmarks, mesh, progress); });
+  if(has_file)
+    progress.begin("reading " + options.target);
+  const auto read_points = [&](const std::string& name) { return source.carried(targets_of_file(name, source.in_file(), progress)); };
+  Target_points target;
+  if(has_file)
+    target = target_points(source, read_points(options.target), options);
+  const Points initial = options.initial.empty() ? Points() : read_points(options.initial);
+  const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
+  const double seconds_reading = progress.seconds();
+  if(!has_file)
+  {
+    progress.begin("mapping the boundary to " + options.domain);
+    const double spacing = Hexahedra_file(options.hexahedra).spacing();
+    target.points = naming(options.source, [&] { return targets_on_domain(options.domain, spacing, landmarks, mesh, progress); });
+    target.is_constrained.resize(mesh.points.size(), false);
+  }
+  const double seconds_boundary = progress.seconds() - seconds_reading;
 
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
-  const Result result = naming(options.source, [&] { return parameterize(mesh, targets, options, progress, uvw); });
+  const Result result
+    = naming(options.source, [&] { return parameterize(mesh, target, initial, options, progress, uvw); });
   if(has_file && result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
-    name_missing_target(options.target, mesh, targets);
+    name_missing_target(options.target, mesh, target.points);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
+  outcome.seconds_reading = seconds_reading;
+  outcome.seconds_boundary = seconds_boundary;
+  outcome.number_of_coinciding_points = source.number_of_coinciding_points;
+  outcome.number_of_merged_points = source.number_of_merged_points;
+  outcome.number_of_turned_cells = source.number_of_turned_cells;
+  outcome.number_of_separated_vertices = source.origins.size();
+  outcome.number_of_targets_inside = target.number_inside;
   if(!result.has_valid_map)
     return outcome;
+  source.complete_images(uvw);
   progress.show("writing"); // also if the computation was interrupted
   write_files(options, source, uvw, progress, outcome);
   return outcome;
@@ -235,6 +273,8 @@ int main(int argc, char* argv[])
     if(result.has_valid_map && !options.is_quiet)
     {
       print(result);
+      if(outcome.number_of_targets_inside > 0)
+        std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
       if(outcome.hexahedra && outcome.hexahedra->status == VMP::OK)
         print(*outcome.hexahedra);
     }
@@ -244,8 +284,15 @@ int main(int argc, char* argv[])
       std::cerr << "The boundary residual is " << result.boundary_residual << "." << std::endl;
     if(!options.report.empty())
       write_report(options, outcome, progress);
+    if(result.has_valid_map && !options.is_quiet)
+      print_end(outcome);
     flush_standard_output();
     return outcome.exit_code;
+  }
+  catch(const std::bad_alloc&)
+  {
+    std::cerr << "There is not enough memory." << std::endl;
+    return NOT_FLIP_FREE;
   }
   catch(const Unread_output& error) // the report
   {

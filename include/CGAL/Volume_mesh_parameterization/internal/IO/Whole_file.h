@@ -31,7 +31,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Where a file is or will be, behind symbolic links.
+// Follows symbolic links to the file, which need not be there yet.
 inline std::string path_behind_links(const std::string& name)
 {
   std::filesystem::path path = name;

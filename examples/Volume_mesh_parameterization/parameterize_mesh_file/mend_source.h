@@ -1,0 +1,135 @@
+// Tells the faults of a mesh, and mends them where that is safe or asked for.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MEND_SOURCE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MEND_SOURCE_H
+
+#include "Command_line.h"
+#include "Named_choices.h"
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
+#include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+using Points = std::vector<std::array<double, 3> >;
+
+// The mesh of a file, in its order, with positive cells.
+struct Source
+{
+  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
+  std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {}; // if cells have other vertices now
+  std::vector<std::size_t> first_points = {}; // of each point, that at the same place which has its cells now; or empty
+  std::vector<std::size_t> origins = {};      // of each point that was appended
+  bool is_turned = false;                     // are the cells negative in the file, and in what is written?
+  std::size_t number_of_coinciding_points = 0; // on the boundary
+  std::size_t number_of_merged_points = 0;
+  std::size_t number_of_turned_cells = 0; // alone, not all
+  std::vector<std::string> notes = {};
+
+  // Returns the mesh that other files tell of, with the vertices and cells of its file.
+  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& in_file() const { return unmended ? *unmended : soup; }
+
+  // Takes points of the file to the mesh. A point that is not told has coordinates that are not numbers.
+  Points carried(Points points) const
+  {
+    for(std::size_t v = 0; v < first_points.size(); ++v)
+      if(std::isnan(points[first_points[v]][0]))
+        points[first_points[v]] = points[v];
+    for(const std::size_t v : origins)
+      points.push_back(std::array<double, 3>(points[v]));
+    return points;
+  }
+
+  // Gives points without cells the images of those that have theirs.
+  void complete_images(Points& images) const
+  {
+    for(std::size_t v = 0; v < first_points.size(); ++v)
+      images[v] = images[first_points[v]];
+  }
+
+  // Returns the mesh with the orientation that cells have in the file.
+  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 oriented_as_in_file() const
+  {
+    auto result = soup;
+    for(std::array<std::size_t, 4>& cell : result.cells)
+      if(is_turned)
+        std::swap(cell[2], cell[3]);
+    return result;
+  }
+};
+
+inline void merge_points(Source& source)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  source.unmended = source.soup;
+  source.first_points = VMP::merge_coinciding_points(source.soup);
+  for(std::size_t v = 0; v < source.first_points.size(); ++v)
+    source.number_of_merged_points += source.first_points[v] != v;
+  source.notes.push_back(std::to_string(source.number_of_merged_points) + " points have the place of another one, and are merged with it");
+}
+
+// A cell that is turned alone keeps that; where all are, what is written is as in the file.
+inline void turn_cells(Source& source)
+{
+  const std::size_t number
+    = CGAL::Volume_mesh_parameterization::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
+  source.is_turned = number > 0 && number == source.soup.cells.size();
+  source.number_of_turned_cells = source.is_turned ? 0 : number;
+  if(source.number_of_turned_cells > 0)
+    source.notes.push_back(std::to_string(number) + " of " + std::to_string(source.soup.cells.size())
+                           + " cells were reversed, and are turned");
+}
+
+inline void separate(Source& source)
+{
+  if(!source.unmended)
+    source.unmended = source.soup;
+  source.origins = CGAL::Volume_mesh_parameterization::separate_pinched_vertices(source.soup);
+  source.notes.push_back(std::to_string(source.origins.size())
+                         + " vertices are added where the body touches itself, so that it does no more");
+}
+
+// Counts boundary vertices with the same coordinates: perhaps the body should be one there.
+inline void count_coinciding_points(Source& source)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const std::vector<std::size_t> vertices = VMP::boundary_vertices(source.soup.points, source.soup.cells);
+  Points points;
+  for(const std::size_t v : vertices)
+    points.push_back(source.soup.points[v]);
+  const std::vector<std::size_t> first = VMP::first_coinciding_points(points);
+  std::size_t last = 0;
+  for(std::size_t i = 0; i < first.size(); ++i)
+    if(first[i] != i)
+    {
+      ++source.number_of_coinciding_points;
+      last = i;
+    }
+  if(source.number_of_coinciding_points > 0)
+    source.notes.push_back(std::to_string(source.number_of_coinciding_points) + " vertices of the boundary have the place of "
+      "another one, as vertex " + std::to_string(vertices[last]) + " has that of vertex " + std::to_string(vertices[first[last]])
+      + " (counted from 0): the body is torn there, unless --merge-points joins it");
+}
+
+inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup, const Options& options)
+{
+  Source source = { std::move(soup) };
+  if(options.do_merge_points)
+    merge_points(source);
+  turn_cells(source);
+  if(options.do_separate)
+    separate(source);
+  else
+    count_coinciding_points(source);
+  return source;
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MEND_SOURCE_H

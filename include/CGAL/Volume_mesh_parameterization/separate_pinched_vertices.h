@@ -1,0 +1,118 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SEPARATE_PINCHED_VERTICES_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_SEPARATE_PINCHED_VERTICES_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
+
+#include <map>
+
+namespace CGAL::Volume_mesh_parameterization {
+namespace internal {
+
+// The corners of cells, where corner 4 c + i is vertex i of cell c. Facets join corners at the same vertex to fans.
+inline Disjoint_sets fans_of_corners(const Tetrahedron_soup_3& soup)
+{
+  const Facet_matching_3 matching(soup);
+  Disjoint_sets fans(4 * soup.cells.size());
+  for(std::size_t side = 0; side < 4 * soup.cells.size(); ++side)
+    if(matching.mirror(side) < side)
+      for(const int i : facets_of_cell[side % 4])
+        for(const int j : facets_of_cell[matching.mirror(side) % 4])
+          if(soup.cells[side / 4][i] == soup.cells[matching.mirror(side) / 4][j])
+            fans.unite(side / 4 * 4 + i, matching.mirror(side) / 4 * 4 + j);
+  return fans;
+}
+
+// Lets the marked facets follow the cells, which had the vertices `before`.
+inline void renumber_facets(const std::vector<std::array<std::size_t, 4> >& before, Tetrahedron_soup_3& soup)
+{
+  std::map<std::array<std::size_t, 3>, std::array<std::size_t, 3> > moved;
+  for(std::size_t c = 0; c < before.size(); ++c)
+    for(const auto& [i, j, k] : facets_of_cell)
+      if(before[c] != soup.cells[c])
+        moved.emplace(sorted(std::array{ before[c][i], before[c][j], before[c][k] }),
+                      std::array{ soup.cells[c][i], soup.cells[c][j], soup.cells[c][k] });
+  for(std::array<std::size_t, 3>& facet : soup.facets)
+  {
+    const auto found = moved.find(sorted(facet));
+    facet = found == moved.end() ? facet : found->second;
+  }
+}
+
+} // namespace internal
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// gives a vertex where a body touches itself, or another one, as many vertices as there are fans of cells around it, which
+/// facets at the vertex join. The boundary is a manifold then, except where one fan touches itself. The time is linear in the
+/// number of cells, but for those at such vertices.
+///
+/// \param soup the mesh, whose cells are all positive or all negative. The first fan keeps its vertex; points at the same
+///        place for the other ones are appended. Marked facets follow their cells.
+///
+/// \return for each appended point, the vertex that it was
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
+inline std::vector<std::size_t> separate_pinched_vertices(Tetrahedron_soup_3& soup)
+{
+  internal::check_simplices(soup);
+  internal::Disjoint_sets fans = internal::fans_of_corners(soup);
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> first_fan(soup.points.size(), none), origins;
+  std::map<std::size_t, std::size_t> vertex_of_fan;
+  const std::vector<std::array<std::size_t, 4> > before = soup.cells;
+  for(std::size_t corner = 0; corner < 4 * before.size(); ++corner)
+  {
+    const std::size_t v = before[corner / 4][corner % 4], fan = fans.find(corner);
+    if(first_fan[v] == none)
+      first_fan[v] = fan;
+    if(first_fan[v] == fan)
+      continue;
+    const auto [entry, is_new] = vertex_of_fan.emplace(fan, soup.points.size());
+    if(is_new)
+    {
+      origins.push_back(v);
+      soup.points.push_back(std::array<double, 3>(soup.points[v]));
+    }
+    soup.cells[corner / 4][corner % 4] = entry->second;
+  }
+  internal::renumber_facets(before, soup);
+  return origins;
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// does this for a complex, which is built anew if there is such a vertex: handles are lost then, and marked facets are those of
+/// the boundary and between subdomains only.
+///
+/// \tparam C3t3 as for `tetrahedron_soup_to_mesh_complex_3()`
+///
+/// \return the number of vertices that have been added
+template <typename C3t3, typename = typename C3t3::Triangulation>
+std::size_t separate_pinched_vertices(C3t3& c3t3)
+{
+  Tetrahedron_soup_3 soup;
+  std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
+  std::vector<typename C3t3::Triangulation::Cell_handle> cells;
+  mesh_complex_3_to_tetrahedron_soup(c3t3, soup, vertices);
+  const std::size_t number_of_new_vertices = separate_pinched_vertices(soup).size();
+  if(number_of_new_vertices > 0)
+    tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+  return number_of_new_vertices;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SEPARATE_PINCHED_VERTICES_H

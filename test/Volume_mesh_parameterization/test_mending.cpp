@@ -1,0 +1,127 @@
+// Faults of a soup are mended: points at one place, cells that are reversed, vertices where a body touches itself.
+#include "catch.h"
+#include "cube_mesh.h"
+#include "cube_complex.h"
+
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
+#include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using Soup = VMP::Tetrahedron_soup_3;
+
+namespace {
+
+// Two cells with the common facet 0, 1, 2, and a third vertex on each side of it.
+Soup two_cells()
+{
+  Soup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  soup.cells = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+  soup.cell_references = {1, 2};
+  soup.facets = {{2, 1, 0}};
+  soup.facet_references = {7};
+  return soup;
+}
+
+// Tears them apart: the second cell has points of its own.
+Soup two_torn_cells()
+{
+  Soup soup = two_cells();
+  soup.points.insert(soup.points.end(), {{0, 1, 0}, {1, 0, 0}, {0, 0, 0}});
+  soup.cells[1] = {7, 5, 6, 4};
+  soup.facets.push_back({5, 6, 7});
+  soup.facet_references.push_back(8);
+  return soup;
+}
+
+} // namespace
+
+TEST_CASE("Points at one place become the first of them")
+{
+  Soup soup = two_torn_cells();
+  CHECK(VMP::boundary_vertices(soup.points, soup.cells).size() == 8);
+  CHECK(VMP::merge_coinciding_points(soup) == std::vector<std::size_t>{0, 1, 2, 3, 4, 2, 1, 0});
+  CHECK(soup.points.size() == 8); // indices keep their meaning
+  CHECK(soup.cells == two_cells().cells);
+  CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{2, 1, 0}, {2, 1, 0}});
+  CHECK(VMP::boundary_vertices(soup.points, soup.cells).size() == 5);
+
+  CHECK(VMP::merge_coinciding_points(soup) == VMP::first_coinciding_points(soup.points)); // nothing changes any more
+  CHECK(soup.cells == two_cells().cells);
+  CHECK(VMP::first_coinciding_points({{0., 0, 0}, {-0., 0, 0}, {1e-300, 0, 0}}) == std::vector<std::size_t>{0, 0, 2});
+}
+
+TEST_CASE("A body that touches itself gets a vertex for each fan")
+{
+  // two cells at an edge, and a third one at a vertex
+  Soup soup;
+  soup.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 0, 2}, {0, 1, 2}, {0, 0, 2}};
+  soup.cells = {{0, 2, 3, 1}, {0, 4, 5, 1}, {1, 6, 7, 8}};
+  soup.cell_references = {1, 2, 3};
+  soup.facets = {{1, 0, 5}, {0, 1, 2}, {7, 6, 1}};
+  soup.facet_references = {4, 5, 6};
+  CHECK(VMP::non_manifold_boundary_vertices(soup.points, soup.cells).size() == 2);
+  const Soup before = soup;
+  CHECK(VMP::separate_pinched_vertices(soup) == std::vector<std::size_t>{0, 1, 1});
+  CHECK(soup.cells == std::vector<std::array<std::size_t, 4> >{{0, 2, 3, 1}, {9, 4, 5, 10}, {11, 6, 7, 8}});
+  CHECK(soup.points[9] == before.points[0]);
+  CHECK(soup.points[10] == before.points[1]);
+  CHECK(soup.points[11] == before.points[1]);
+  for(std::size_t f = 0; f < 3; ++f)
+    std::sort(soup.facets[f].begin(), soup.facets[f].end());
+  CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{5, 9, 10}, {0, 1, 2}, {6, 7, 11}});
+  CHECK(VMP::non_manifold_boundary_vertices(soup.points, soup.cells).empty());
+  CHECK(VMP::separate_pinched_vertices(soup).empty());
+
+  soup = two_cells();
+  CHECK(VMP::separate_pinched_vertices(soup).empty());
+  CHECK(soup.facets == two_cells().facets);
+
+  using C3t3 = Cube_complex<>::C3t3;
+  C3t3 c3t3;
+  std::vector<C3t3::Vertex_handle> vertices;
+  std::vector<C3t3::Cell_handle> cells;
+  VMP::tetrahedron_soup_to_mesh_complex_3(before, c3t3, vertices, cells);
+  CHECK(VMP::separate_pinched_vertices(c3t3) == 3);
+  CHECK(c3t3.triangulation().number_of_vertices() == 12);
+  CHECK(c3t3.number_of_cells_in_complex() == 3);
+  CHECK(VMP::separate_pinched_vertices(c3t3) == 0);
+}
+
+TEST_CASE("Cells are turned where facets tell that this is right")
+{
+  Soup soup = two_cells();
+  std::swap(soup.cells[1][0], soup.cells[1][1]);
+  CHECK(VMP::orient_tetrahedron_soup(soup) == 1);
+  CHECK(soup.cells[0] == two_cells().cells[0]);
+  CHECK(VMP::boundary_vertices(soup.points, soup.cells).size() == 5);
+  CHECK(VMP::orient_tetrahedron_soup(soup) == 0);
+
+  // a vertex that has been moved through the common facet: the second cell lies on the first
+  soup = two_cells();
+  soup.points[4] = {0.1, 0.1, 0.5};
+  const Soup tangled = soup;
+  const auto sentence = [&]
+  {
+    try { VMP::orient_tetrahedron_soup(soup); }
+    catch(const VMP::Input_error& error) { return std::string(error.what()); }
+    return std::string();
+  };
+  CHECK(sentence().find("cell 1 (counted from 0) has the negative volume -0.083") == 0);
+  CHECK(soup.cells == tangled.cells);
+
+  soup.points[4] = {1, 1, 0};
+  soup.points[3] = {2, 2, 0};
+  CHECK(sentence() == "2 cells have zero volume, among them cells 0 and 1 (counted from 0)");
+  soup.points[3] = {0, 0, 1};
+  CHECK(sentence() == "cell 1 (counted from 0) has zero volume");
+}
