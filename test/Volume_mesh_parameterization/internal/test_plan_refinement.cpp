@@ -112,6 +112,21 @@ TEST_CASE("An approach goes on if the last refinement has brought it nearer by a
   CHECK(goes_on(started_again));
 }
 
+TEST_CASE("After three refinements in a row that bring an approach no nearer, nothing is split")
+{
+  const Numbered_mesh_3 mesh = impossible_cube();
+  const Found_map_3 found = blocked_map(mesh, 4);
+  Blocked_approach_3 before;
+  for(int round = 0; round < 4; ++round) // after the first one, the search is as far as it was
+  {
+    const Refinement_plan_3 plan = plan_refinement_3(mesh, found, before, {});
+    CHECK(plan.edges.empty() == (round == 3));
+    before = plan.approach;
+  }
+  before.smallest_distance = 2 * found.map.distance_to_boundary;
+  CHECK_FALSE(plan_refinement_3(mesh, found, before, {}).edges.empty());
+}
+
 TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the approach, it is tried again")
 {
   const Numbered_mesh_3 mesh = impossible_cube();

@@ -22,6 +22,8 @@ struct Blocked_approach_3
   bool goes_on = false;             // from the map reached; otherwise, all starts again with the refined complex
   std::size_t number_of_raises = 0; // of the weight of the soft boundary
   double distance = std::numeric_limits<double>::infinity(); // the largest one to a target
+  double smallest_distance = std::numeric_limits<double>::infinity(); // of those after all refinements
+  std::size_t number_of_vain_rounds = 0; // of refinements that did not lower that
 };
 
 // What a refinement keeps of the untangling that was stuck.
@@ -120,11 +122,20 @@ inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, co
 }
 
 // Chooses the cells that keep the boundary from its targets; or, where these are fewer, those that the fixed boundary has
-// left inverted, to try it again, unless that has been given up. If the last refinement has not helped, it is better to start all again as well.
+// left inverted, to try it again, unless that has been given up. If the last refinement has not helped, it is better to start
+// all again as well; if several have not, nothing is split.
 inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
                                            const Blocked_approach_3& before, const Stuck_untangling_3& untangling)
 {
+  constexpr double notable = 0.9;
+  constexpr std::size_t patience = 3; // a guess: maps that were found needed no more than one such round
   Refinement_plan_3 plan;
+  plan.approach.distance = found.map.distance_to_boundary;
+  plan.approach.smallest_distance = (std::min)(plan.approach.distance, before.smallest_distance);
+  plan.approach.number_of_vain_rounds
+    = plan.approach.distance < notable * before.smallest_distance ? 0 : before.number_of_vain_rounds + 1;
+  if(plan.approach.number_of_vain_rounds >= patience)
+    return plan;
   plan.untangling.has_given_up = untangling.has_given_up;
   std::vector<std::size_t> cells = blocking_cells_3(mesh, found.map.positions);
   const bool is_easier_fixed = !untangling.has_given_up && found.diagnosis && !found.diagnosis->inverted_cells.empty()
@@ -134,8 +145,7 @@ inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Fo
   sort_by_user_number(mesh, cells);
   plan.edges = edges_of_cells(mesh, cells);
 
-  plan.approach.distance = found.map.distance_to_boundary;
-  plan.approach.goes_on = !is_easier_fixed && (!before.goes_on || plan.approach.distance < 0.9 * before.distance);
+  plan.approach.goes_on = !is_easier_fixed && (!before.goes_on || plan.approach.distance < notable * before.distance);
   plan.approach.number_of_raises = (std::max)(found.number_of_raises, std::size_t(1)) - 1; // the last one was useless
   return plan;
 }
