@@ -5,9 +5,13 @@ set -euo pipefail
 
 usage="Usage: scripts/test_matrix.sh [--folder FOLDER] [--cgal PREFIX] [--eigen PREFIX] [CONFIGURATION...]
 
-Without a configuration, all of these:
+Without a configuration, all of these, but for the sanitizers:
   default      the compiler, the standard and the libraries that CMake finds
   assertions   with the assertions of this package, of CGAL and of Eigen
+  library      with the assertions of GNU's C++ library, as some distributions compile all
+  sanitizers   clang++ with the sanitizers of addresses and of undefined behaviour; for hours
+  threads      the core: several threads at once, with clang++ and the sanitizer of threads, without TBB, which is not compiled
+               for it
   clang        clang++
   minimal      C++20, without TBB, CHOLMOD and PETSc
   petsc        the tests with several processes, with the assertions of this package, of CGAL and of Eigen
@@ -40,7 +44,7 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers libc++ no_gmp arm64 windows
+  configurations=(default assertions library threads clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers libc++ no_gmp arm64 windows
     ${cgal:+cgal_core})
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -93,11 +97,26 @@ test_core() # NAME RUNNER COMPILER FLAGS...
     echo "100% tests passed, 0 tests failed out of 2"
 }
 
+# Several threads are a program of their own.
+test_threads()
+{
+  local test="$root/test/Volume_mesh_parameterization"
+  mkdir -p "$folder/threads"
+  clang++ -std=c++17 -O1 -g -DNDEBUG -DCGAL_EIGEN3_ENABLED -frounding-math -fsanitize=thread -I "$root/include" -I "$test" \
+    -isystem /usr/include/eigen3 "$test/test_threads.cpp" "$test/catch_main.cpp" -o "$folder/threads/test_threads" -lmpfr -lgmp &&
+    TSAN_OPTIONS=halt_on_error=1 "$folder/threads/test_threads" &&
+    echo "100% tests passed, 0 tests failed out of 1"
+}
+
 run()
 {
   case $1 in
     default) build_and_test "$1" ;;
     assertions) build_and_test "$1" -DCMAKE_BUILD_TYPE=Debug ;;
+    library) build_and_test "$1" -DCMAKE_CXX_FLAGS=-D_GLIBCXX_ASSERTIONS ;;
+    sanitizers) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ \
+                  "-DCMAKE_CXX_FLAGS=-fsanitize=address,undefined -fno-sanitize-recover=all" ;;
+    threads) test_threads ;;
     clang) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ ;;
     minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF \
                -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON ;;
