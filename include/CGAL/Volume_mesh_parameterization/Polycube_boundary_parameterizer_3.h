@@ -107,7 +107,7 @@ public:
   /// \pre The labels are 0 to 5; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   /// \return the same as without labels
   template <typename C3t3, typename FacetLabelMap, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
-            typename = typename C3t3::Triangulation>
+            typename = typename C3t3::Triangulation, typename = internal::Key_of<VertexPointMap> >
   Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
@@ -121,7 +121,8 @@ public:
   /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels, as for a complex:
   /// `labels[c][i]` is the label of the facet opposite to vertex `i` of cell `c`.
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
-            typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange> >
+            typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange>,
+            typename = internal::If_range<TargetRange> >
   Error_code parameterize(const PointRange& points, const CellRange& cells, const LabelRange& labels, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
