@@ -262,7 +262,7 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
     CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "1 " + bad + " 0 0"))
           == "line 6: '" + bad + "' is not a finite coordinate");
   CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "nan 0 0 0"))
-        == "line 6: 'nan' follows 1 instead of 4 elements of the section 'Vertices'");
+        == "line 6: 'nan' is not a finite coordinate");
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1", "Tetrahedra\n-1"))
         == "line 10: '-1' is not a number of elements");
   CHECK(reading_error(replaced(tetrahedron, "1 0 0 0", "\x1b[2J" + std::string(100, 'x') + " 0 0 0"))

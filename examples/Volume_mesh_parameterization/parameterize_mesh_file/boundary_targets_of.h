@@ -164,7 +164,8 @@ inline Points targets_on_domain(const std::string& domain, const double spacing,
   if(status == VMP::ERROR_NON_MANIFOLD_BOUNDARY)
     vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
   if(!vertices.empty())
-    message += " It is none at " + std::to_string(vertices.size()) + " vertices, among them vertex "
+    message += " It is no manifold at " + std::to_string(vertices.size())
+      + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ")
       + std::to_string(vertices.front()) + " (counted from 0). Where only vertices or edges join cells there, --separate parts them.";
   throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
 }

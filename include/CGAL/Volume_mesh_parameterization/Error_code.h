@@ -49,7 +49,7 @@ enum Error_code
   ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has not enough vertices for the edges of the target
   ERROR_BOUNDARY_MAP_NOT_BIJECTIVE,  ///< rounding made the map of the boundary not one to one
   ERROR_OTHER_CONNECTIVITY,          ///< the surface for the target has another connectivity than the boundary
-  ERROR_NO_POLYCUBE,                 ///< no polycube was found whose faces have the directions of the labels
+  ERROR_NO_POLYCUBE,                 ///< no polycube was found, or none with the labels given
   ERROR_INVALID_CORNERS,             ///< the corners of a cube are not eight different vertices of the boundary
   ERROR_MIRRORED_CORNERS,            ///< the corners of a cube fit its mirror image
   ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
@@ -86,8 +86,8 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_PRESCRIBED_CELL_INVERTED:
       return "The prescribed vertices alone make a cell of the target flat or invert it.";
     case ERROR_NON_MANIFOLD_BOUNDARY:
-      return "The boundary of the complex is not a manifold; Mesh_3 makes manifolds with the parameters manifold(), "
-             "no_perturb() and no_exude().";
+      return "The boundary of the complex is not a manifold: cells touch each other in a vertex or an edge alone. Give "
+             "those that are connected by facets around a vertex a copy of it of their own.";
     case ERROR_SEVERAL_BOUNDARY_COMPONENTS: return "The boundary of the complex has several connected components.";
     case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
       return "The boundary of the complex has handles; it must be a topological sphere.";
@@ -97,7 +97,7 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_OTHER_CONNECTIVITY:
       return "The surface for the target has another connectivity than the boundary of the complex.";
     case ERROR_NO_POLYCUBE:
-      return "No polycube was found whose faces have the directions that the facets of the boundary are labelled with.";
+      return "No polycube was found for the boundary, or for the labels of its facets where some are given.";
     case ERROR_INVALID_CORNERS:
       return "The corners of a cube must be eight different vertices of the boundary of the complex.";
     case ERROR_MIRRORED_CORNERS:

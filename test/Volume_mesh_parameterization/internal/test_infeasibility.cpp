@@ -277,6 +277,15 @@ TEST_CASE("a search that is ended returns the proofs found by then")
   CHECK(internal::diagnose_3(m, inverted, exhausted).inverted_cells == inverted);
 }
 
+TEST_CASE("a sentence about cells that stay inverted names as many as one looks at")
+{
+  const Mesh m = edge_ring(bow_tie);
+  CHECK(internal::describe_inverted_cells({ 0, 1, 2 }, m)
+        == "With the boundary at its targets, these cells stay inverted: 0, 1, 2.");
+  CHECK(internal::describe_inverted_cells({ 0, 1, 2, 3, 4, 5, 6 }, m)
+        == "With the boundary at its targets, these cells stay inverted: 0, 1, 2, 3, 4, and 2 others.");
+}
+
 TEST_CASE("a proof of many cells asks the budget for each of them, and between the pivots of the simplex method")
 {
   std::vector<Point> ring;

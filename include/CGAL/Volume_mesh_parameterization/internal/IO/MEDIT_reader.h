@@ -77,9 +77,14 @@ private:
     Text_scanner begin;   // of what this slice has of them
   };
 
-  // The next keyword does, or the end of the text.
+  // The next keyword does, or the end of the text. An infinite coordinate, or one that is no number, is told as such.
   static bool ends_section(const std::string_view text)
-  { return text.empty() || ('A' <= text[0] && text[0] <= 'Z') || ('a' <= text[0] && text[0] <= 'z'); }
+  {
+    std::string begin(text.substr(0, 3));
+    for(char& c : begin)
+      c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return begin.empty() || ('a' <= begin[0] && begin[0] <= 'z' && begin != "nan" && begin != "inf");
+  }
 
   static std::size_t keyword(const std::string_view word)
   { return static_cast<std::size_t>(std::find(m_keywords.begin(), m_keywords.end(), word) - m_keywords.begin()); }

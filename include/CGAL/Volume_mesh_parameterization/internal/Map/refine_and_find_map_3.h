@@ -146,7 +146,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   {
     prescription.extend_to(body.soup.points.size());
     // later, there may be a map to be returned
-    const Checked_body_3 checked(body, prescription, problem, is_first ? budget : Budget());
+    Checked_body_3 checked(body, prescription, problem, is_first ? budget : Budget());
     const auto take = [&](const std::vector<Insertion_3>& made)
     { insertions.insert(insertions.end(), made.begin(), made.end()); };
     if(is_first && checked.check.allows_soft_boundary() && checked.check.is_refinable)
@@ -179,8 +179,10 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
           continue;
       }
     }
+    const bool is_refinable = checked.check.is_refinable;
+    checked.check.is_refinable = false; // by more than what has been refined
     Parameterization_result result = written_result(body, checked, problem, found, images);
-    if(!found && result.status == ERROR_PRESCRIBED_CELL_INVERTED && checked.check.is_refinable && budget.is_exhausted())
+    if(!found && result.status == ERROR_PRESCRIBED_CELL_INVERTED && is_refinable && budget.is_exhausted())
       result.status = ERROR_INTERRUPTED;
     result.number_of_added_vertices = insertions.size();
     return result;

@@ -1,0 +1,285 @@
+// The advice of each message is carried out, and leads where it says:
+// - "exchange two vertices of each cell", "scale it", "try another one" (a linear solver), "give those ... a copy", "refine
+//   it" (a boundary too coarse), "exchange opposite faces", "map the body to a box or a polycube": here
+// - "allow refinement": here for the sentence, in test_arrays.cpp for where it leads, and in test_driver.cpp for --refine
+// - "move a target of it off the line": in test_entry_function.cpp
+// - "make it smaller" (the spacing of a polycube): in test_polycube.cpp
+// - "a spacing of ... would do": in test_hexahedra.cpp; "make the spacing smaller": here
+// - "Conjugate_gradient_solver_traits_3 needs far less" memory: in no test, which would need all that there is
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace params = CGAL::parameters;
+
+using Cells = std::vector<std::array<std::size_t, 4> >;
+using Points = std::vector<std::array<double, 3> >;
+using VMP::Tetrahedron_soup_3;
+
+namespace {
+
+bool has(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+VMP::Parameterization_result identity(const Tetrahedron_soup_3& soup)
+{
+  Points images;
+  return CGAL::stretch_minimizing_volume_parameterization(soup, soup.points, images);
+}
+
+// The unit cubes of [0, n]^3 for which `is_solid` is true.
+template <typename IsSolid>
+Tetrahedron_soup_3 bricks(const int n, const IsSolid& is_solid)
+{
+  Tetrahedron_soup_3 soup = source_soup(cube_mesh(n));
+  const auto is_hollow = [&](const std::array<std::size_t, 4>& cell)
+  {
+    std::array<double, 3> center = {};
+    for(const std::size_t v : cell)
+      for(int i = 0; i < 3; ++i)
+        center[i] += soup.points[v][i] / 4;
+    return !is_solid(std::floor(center[0]), std::floor(center[1]), std::floor(center[2]));
+  };
+  soup.cells.erase(std::remove_if(soup.cells.begin(), soup.cells.end(), is_hollow), soup.cells.end());
+  soup.cell_references.resize(soup.cells.size());
+  return soup;
+}
+
+// Gives the cells that are connected by facets around a vertex a copy of it of their own, but for the first ones.
+void give_copies(Tetrahedron_soup_3& soup, const std::size_t vertex)
+{
+  std::vector<std::size_t> left;
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    if(std::count(soup.cells[c].begin(), soup.cells[c].end(), vertex) > 0)
+      left.push_back(c);
+  const auto share_facet = [&](const std::size_t c, const std::size_t d)
+  {
+    return std::count_if(soup.cells[c].begin(), soup.cells[c].end(), [&](const std::size_t v)
+    { return std::count(soup.cells[d].begin(), soup.cells[d].end(), v) > 0; }) == 3;
+  };
+  for(bool is_first = true; !left.empty(); is_first = false)
+  {
+    std::vector<std::size_t> connected = { left.back() };
+    left.pop_back();
+    for(std::size_t i = 0; i < connected.size(); ++i)
+      for(std::size_t j = left.size(); j-- > 0;)
+        if(share_facet(connected[i], left[j]))
+        {
+          connected.push_back(left[j]);
+          left.erase(left.begin() + static_cast<std::ptrdiff_t>(j));
+        }
+    if(is_first)
+      continue;
+    for(const std::size_t c : connected)
+      std::replace(soup.cells[c].begin(), soup.cells[c].end(), vertex, soup.points.size());
+    soup.points.push_back(soup.points[vertex]);
+  }
+}
+
+// Cuts each cell into eight, in the middles of its edges.
+Tetrahedron_soup_3 subdivided(const Tetrahedron_soup_3& soup)
+{
+  Tetrahedron_soup_3 result;
+  result.points = soup.points;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> middles;
+  const auto middle = [&](const std::size_t v, const std::size_t w)
+  {
+    const auto [entry, is_new] = middles.emplace(std::minmax(v, w), result.points.size());
+    if(is_new)
+    {
+      const std::array<double, 3> p = soup.points[v], q = soup.points[w];
+      result.points.push_back({ (p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2 });
+    }
+    return entry->second;
+  };
+  for(const auto& [a, b, c, d] : soup.cells)
+  {
+    const std::size_t ab = middle(a, b), ac = middle(a, c), ad = middle(a, d), bc = middle(b, c), bd = middle(b, d),
+                      cd = middle(c, d);
+    for(std::array<std::size_t, 4> cell : Cells{ {a, ab, ac, ad}, {ab, b, bc, bd}, {ac, bc, c, cd}, {ad, bd, cd, d},
+                                                 {ac, bd, ab, bc}, {ac, bd, bc, cd}, {ac, bd, cd, ad}, {ac, bd, ad, ab} })
+    {
+      const auto p = [&](const int i) { return Eigen::Vector3d(result.points[cell[i]].data()); };
+      if((p(1) - p(0)).cross(p(2) - p(0)).dot(p(3) - p(0)) < 0)
+        std::swap(cell[0], cell[1]);
+      result.cells.push_back(cell);
+    }
+  }
+  result.cell_references.resize(result.cells.size());
+  return result;
+}
+
+struct Failing_solver : VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>
+{
+  using Matrix = VMP::Block_sparse_matrix_3<double>;
+  VMP::Linear_solver_status factorize(const Matrix&) { return VMP::Linear_solver_status::FAILED; }
+};
+
+} // namespace
+
+TEST_CASE("Where two vertices of each cell are exchanged, a source turned inside out is none any more")
+{
+  Tetrahedron_soup_3 soup = source_soup(cube_mesh(2));
+  const auto exchange = [&]
+  {
+    for(std::array<std::size_t, 4>& cell : soup.cells)
+      std::swap(cell[1], cell[3]);
+  };
+  exchange();
+  const VMP::Parameterization_result refused = identity(soup);
+  CHECK(refused.status == VMP::ERROR_INVERTED_SOURCE_CELL);
+  CHECK(has(refused.message, "exchange two vertices of each cell"));
+  exchange();
+  CHECK(identity(soup).status == VMP::OK);
+}
+
+TEST_CASE("What is too small or too large is mapped once it is scaled")
+{
+  const double size = GENERATE(1e-80, 1e80);
+  Tetrahedron_soup_3 soup = source_soup(cube_mesh(2));
+  const auto scale = [&](const double factor)
+  {
+    for(std::array<double, 3>& p : soup.points)
+      for(double& x : p)
+        x *= factor;
+  };
+  scale(size);
+  CHECK(identity(soup).status == VMP::ERROR_SIZE_OUT_OF_RANGE);
+  CHECK(has(VMP::get_error_message(VMP::ERROR_SIZE_OUT_OF_RANGE), "scale it"));
+  scale(1 / size);
+  CHECK(identity(soup).status == VMP::OK);
+}
+
+TEST_CASE("Another linear solver does what one has failed to do")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3, 0.1));
+  Points images;
+  const VMP::Parameterization_result failed = CGAL::stretch_minimizing_volume_parameterization(
+    soup, soup.points, images, params::solver_traits(Failing_solver()));
+  CHECK(failed.status == VMP::ERROR_LINEAR_SOLVER_FAILED);
+  CHECK(has(failed.message, "try another one"));
+  CHECK(identity(soup).status == VMP::OK);
+}
+
+TEST_CASE("A body that touches itself in an edge is mapped to a ball once cells have copies of its vertices")
+{
+  // from above, an open ring whose ends touch in the vertical edge at (2, 1)
+  Tetrahedron_soup_3 soup = bricks(3, [](const double x, const double y, const double z)
+  { return z == 0 && !(x == 1 && y == 1) && !(x == 2 && y == 0); });
+  Points targets;
+  const VMP::Ball_boundary_parameterizer_3 ball;
+  REQUIRE(ball.parameterize(soup.points, soup.cells, targets) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
+  CHECK(has(VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY), "connected by facets around a vertex a copy of it"));
+  const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(soup.points, soup.cells);
+  CHECK(vertices.size() == 2);
+  for(const std::size_t v : vertices)
+    give_copies(soup, v);
+  REQUIRE(ball.parameterize(soup.points, soup.cells, targets) == VMP::OK);
+  Points images;
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, params::do_refine(true)).boundary_residual
+        == 0);
+}
+
+TEST_CASE("A boundary that is too coarse for a cube is mapped once it is refined")
+{
+  const Tetrahedron_soup_3 cell = { { {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1} }, { {0, 1, 2, 3} }, { 0 }, {}, {} };
+  const VMP::Cube_boundary_parameterizer_3 cube;
+  Points targets;
+  CHECK(cube.parameterize(cell.points, cell.cells, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  const Tetrahedron_soup_3 fine = subdivided(subdivided(cell));
+  CHECK(cube.parameterize(fine.points, fine.cells, targets) == VMP::OK);
+}
+
+TEST_CASE("Corners of a mirrored cube fit once opposite faces are exchanged")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3));
+  std::array<std::size_t, 8> corners;
+  for(std::size_t k = 0; k < 8; ++k)
+  {
+    const std::array<double, 3> p = { k & 1 ? 3. : 0., k & 2 ? 3. : 0., k & 4 ? 3. : 0. };
+    corners[k] = static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin());
+  }
+  const auto exchange = [&]
+  {
+    for(std::size_t k = 0; k < 8; k += 2)
+      std::swap(corners[k], corners[k + 1]);
+  };
+  const VMP::Cube_boundary_parameterizer_3 cube;
+  Points targets;
+  exchange();
+  CHECK(cube.parameterize(soup.points, soup.cells, corners, targets) == VMP::ERROR_MIRRORED_CORNERS);
+  CHECK(has(VMP::get_error_message(VMP::ERROR_MIRRORED_CORNERS), "corners 0 and 1, 2 and 3, 4 and 5, 6 and 7"));
+  exchange();
+  CHECK(cube.parameterize(soup.points, soup.cells, corners, targets) == VMP::OK);
+}
+
+TEST_CASE("A body has hexahedra once it is mapped to a box or a polycube")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3));
+  Points bent = soup.points, targets, images;
+  for(std::array<double, 3>& p : bent)
+    p[2] += 0.1 * p[0] * p[0];
+  VMP::Hexahedron_soup_3 hexahedra;
+  CHECK(VMP::hexahedral_mesh(bent, soup.cells, bent, 1, hexahedra).status == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
+  CHECK(has(VMP::get_error_message(VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL), "map the body to a box or a polycube"));
+  const auto np = params::maximum_running_time(1e9);
+  REQUIRE(VMP::Polycube_boundary_parameterizer_3(1).parameterize(bent, soup.cells, targets, np) == VMP::OK);
+  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(bent, soup.cells, targets, images).status == VMP::OK);
+  CHECK(VMP::hexahedral_mesh(bent, soup.cells, images, 1, hexahedra).status == VMP::OK);
+}
+
+TEST_CASE("Hexahedra that are inverted become positive with a smaller spacing")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(6));
+  Points ring = soup.points; // most of one
+  for(std::array<double, 3>& p : ring)
+  {
+    const double angle = 5 * p[0] / 6, radius = 3 + p[1];
+    p = { radius * std::sin(angle), radius * std::cos(angle), p[2] };
+  }
+  VMP::Hexahedron_soup_3 hexahedra;
+  CHECK(VMP::hexahedral_mesh(ring, soup.cells, soup.points, 6, hexahedra).status == VMP::ERROR_INVERTED_HEXAHEDRON);
+  CHECK(has(VMP::get_error_message(VMP::ERROR_INVERTED_HEXAHEDRON), "make the spacing smaller"));
+  CHECK(VMP::hexahedral_mesh(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
+}
+
+TEST_CASE("Refinement is no advice where it was allowed, and ends where it brings the boundary no nearer")
+{
+  Tetrahedron_soup_3 soup = source_soup(cube_mesh(2));
+  std::mt19937 engine;
+  Points targets, images;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    targets.emplace_back();
+    for(double& x : targets.back())
+      x = static_cast<double>(engine() % 1000);
+  }
+  const auto np = params::boundary_mode(VMP::Boundary_mode::SOFT).number_of_iterations(100);
+  const Points expected = targets;
+  CHECK(has(CGAL::stretch_minimizing_volume_parameterization(std::as_const(soup), targets, images, np).message,
+            "Allow refinement (do_refine)"));
+  const VMP::Parameterization_result result
+    = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.do_refine(true));
+  INFO(result.message);
+  CHECK(result.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(result.number_of_added_vertices > 0);
+  CHECK(result.number_of_added_vertices < 1000); // more are allowed
+  CHECK_FALSE(has(result.message, "Allow refinement"));
+  CHECK(has(result.message, "Prescribe a boundary nearer to the source there."));
+}
