@@ -283,7 +283,29 @@ TEST_CASE("a spacing that makes a polycube touch itself is named")
   copy_labels(complex, complex);
   CHECK(complex.parameterize_with_labels(2) == VMP::ERROR_SPACING_TOO_COARSE);
   CHECK(complex.image.empty());
+  CHECK(complex.parameterize_with_labels(1) == VMP::OK); // smaller, as the message says
   CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
+}
+
+TEST_CASE("faces of bodies that are moved aside get multiples of the spacing, bit by bit")
+{
+  // a channel, a box in it that would touch it, and a box beside it
+  const double first = GENERATE(0., 0.3, 0.6, 0.9, 1.2, 1.5), spacing = 0.3; // as wide as the channel
+  Labelled_complex complex(bricks({14, 10, 7}, [](const int x, const int y, const int z)
+  {
+    return (x < 7 && y < 3 && (x < 2 || x > 4 || z < 2)) || (x == 3 && y == 1 && (z == 4 || z == 5))
+        || (x > 9 && y > 7 && z < 2);
+  }, [&](const double x, const double y, const double z)
+  { return std::array<double, 3>{ first + 0.1 * x - 0.45, 0.1 * y + 12.7, 0.1 * z + 1. / 3 }; }));
+  const auto np = CGAL::parameters::maximum_running_time(1e9);
+  REQUIRE(Polycube(spacing).parameterize(complex.c3t3, boost::make_assoc_property_map(complex.image), np) == VMP::OK);
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) < 6);
+    const double x = t[0][static_cast<int>(direction(t) / 2)];
+    CHECK(x == spacing * std::round(x / spacing));
+  }
 }
 
 // Returns the faces by direction and coordinate. Each triangle of the image is normal to an axis.

@@ -210,8 +210,9 @@ inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen
   Eigen::Vector3d lower = (box.min)(), upper = (box.max)();
   if(spacing > 0)
   {
-    lower = spacing * (lower / spacing).array().round();
-    upper = ((lower.array() + spacing).max)(spacing * (upper / spacing).array().round());
+    const Eigen::Array3d first = (lower / spacing).array().round();
+    lower = spacing * first;
+    upper = spacing * ((first + 1).max)((upper / spacing).array().round());
   }
   const double size = (upper - lower).maxCoeff();
   const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);

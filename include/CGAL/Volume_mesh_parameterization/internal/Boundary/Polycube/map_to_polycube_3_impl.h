@@ -106,6 +106,17 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
   return bodies;
 }
 
+// Moves points by a distance in units of the spacing, if there is one: multiples of it stay multiples, bit by bit.
+inline void move_along_x(const double distance, const double spacing, std::vector<Eigen::Vector3d>& points)
+{
+  const double unit = spacing > 0 ? spacing : 1;
+  for(Eigen::Vector3d& p : points)
+  {
+    const double multiple = std::round(p.x() / unit);
+    p.x() = spacing > 0 && p.x() == spacing * multiple ? spacing * (multiple + distance) : p.x() + unit * distance;
+  }
+}
+
 // Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
 // a ring linked with another one must be. A body with cavities has no polycube.
 inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
@@ -127,15 +138,17 @@ inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const doub
       box.extend(p);
     for(const Eigen::AlignedBox3d& other : boxes)
       other_boxes.extend(other);
-    double shift = 0;
     if(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
     {
       const double distance = (other_boxes.max)().x() - (box.min)().x();
-      shift = spacing > 0 ? spacing * std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8;
+      move_along_x(spacing > 0 ? std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8, spacing, part);
+      box.setEmpty();
+      for(const Eigen::Vector3d& p : part)
+        box.extend(p);
     }
-    boxes.push_back(box.translate(shift * Eigen::Vector3d::UnitX()));
+    boxes.push_back(box);
     for(std::size_t v = 0; v < part.size(); ++v)
-      result[body.vertices[v]] = part[v] + shift * Eigen::Vector3d::UnitX();
+      result[body.vertices[v]] = part[v];
   }
   images = result;
   return OK;
