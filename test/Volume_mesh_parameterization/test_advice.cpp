@@ -179,7 +179,7 @@ TEST_CASE("Another linear solver does what one has failed to do")
 
 TEST_CASE("A body that touches itself in an edge is mapped to a ball once cells have copies of its vertices")
 {
-  // from above, an open ring whose ends touch in the vertical edge at (2, 1)
+  // an open ring, seen from above, whose ends touch in the vertical edge at (2, 1)
   Tetrahedron_soup_3 soup = bricks(3, [](const double x, const double y, const double z)
   { return z == 0 && !(x == 1 && y == 1) && !(x == 2 && y == 0); });
   Points targets;

@@ -27,7 +27,7 @@ struct Outcome
   Exit_code exit_code;
   std::string status_code; // the name of the result's status, or of what was thrown
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
-  std::vector<std::string> files = {};                          // that are written
+  std::vector<std::string> files = {};                          // names of files that are written
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
   std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0,
               number_of_separated_vertices = 0, number_of_targets_inside = 0;
@@ -106,7 +106,7 @@ inline std::string list(const std::vector<std::string>& names)
   return result;
 }
 
-// The last lines.
+// Prints the last lines.
 inline void print_end(const Outcome& outcome)
 {
   std::cout << "seconds: reading " << outcome.seconds_reading << ", boundary " << outcome.seconds_boundary << ", map "

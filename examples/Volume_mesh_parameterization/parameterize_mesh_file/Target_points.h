@@ -1,4 +1,4 @@
-// The targets of vertices: of those on the boundary, and perhaps of others.
+// Targets of vertices: of those on the boundary, and perhaps of others.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TARGET_POINTS_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TARGET_POINTS_H
 
@@ -26,12 +26,12 @@ struct Target_points
 {
   Points points;                    // not numbers for a vertex without a target
   std::vector<char> is_constrained; // vertices inside that have one, and those of the boundary that must not slide
-  std::size_t number_inside = 0;    // of targets that are met
+  std::size_t number_inside = 0;    // number of targets inside that are met
 };
 
 inline bool has_target(const Points& points, const std::size_t v) { return !std::isnan(points[v][0]); }
 
-// Completes the targets of a file. Where all vertices have one, as in a copy of the mesh, those inside are not asked for.
+// Completes the targets of a file. If all vertices have one, as in a copy of the mesh, targets inside are not asked for.
 inline Target_points target_points(const Source& source, Points points, const Options& options)
 {
   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup = source.soup;

@@ -21,20 +21,20 @@
 
 using Points = std::vector<std::array<double, 3> >;
 
-// The mesh of a file, in its order, with positive cells.
+// Mesh of a file, in its order, with positive cells.
 struct Source
 {
   CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
-  std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {}; // if cells have other vertices now
-  std::vector<std::size_t> first_points = {}; // of each point, that at the same place which has its cells now; or empty
-  std::vector<std::size_t> origins = {};      // of each point that was appended
-  bool is_turned = false;                     // are the cells negative in the file, and in what is written?
-  std::size_t number_of_coinciding_points = 0; // on the boundary
+  std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {}; // the mesh of the file, if cells have other vertices now
+  std::vector<std::size_t> first_points = {}; // for each point the one with the same coordinates that has its cells now; or empty
+  std::vector<std::size_t> origins = {};      // origin of each point that was appended
+  bool is_turned = false;                     // whether the cells are negative in the file, and in files that are written
+  std::size_t number_of_coinciding_points = 0; // coinciding points on the boundary
   std::size_t number_of_merged_points = 0;
-  std::size_t number_of_turned_cells = 0; // alone, not all
+  std::size_t number_of_turned_cells = 0; // cells turned alone, not all together
   std::vector<std::string> notes = {};
 
-  // Returns the mesh that other files tell of, with the vertices and cells of its file.
+  // Returns the mesh that other files refer to, with the vertices and cells of its file.
   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& in_file() const { return unmended ? *unmended : soup; }
 
   // Takes points of the file to the mesh. A point that is not told has coordinates that are not numbers.
@@ -76,7 +76,8 @@ inline void merge_points(Source& source)
   source.notes.push_back(std::to_string(source.number_of_merged_points) + " points have the place of another one, and are merged with it");
 }
 
-// A cell that is turned alone keeps that; where all are, what is written is as in the file.
+// Orients the cells. A cell that is turned alone stays so; if all are turned, files are written with the orientation of the
+// file.
 inline void turn_cells(Source& source)
 {
   const std::size_t number

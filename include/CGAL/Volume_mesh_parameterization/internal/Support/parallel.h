@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-// With the macro CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, which the target CGAL::Volume_mesh_parameterization_engine
-// defines, the functions that headers `x.h` declare are compiled once, with that library. Otherwise each unit has them inline,
-// of the headers `x_impl.h` at the foot of these.
+// CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE, a macro that the target CGAL::Volume_mesh_parameterization_engine
+// defines, means that the functions that headers `x.h` declare are compiled once, in its library. Otherwise each unit has them
+// inline, by the headers `x_impl.h` at the foot of these.
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 #else
