@@ -209,7 +209,7 @@ def save(figure, output):
 def draw_row(bodies, output, bar=None):
     """Bodies side by side, each a list of actors with its direction to the eye, direction upwards and title. The bar is
     colours, the values at its ends and what it shows."""
-    figure, axes = pyplot.subplots(1, len(bodies), figsize=(10.8, 5.4), constrained_layout=True)
+    figure, axes = pyplot.subplots(1, len(bodies), figsize=(10.8, 10.8 / len(bodies)), constrained_layout=True)
     with tempfile.TemporaryDirectory() as name:
         panel = Path(name) / "panel.png"
         for place, (actors, direction, up, title) in zip(axes, bodies):
@@ -318,6 +318,14 @@ def draw_carried(folder, output):
     draw_row(bodies, output, (colors_of(bodies[0][0][0]), (0, 100), "distance from the tip of the trunk, in % of the largest one"))
 
 
+def draw_moving(folder, output):
+    """The half of the mesh behind the middle, at the beginning and after each quarter of the way."""
+    frames = [render.read(str(folder / f"moving_boundary_{i}.vtu")) for i in range(1, 5)]
+    grids = [frames[0], *(render.image_of(frame) for frame in frames)]
+    draw_row([([render.surface(render.whole_cells_behind(grid, (0, 0, 1)))], (0, 0, 1), (0, 1, 0), title)
+              for grid, title in zip(grids, ("mesh of the beginning", "1/4", "1/2", "3/4", "end"))], output)
+
+
 def draw_hexahedra(vtu, output):
     """Hexahedra, and those of one half with their scaled Jacobians."""
     direction, up, normal = VIEWS["polycube"]
@@ -334,6 +342,7 @@ def main(folder, output_folder):
     if (folder / "convergence.json").exists():
         draw_convergence(folder / "convergence.json", output_folder / "convergence.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png", output_folder / "icon.png")
+    draw_moving(folder, output_folder / "moving_boundary.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
 
 

@@ -12,7 +12,6 @@
 #include <string>
 #include <unordered_map>
 
-namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
@@ -22,18 +21,10 @@ try
   const std::string output_filename = (argc > 2) ? argv[2] : "elephant_to_cube.vtu";
   C3t3 c3t3 = mesh_elephant(filename);
 
-  std::unordered_map<C3t3::Vertex_handle, Point_3> target, uvw;
-  const auto target_map = VMP::make_vertex_point_map(target);
-  const VMP::Error_code status = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, target_map);
-  if(status != VMP::OK)
-  {
-    std::cerr << VMP::get_error_message(status) << std::endl;
-    return EXIT_FAILURE;
-  }
-
+  std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, uvw_map, params::boundary_map(target_map).do_refine(true));
+    c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(VMP::Cube_boundary_parameterizer_3()));
 
   std::cout << result.message << "\n"
             << result.number_of_cells << " cells, " << result.number_of_inverted_cells << " of them inverted\n"

@@ -18,9 +18,6 @@
 #include <string>
 #include <unordered_map>
 
-using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
-
-namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
@@ -40,18 +37,12 @@ int main(int argc, char* argv[])
   C3t3 c3t3 = mesh_mechanical_part(surface);
 
   // onto a polycube whose faces fit the grid
-  Point_map target;
-  const auto target_map = VMP::make_vertex_point_map(target);
-  const VMP::Error_code status = VMP::Polycube_boundary_parameterizer_3(spacing).parameterize(c3t3, target_map);
-  if(status != VMP::OK)
-  {
-    std::cerr << VMP::get_error_message(status) << std::endl;
-    return EXIT_FAILURE;
-  }
-  Point_map uvw;
+  std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result map = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, uvw_map, params::boundary_map(target_map).do_refine(true).do_slide_boundary(true));
+    c3t3, uvw_map,
+    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+                     .do_slide_boundary(true));
   if(map.status != VMP::OK)
   {
     std::cerr << map.message << std::endl;

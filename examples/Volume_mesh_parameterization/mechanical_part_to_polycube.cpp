@@ -13,9 +13,6 @@
 #include <string>
 #include <unordered_map>
 
-using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
-
-namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
@@ -31,19 +28,12 @@ int main(int argc, char* argv[])
   }
   C3t3 c3t3 = mesh_mechanical_part(surface);
 
-  Point_map target;
-  const auto target_map = VMP::make_vertex_point_map(target);
-  const VMP::Error_code status = VMP::Polycube_boundary_parameterizer_3().parameterize(c3t3, target_map);
-  if(status != VMP::OK)
-  {
-    std::cerr << VMP::get_error_message(status) << std::endl;
-    return EXIT_FAILURE;
-  }
-
-  Point_map uvw;
+  std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, uvw_map, params::boundary_map(target_map).do_refine(true).do_slide_boundary(true));
+    c3t3, uvw_map,
+    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3())
+                     .do_slide_boundary(true));
   std::cout << result.message << "\n"
             << result.number_of_cells << " cells, " << result.number_of_added_vertices << " vertices added\n"
             << "distortion of angles:  mean " << result.distortion.angle_mean

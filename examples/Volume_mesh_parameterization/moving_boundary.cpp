@@ -1,5 +1,5 @@
 // Mesh motion: the mesh of a block follows a hole in it, which turns and shifts, in 40 steps, or as many as the argument
-// tells, and in one call.
+// tells, and in one call. A file shows each quarter of the way.
 #include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -91,6 +92,11 @@ int main(int argc, char* argv[])
       std::cerr << result.message << "\n" << cold.message << std::endl;
       return EXIT_FAILURE;
     }
+    if(4 * i % n == 0)
+    {
+      std::ofstream out("moving_boundary_" + std::to_string(4 * i / n) + ".vtu", std::ios::binary);
+      VMP::IO::write_VTU(out, c3t3, VMP::make_vertex_point_map(position));
+    }
     ratios.push_back(static_cast<double>(result.number_of_iterations) / static_cast<double>(cold.number_of_iterations));
   }
   std::nth_element(ratios.begin(), ratios.begin() + n / 2, ratios.end());
@@ -103,11 +109,5 @@ int main(int argc, char* argv[])
   std::cout << "in one call: " << result.number_of_iterations << " Newton steps, of which "
             << result.number_of_untangling_iterations << " untangle " << result.number_of_inverted_cells_at_start
             << " cells; energy " << result.energy << std::endl;
-  if(result.status != VMP::OK)
-    return EXIT_FAILURE;
-
-  std::ofstream out("moving_boundary.vtu", std::ios::binary);
-  VMP::IO::write_VTU(out, c3t3, VMP::make_vertex_point_map(position));
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  return result.status == VMP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
 }

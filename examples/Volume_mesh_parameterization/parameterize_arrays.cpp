@@ -12,7 +12,7 @@
 int main()
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  std::vector<std::array<double, 3> > points, targets, images;
+  std::vector<std::array<double, 3> > points, images;
   std::vector<std::array<int, 4> > cells;
   for(int v = 0; v < 48; ++v)
     points.push_back({ double(v % 4), double(v / 4 % 4), double(v / 16) });
@@ -21,12 +21,10 @@ int main()
       cells.push_back({ v, v + a, v + b, v + 21 }); // around the diagonal of the cube
   const auto map_to = [&](const auto& boundary_parameterizer)
   {
-    VMP::Error_code status = boundary_parameterizer.parameterize(points, cells, targets);
-    if(status == VMP::OK) // new points and cells are appended
-      status = CGAL::stretch_minimizing_volume_parameterization(points, cells, targets, images,
-                                                                CGAL::parameters::do_refine(true)).status;
-    std::cout << VMP::get_error_message(status) << " " << points.size() << " points" << std::endl;
-    return status == VMP::OK;
+    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+      points, cells, images, CGAL::parameters::boundary_parameterizer(boundary_parameterizer));
+    std::cout << result.message << " " << points.size() << " points" << std::endl; // new ones are appended
+    return result.status == VMP::OK;
   };
   if(!map_to(VMP::Ball_boundary_parameterizer_3()) || !map_to(VMP::Cube_boundary_parameterizer_3())
      || !map_to(VMP::Polycube_boundary_parameterizer_3(0.5)))

@@ -12,8 +12,6 @@
 #include <string>
 #include <unordered_map>
 
-using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
-
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
@@ -27,14 +25,13 @@ double blob(const Point_3& p)
 }
 
 // Maps the complex to the cube and writes the map to a file; false if something fails.
-bool parameterize(C3t3& c3t3, Point_map& target, const bool do_slide, const std::string& filename)
+bool parameterize(C3t3& c3t3, const bool do_slide, const std::string& filename)
 {
-  Point_map uvw;
+  std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map,
-    params::boundary_map(VMP::make_vertex_point_map(target))
-           .do_refine(true)
+    params::boundary_parameterizer(VMP::Cube_boundary_parameterizer_3())
            .do_slide_boundary(do_slide));
 
   std::cout << result.message << "\n"
@@ -63,16 +60,7 @@ int main()
                                            params::cell_size = 0.12);
   C3t3 c3t3 = mesh_body(domain, criteria);
 
-  Point_map target;
-  const VMP::Error_code status
-    = VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, VMP::make_vertex_point_map(target));
-  if(status != VMP::OK)
-  {
-    std::cerr << VMP::get_error_message(status) << std::endl;
-    return EXIT_FAILURE;
-  }
-
-  const bool is_fixed_done = parameterize(c3t3, target, false, "fixed_boundary.vtu");
-  const bool is_sliding_done = parameterize(c3t3, target, true, "sliding_boundary.vtu");
+  const bool is_fixed_done = parameterize(c3t3, false, "fixed_boundary.vtu");
+  const bool is_sliding_done = parameterize(c3t3, true, "sliding_boundary.vtu");
   return is_fixed_done && is_sliding_done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

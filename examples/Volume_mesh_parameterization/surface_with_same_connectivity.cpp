@@ -12,7 +12,6 @@
 #include <unordered_map>
 
 using Surface_mesh = CGAL::Surface_mesh<Point_3>;
-using Point_map = std::unordered_map<C3t3::Vertex_handle, Point_3>;
 
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -33,19 +32,12 @@ int main()
   for(Point_3& p : bent.points())
     p = Point_3(2 * p.x(), p.y() + p.x() * p.x(), p.z());
 
-  Point_map target, uvw;
-  const VMP::Surface_boundary_parameterizer_3<Surface_mesh> parameterizer(boundary, bent);
-  const VMP::Error_code status = parameterizer.parameterize(c3t3, VMP::make_vertex_point_map(target));
-  if(status != VMP::OK)
-  {
-    std::cerr << VMP::get_error_message(status) << std::endl;
-    return EXIT_FAILURE;
-  }
-
+  std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(VMP::make_vertex_point_map(target)));
+    c3t3, VMP::make_vertex_point_map(uvw),
+    params::boundary_parameterizer(VMP::Surface_boundary_parameterizer_3<Surface_mesh>(boundary, bent)));
   std::cout << result.message << "\n"
-            << target.size() << " boundary vertices, residual " << result.boundary_residual << "\n"
+            << result.number_of_boundary_vertices << " boundary vertices, residual " << result.boundary_residual << "\n"
             << "distortion of angles: mean " << result.distortion.angle_mean
             << ", max " << result.distortion.angle_max << std::endl;
   return result.status == VMP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
