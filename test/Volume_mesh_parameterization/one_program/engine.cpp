@@ -1,7 +1,19 @@
 #include "map_grid.h"
 
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  error "This unit links the engine."
 #endif
 
 Points images_by_engine() { return images_of_grid(); }
+
+// Solves sparse systems.
+bool has_polycube_by_engine()
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  Points points, targets;
+  Cells cells;
+  make_grid(points, cells);
+  return VMP::Polycube_boundary_parameterizer_3().parameterize(points, cells, targets) == VMP::OK;
+}

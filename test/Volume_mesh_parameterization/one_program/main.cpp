@@ -11,13 +11,14 @@ using Points = std::vector<std::array<double, 3> >;
 
 Points images_by_headers();
 Points images_by_engine();
+bool has_polycube_by_engine();
 Eigen::MatrixXd square_of_ones(int n);
 double sum_of_solution(int n);
 
 int main()
 {
   Eigen::MatrixXd square = square_of_ones(50); // allocated there, freed here
-  const bool is_right = square(7, 9) == 50;
+  const bool is_right = square(7, 9) == 50 && has_polycube_by_engine();
   square.resize(300, 300);
   const Points a = images_by_headers(), b = images_by_engine();
   double distance = a.size() == b.size() ? 0 : 1;

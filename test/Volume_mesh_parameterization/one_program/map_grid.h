@@ -1,4 +1,4 @@
-// Work of each unit of the program that uses the package: maps a grid of cubes to a ball, and refines where that is needed.
+// A grid of cubes, and its map to a ball with refinement, which each unit that uses the package makes.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 
@@ -7,13 +7,11 @@
 #include <vector>
 
 using Points = std::vector<std::array<double, 3> >;
+using Cells = std::vector<std::array<int, 4> >;
 
-static Points images_of_grid()
+static void make_grid(Points& points, Cells& cells)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   const int n = 4;
-  Points points, targets, images;
-  std::vector<std::array<int, 4> > cells;
   for(int v = 0; v < n * n * n; ++v)
   {
     points.push_back({ double(v % n), double(v / n % n), double(v / n / n) });
@@ -22,6 +20,14 @@ static Points images_of_grid()
                                  { n * n, 1 + n * n }, { 1 + n * n, 1 } })
         cells.push_back({ v, v + a, v + b, v + 1 + n + n * n });
   }
+}
+
+static Points images_of_grid()
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  Points points, targets, images;
+  Cells cells;
+  make_grid(points, cells);
   if(VMP::Ball_boundary_parameterizer_3().parameterize(points, cells, targets) != VMP::OK)
     throw std::runtime_error("no boundary");
   const auto result = CGAL::stretch_minimizing_volume_parameterization(points, cells, targets, images,
