@@ -11,8 +11,9 @@ set(CGAL_parameters_interface_folder ${CMAKE_CURRENT_BINARY_DIR}/CGAL_parameters
 file(CONFIGURE OUTPUT ${CGAL_parameters_interface_folder}/CGAL_parameters_interface.h
   CONTENT "#include \"${CGAL_PARAMETERS_INTERFACE}\"\n")
 
-# All optional: threads, the faster direct solver, and several processes.
+# All optional: threads, the faster direct solver, several processes, and compressed files of VTK.
 find_package(TBB QUIET)
 include(CGAL_TBB_support)
 include(${CMAKE_CURRENT_LIST_DIR}/CGAL_CHOLMOD_support.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/CGAL_PETSc_support.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/CGAL_VTU_compression_support.cmake)

@@ -20,7 +20,8 @@ endif()
 target_link_libraries(${PROJECT_NAME} INTERFACE
   CGAL::CGAL CGAL::Eigen3_support
   $<TARGET_NAME_IF_EXISTS:CGAL::TBB_support>
-  $<TARGET_NAME_IF_EXISTS:CGAL::CHOLMOD_support>)
+  $<TARGET_NAME_IF_EXISTS:CGAL::CHOLMOD_support>
+  $<TARGET_NAME_IF_EXISTS:CGAL::VTU_compression_support>)
 
 # The same with the engine compiled once, for those who have many units or build often. It agrees with units of any flags:
 # no type that both know depends on them, so its users learn nothing but the macro.
@@ -89,4 +90,5 @@ install(FILES
   ${PROJECT_SOURCE_DIR}/cmake/${PROJECT_NAME}Dependencies.cmake
   ${PROJECT_SOURCE_DIR}/cmake/CGAL_CHOLMOD_support.cmake
   ${PROJECT_SOURCE_DIR}/cmake/CGAL_PETSc_support.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/CGAL_VTU_compression_support.cmake
   DESTINATION ${_config_dir})

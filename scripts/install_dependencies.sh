@@ -3,7 +3,7 @@
 set -euo pipefail
 
 packages=(g++ make cmake libcgal-dev libboost-program-options-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial
-  libtbb-dev catch2 pkg-config libpetsc-real-dev libopenmpi-dev openmpi-bin "$@")
+  libtbb-dev catch2 pkg-config libpetsc-real-dev libopenmpi-dev openmpi-bin zlib1g-dev liblzma-dev liblz4-dev "$@")
 models=/usr/share/doc/libcgal-dev/data.tar.gz # CGAL's models, in package libcgal-demo
 
 missing=()

@@ -14,14 +14,31 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
+/// Numbers with a name that a file has for each point, or for each cell, facet or edge.
+struct Data_array_3
+{
+  std::string name;                     ///< the name in the file
+  std::size_t number_of_components = 1; ///< numbers of each element
+  bool has_integers = false;            ///< whether the file has integers, which are not interpolated
+  std::vector<double> values;           ///< the components of the first element, then those of the second, ...
+};
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
 /// A tetrahedral mesh as a file holds it: arrays in the order of the file, indices that start at 0. References are the
 /// numbers by which a file tells materials or patches apart, 0 if there is none.
+///
+/// Where a mesh is refined, parts of cells, facets and edges have the references and data of these. Point data of a new
+/// vertex are interpolated, but integers are those of a vertex beside it.
 struct Tetrahedron_soup_3
 {
   std::vector<std::array<double, 3> > points;        ///< the coordinates of the vertices
@@ -29,6 +46,14 @@ struct Tetrahedron_soup_3
   std::vector<int> cell_references;                  ///< one per cell
   std::vector<std::array<std::size_t, 3> > facets;   ///< marked facets, of the boundary or inside, in any orientation
   std::vector<int> facet_references;                 ///< one per facet
+  std::vector<std::array<std::size_t, 2> > edges = {};        ///< marked edges
+  std::vector<int> edge_references = {};                      ///< one per edge
+  std::map<std::pair<int, int>, std::string> group_names = {}; ///< by dimension (3 for cells) and reference
+  std::vector<Data_array_3> point_data = {};                  ///< arrays with values of the points
+  std::vector<Data_array_3> cell_data = {};                   ///< arrays with values of the cells
+  std::vector<Data_array_3> facet_data = {};                  ///< arrays with values of the facets
+  std::vector<Data_array_3> edge_data = {};                   ///< arrays with values of the edges
+  std::vector<std::string> notes = {};                        ///< sentences on what the file has and the soup has not
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -433,6 +433,52 @@ TEST_CASE("Given edges are split, longest first, and others are ignored")
   CHECK(body.soup.cells.size() == 48 + 6 + 4 + 6);
 }
 
+TEST_CASE("Cells, facets and edges keep references and data where they are split, and point data are interpolated")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(2);
+  VMP::Tetrahedron_soup_3 soup = source_soup(mesh);
+  const auto vertex = [&](const double x, const double y, const double z)
+  {
+    const auto found = std::find(soup.points.begin(), soup.points.end(), std::array<double, 3>{ x, y, z });
+    REQUIRE(found != soup.points.end());
+    return static_cast<std::size_t>(found - soup.points.begin());
+  };
+  const std::size_t center = vertex(1, 1, 1), corner = vertex(2, 2, 2), below = vertex(1, 1, 0), other = vertex(0, 0, 0);
+  soup.edges = { { center, corner }, { other, center } };
+  soup.edge_references = { 3, 4 };
+  soup.point_data = { { "position", 3, false, {} }, { "index", 1, true, {} } };
+  soup.cell_data = { { "index", 1, true, {} } };
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+  {
+    soup.point_data[0].values.insert(soup.point_data[0].values.end(), soup.points[v].begin(), soup.points[v].end());
+    soup.point_data[1].values.push_back(static_cast<double>(v));
+  }
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+  {
+    soup.cell_references[c] = static_cast<int>(c);
+    soup.cell_data[0].values.push_back(static_cast<double>(c));
+  }
+  soup.edge_data = { { "pair", 2, false, { 1, 2, 3, 4 } } };
+  const std::size_t number_of_cells = soup.cells.size();
+  internal::Body_3 body = internal::body_of(soup);
+  REQUIRE(internal::split_edges_3(body, { { center, corner }, { center, below } }).size() == 2);
+  const VMP::Tetrahedron_soup_3& refined = body.soup;
+  CHECK(refined.edges.size() == 3);
+  CHECK(refined.edge_references == std::vector<int>{ 3, 4, 3 });
+  CHECK(refined.edge_data[0].values == std::vector<double>{ 1, 2, 3, 4, 1, 2 });
+  REQUIRE(refined.cells.size() > number_of_cells);
+  for(std::size_t c = 0; c < refined.cells.size(); ++c)
+    CHECK(refined.cell_data[0].values.at(c) == refined.cell_references[c]);
+  for(std::size_t v = 27; v < 29; ++v)
+  {
+    for(std::size_t i = 0; i < 3; ++i)
+      CHECK(refined.point_data[0].values.at(3 * v + i) == refined.points[v][i]);
+    CHECK(refined.point_data[1].values.at(v) == static_cast<double>(center)); // integers are not interpolated
+  }
+  body.soup.point_data[0].values.pop_back();
+  CHECK_THROWS_AS(internal::body_of(body.soup), VMP::Input_error);
+}
+
 TEST_CASE("Cells and marked facets of a soup keep their references where they are split, and the body its volume")
 {
   const Numbered_mesh_3 mesh = cube_mesh(2);

@@ -57,8 +57,10 @@ namespace IO {
 /// (`.mesh`), with or without a byte order mark of UTF-8, or binary (`.meshb`), in both orders of bytes. The content tells
 /// which.
 ///
-/// The sections `Vertices`, `Tetrahedra` and `Triangles` are read, in any order; the references of vertices and
-/// the other sections are skipped, except that volume elements other than tetrahedra are an error.
+/// The sections `Vertices`, `Tetrahedra`, `Triangles` and `Edges` are read, in any order, and joined where there are several
+/// of a kind. Of second-order elements (`TetrahedraP2`, ...), the corners are read, and points that are no corners are left
+/// out, as a note of the soup tells. The references of vertices and the other sections are skipped, except that volume
+/// elements other than tetrahedra are an error.
 /// The final keyword `End` may be missing. The time is linear in the size of the file.
 ///
 /// \param is the stream
@@ -100,7 +102,8 @@ Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
 ///
 /// writes a tetrahedral mesh in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format".
 ///
-/// Vertices and cells keep their order, and `read_MEDIT()` restores the coordinates bit by bit.
+/// Vertices and cells keep their order, and `read_MEDIT()` restores the coordinates bit by bit. The format holds neither the
+/// names of groups nor data.
 /// A failure to write is left in the state of the stream.
 ///
 /// \param os the stream
@@ -112,6 +115,8 @@ inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
   internal::check_simplices(soup);
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, soup.points);
+  if(!soup.edges.empty())
+    internal::write_MEDIT_cells(writer, "Edges", soup.edges, soup.edge_references);
   if(!soup.facets.empty())
     internal::write_MEDIT_cells(writer, "Triangles", soup.facets, soup.facet_references);
   internal::write_MEDIT_cells(writer, "Tetrahedra", soup.cells, soup.cell_references);

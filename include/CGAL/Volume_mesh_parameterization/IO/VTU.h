@@ -14,97 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
-
-#include <cstdint>
-#include <ostream>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
-
-// Cells of a type, by the number that VTK gives it.
-template <std::size_t n>
-struct VTU_cells
-{
-  const std::vector<std::array<std::size_t, n> >& cells;
-  int type;
-};
-
-// Collects an XML `UnstructuredGrid` in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays by
-// their offsets into the data behind it, where each is its number of bytes and its values, as this machine stores them.
-class VTU_writer
-{
-public:
-  // Begins with points, and cells of one or more types.
-  template <std::size_t... n>
-  VTU_writer(const std::vector<std::array<double, 3> >& points, const VTU_cells<n>&... cells)
-    : m_xml("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
-#ifdef CGAL_LITTLE_ENDIAN
-            "LittleEndian"
-#else
-            "BigEndian"
-#endif
-            "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\""
-            + std::to_string(points.size()) + "\" NumberOfCells=\"" + std::to_string((cells.cells.size() + ...)) + "\">\n")
-  {
-    std::vector<std::size_t> vertices, ends;
-    std::vector<int> types;
-    const auto add_cells = [&](const auto& all, const int type)
-    {
-      for(const auto& cell : all)
-      {
-        vertices.insert(vertices.end(), cell.begin(), cell.end());
-        ends.push_back(vertices.size());
-        types.push_back(type);
-      }
-    };
-    (add_cells(cells.cells, cells.type), ...);
-    begin("Points");
-    add_points("Points", points);
-    end("Points");
-    begin("Cells");
-    add<std::int32_t>("connectivity", vertices.size(), [&](const std::size_t i) { return vertices[i]; });
-    add<std::int64_t>("offsets", ends.size(), [&](const std::size_t i) { return ends[i]; });
-    add<std::uint8_t>("types", types.size(), [&](const std::size_t i) { return types[i]; });
-    end("Cells");
-  }
-
-  void begin(const std::string& element) { m_xml += "<" + element + ">\n"; }
-  void end(const std::string& element) { m_xml += "</" + element + ">\n"; }
-
-  // Adds `value(0)`, ..., `value(n - 1)`, converted to `Number`.
-  template <typename Number, typename Value>
-  void add(const std::string& name, const std::size_t n, const Value& value, const std::size_t number_of_components = 1)
-  {
-    m_xml += std::string("<DataArray type=\"") + type_name(Number()) + "\" Name=\"" + name + "\"";
-    if(number_of_components > 1) // one is the default; meshio converts no arrays of which it is told
-      m_xml += " NumberOfComponents=\"" + std::to_string(number_of_components) + "\"";
-    m_xml += " format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
-    append(static_cast<std::uint64_t>(n * sizeof(Number)));
-    for(std::size_t i = 0; i < n; ++i)
-      append(static_cast<Number>(value(i)));
-  }
-
-  void add_points(const std::string& name, const std::vector<std::array<double, 3> >& points)
-  { add<double>(name, 3 * points.size(), [&](const std::size_t i) { return points[i / 3][i % 3]; }, 3); }
-
-  void write(std::ostream& os) const
-  {
-    os << m_xml << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << m_data
-       << "\n</AppendedData>\n</VTKFile>\n";
-  }
-
-private:
-  static const char* type_name(double) { return "Float64"; }
-  static const char* type_name(std::uint8_t) { return "UInt8"; }
-  static const char* type_name(std::int32_t) { return "Int32"; }
-  static const char* type_name(std::int64_t) { return "Int64"; }
-
-  template <typename Number>
-  void append(const Number number) { m_data.append(reinterpret_cast<const char*>(&number), sizeof(number)); }
-
-  std::string m_xml, m_data;
-};
 
 inline double volume(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& points)
 {
@@ -122,22 +36,32 @@ inline double volume(const std::vector<std::array<std::size_t, 4> >& cells, cons
 inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw,
                       const double volume_ratio)
 {
-  const std::size_t number_of_cells = soup.cells.size();
   const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
+  const std::vector<std::size_t> cells = cells_of_VTU(soup);
+  const auto of_cell = [&](const auto& value)
+  {
+    return [&](const std::size_t i)
+    { return cells[i] < soup.cells.size() ? value(distortions[cells[i]]) : std::numeric_limits<double>::quiet_NaN(); };
+  };
+  const auto angle = [](const Cell_distortion_3& d) { return d.angle; };
+  const auto det_J = [](const Cell_distortion_3& d) { return d.det_J; };
+  const auto volume = [&](const Cell_distortion_3& d) { return d.det_J / volume_ratio + 1 / (d.det_J / volume_ratio); };
+  std::vector<int> references = soup.cell_references;
+  references.insert(references.end(), soup.facet_references.begin(), soup.facet_references.end());
+  references.insert(references.end(), soup.edge_references.begin(), soup.edge_references.end());
 
-  internal::VTU_writer writer(soup.points, internal::VTU_cells<4>{ soup.cells, 10 });
+  VTU_writer writer(soup.points, VTU_cells<4>{ soup.cells, 10 }, VTU_cells<3>{ soup.facets, 5 }, VTU_cells<2>{ soup.edges, 3 });
+  writer.add_names(soup.group_names);
   writer.begin("PointData");
   writer.add_points("uvw", uvw);
+  add_VTU_data(writer, soup.point_data, { "uvw" });
   writer.end("PointData");
   writer.begin("CellData");
-  writer.add<std::int32_t>("reference", number_of_cells, [&](std::size_t i) { return soup.cell_references[i]; });
-  writer.add<double>("angle_distortion", number_of_cells, [&](std::size_t i) { return distortions[i].angle; });
-  writer.add<double>("volume_distortion", number_of_cells, [&](std::size_t i)
-  {
-    const double det_J = distortions[i].det_J / volume_ratio;
-    return det_J + 1 / det_J;
-  });
-  writer.add<double>("det_J", number_of_cells, [&](std::size_t i) { return distortions[i].det_J; });
+  writer.add<std::int32_t>("reference", cells.size(), [&](const std::size_t i) { return references[i]; });
+  writer.add<double>("angle_distortion", cells.size(), of_cell(angle));
+  writer.add<double>("volume_distortion", cells.size(), of_cell(volume));
+  writer.add<double>("det_J", cells.size(), of_cell(det_J));
+  add_VTU_data(writer, joined_cell_data(soup), { "reference", "angle_distortion", "volume_distortion", "det_J" });
   writer.end("CellData");
   writer.write(os);
 }
@@ -153,7 +77,9 @@ namespace IO {
 /// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
 /// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
 /// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse, of the map scaled to the
-/// volume of the mesh, as in `Parameterization_result::distortion_at_source_volume`).
+/// volume of the mesh, as in `Parameterization_result::distortion_at_source_volume`). Marked facets and edges are triangles
+/// and lines behind the cells, with their own references and the other values of a cell at them. The data of the soup with
+/// other names are written, too, and the names of groups, as `read_tetrahedron_soup()` reads them.
 /// The values are binary, in the appended form of the format (`encoding="raw"`), so bits are kept: 53 bytes a cell and 48
 /// a point. A failure to write is left in the state of the stream.
 ///

@@ -62,7 +62,7 @@ inline bool is_MEDIT_file(const std::string& filename) { return std::filesystem:
 
 // Is it one of the formats of meshes? Lines of targets begin with a number in text.
 inline bool is_mesh(const std::string_view text)
-{ return Binary_MEDIT_reader::is_binary(text) || VTU_reader::is_VTU(text) || text.find("MeshVersionFormatted") < 100; }
+{ return Binary_MEDIT_reader::is_binary(text) || VTK_arrays::is_VTU(text) || text.find("MeshVersionFormatted") < 100; }
 
 // the cells as a set of vertex sets
 inline std::vector<std::array<std::size_t, 4> > sorted_cells(std::vector<std::array<std::size_t, 4> > cells)
@@ -85,6 +85,14 @@ void check_same_connectivity(const std::array<std::size_t, 2>& target, const std
                         + std::to_string(source[i]));
   if(!has_same_cells())
     throw Input_error("the cells of the target join other vertices than those of the source");
+}
+
+// The points of a mesh with the vertices and cells of the source.
+inline std::vector<std::array<double, 3> > targets_of_mesh(Tetrahedron_soup_3 target, const Tetrahedron_soup_3& source)
+{
+  check_same_connectivity({ target.points.size(), target.cells.size() }, { source.points.size(), source.cells.size() }, [&]
+  { return target.cells == source.cells || sorted_cells(target.cells) == sorted_cells(source.cells); });
+  return std::move(target.points);
 }
 
 } // namespace internal
@@ -144,13 +152,7 @@ Error_code read_boundary_targets(const std::string& filename, const Tetrahedron_
       targets = internal::points_of_vertices(lines, 0, source.points.size());
       return;
     }
-    Tetrahedron_soup_3 target = internal::read_soup(text, budget);
-    internal::check_same_connectivity({ target.points.size(), target.cells.size() },
-                                      { source.points.size(), source.cells.size() }, [&]
-    {
-      return target.cells == source.cells || internal::sorted_cells(target.cells) == internal::sorted_cells(source.cells);
-    });
-    targets.swap(target.points);
+    targets = internal::targets_of_mesh(internal::read_soup(text, budget), source);
   });
 }
 

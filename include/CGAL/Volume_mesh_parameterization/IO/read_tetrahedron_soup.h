@@ -19,7 +19,7 @@ namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
 inline Tetrahedron_soup_3 read_soup(const std::string& text, const Budget& budget)
-{ return VTU_reader::is_VTU(text) ? VTU_reader(text, budget).read() : read_MEDIT_text(text, budget); }
+{ return VTK_arrays::is_VTU(text) ? read_VTU(text, budget) : read_MEDIT_text(text, budget); }
 
 } // namespace internal
 
@@ -29,10 +29,13 @@ namespace IO {
 ///
 /// reads a tetrahedral mesh from a file whose content tells the format: MEDIT, as `read_MEDIT()` reads it, or a VTK XML
 /// file (`.vtu`) of the type `UnstructuredGrid` in one piece, with arrays as text, or binary (`raw` or base64, in their
-/// place or appended) without compression.
+/// place or appended), with or without compression: by zlib, lzma or lz4, if these libraries were found.
 ///
-/// Of a VTK file, triangles become marked facets, other cells of lower dimension are skipped, and volume elements other
-/// than tetrahedra are an error. References are the cell data `reference`, else `medit:ref` or `gmsh:physical`, else 0.
+/// Of a VTK file, triangles become marked facets and lines marked edges, other cells of lower dimension are skipped, and
+/// volume elements other than tetrahedra are an error. Of cells of a higher order the corners are read. References are
+/// the cell data `reference`, `medit:ref`, `gmsh:physical`, `material`, `attribute`, `mat_id` or `MaterialIDs`, the first of
+/// these that are integers, else 0. Arrays of the section `FieldData` with two integers, a reference and a dimension from 1
+/// to 3, are names of groups.
 ///
 /// \param filename the name of the file, which may be a pipe
 /// \param soup gets the mesh

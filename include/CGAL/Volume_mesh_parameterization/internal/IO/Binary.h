@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
 
 #include <cstdint>
 #include <cstring>
@@ -102,19 +101,18 @@ public:
     Tetrahedron_soup_3 soup;
     while(m_scanner.rest() > 0 && read_section(soup))
       go_on(m_budget);
-    for(const auto& cell : soup.cells)
-      for(const std::size_t v : cell)
-        checked_vertex(static_cast<std::int64_t>(v) + 1, 1, soup.points.size());
-    for(const auto& facet : soup.facets)
-      for(const std::size_t v : facet)
-        checked_vertex(static_cast<std::int64_t>(v) + 1, 1, soup.points.size());
-    if(soup.cells.empty())
-      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    check_vertices(soup.edges, soup.points.size());
+    check_vertices(soup.facets, soup.points.size());
+    check_vertices(soup.cells, soup.points.size());
+    require_tetrahedra(soup.cells.size(), soup.facets.size(), mesher_of_MEDIT);
+    if(m_has_second_order)
+      remove_nodes_of_higher_order(soup);
     return soup;
   }
 
 private:
-  enum Keyword { DIMENSION = 3, VERTICES = 4, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10, PYRAMIDS = 49, END = 54 };
+  enum Keyword { DIMENSION = 3, VERTICES = 4, EDGES = 5, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10,
+                 TRIANGLES_P2 = 24, EDGES_P2 = 25, TETRAHEDRA_P2 = 30, PYRAMIDS = 49, END = 54 };
 
   static std::int32_t first_number(const std::string_view bytes)
   { return bytes.size() < 4 ? 0 : Binary_scanner(bytes, false).next<std::int32_t>(); }
@@ -144,7 +142,6 @@ private:
           throw Input_error("the dimension is not 3");
         break;
       case VERTICES:
-        require_first(soup.points.empty(), "Vertices");
         read_elements(3 * (m_version == 1 ? 4 : 8) + size_of_integer(), [&]
         {
           const double x = next_coordinate(), y = next_coordinate(), z = next_coordinate();
@@ -152,14 +149,12 @@ private:
           next_integer();
         });
         break;
-      case TRIANGLES:
-        require_first(soup.facets.empty(), "Triangles");
-        read_simplices(soup.facets, soup.facet_references);
-        break;
-      case TETRAHEDRA:
-        require_first(soup.cells.empty(), "Tetrahedra");
-        read_simplices(soup.cells, soup.cell_references);
-        break;
+      case EDGES: read_simplices(2, soup.edges, soup.edge_references); break;
+      case TRIANGLES: read_simplices(3, soup.facets, soup.facet_references); break;
+      case TETRAHEDRA: read_simplices(4, soup.cells, soup.cell_references); break;
+      case EDGES_P2: read_simplices(3, soup.edges, soup.edge_references); break;
+      case TRIANGLES_P2: read_simplices(6, soup.facets, soup.facet_references); break;
+      case TETRAHEDRA_P2: read_simplices(10, soup.cells, soup.cell_references); break;
       case PRISMS: case HEXAHEDRA: case PYRAMIDS:
         if(next_integer() != 0)
           throw Input_error("the mesh is not tetrahedral, it has prisms, hexahedra or pyramids");
@@ -169,10 +164,12 @@ private:
     return end != 0;
   }
 
-  static void require_first(const bool is_first, const char* name)
+  template <std::size_t N>
+  static void check_vertices(const std::vector<std::array<std::size_t, N> >& simplices, const std::size_t number_of_points)
   {
-    if(!is_first)
-      throw Input_error(std::string("a second section '") + name + "'");
+    for(const auto& simplex : simplices)
+      for(const std::size_t v : simplex)
+        checked_vertex(static_cast<std::int64_t>(v) + 1, 1, number_of_points);
   }
 
   std::size_t size_of_integer() const { return m_version == 4 ? 8 : 4; }
@@ -191,14 +188,19 @@ private:
     }
   }
 
+  // Reads the first vertices of each element, which are its corners.
   template <std::size_t N>
-  void read_simplices(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references)
+  void read_simplices(const std::size_t number_of_vertices, std::vector<std::array<std::size_t, N> >& simplices,
+                      std::vector<int>& references)
   {
-    read_elements((N + 1) * size_of_integer(), [&]
+    m_has_second_order = m_has_second_order || number_of_vertices > N;
+    read_elements((number_of_vertices + 1) * size_of_integer(), [&]
     {
       simplices.emplace_back();
       for(std::size_t& v : simplices.back())
         v = checked_vertex(next_integer(), 1, (std::numeric_limits<std::int64_t>::max)()); // vertices may come later
+      for(std::size_t i = N; i < number_of_vertices; ++i)
+        next_integer();
       references.push_back(checked_reference(next_integer()));
     });
   }
@@ -206,6 +208,7 @@ private:
   Binary_scanner m_scanner;
   const Budget& m_budget;
   std::int32_t m_version = 0;
+  bool m_has_second_order = false;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

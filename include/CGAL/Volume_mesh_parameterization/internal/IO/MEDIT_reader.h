@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #include <optional>
@@ -28,8 +28,12 @@ inline std::array<double, 3> next_point(Text_scanner& scanner)
   return point;
 }
 
+// The command that makes a tetrahedral mesh of a surface in a MEDIT file.
+constexpr const char* mesher_of_MEDIT = "tetgen -pqg FILE.mesh writes FILE.1.mesh";
+
 // Reads an ASCII MEDIT file, or the lines of it that this process has. A first pass only finds the keywords that have a
-// meaning here, so that their order is free. A section goes on until the next keyword, in whichever slice that is.
+// meaning here, so that their order is free. A section goes on until the next keyword, in whichever slice that is. Sections
+// with the same keyword are joined.
 class MEDIT_reader
 {
 public:
@@ -57,24 +61,35 @@ public:
       next_reference(scanner);
     });
     const std::size_t number_of_points = sum(soup.points.size());
-    read_simplices(TRIANGLES, number_of_points, soup.facets, soup.facet_references);
-    read_simplices(TETRAHEDRA, number_of_points, soup.cells, soup.cell_references);
-    if(sum(soup.cells.size()) == 0)
-      throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
+    read_simplices(EDGES, number_of_points, 2, soup.edges, soup.edge_references);
+    read_simplices(TRIANGLES, number_of_points, 3, soup.facets, soup.facet_references);
+    read_simplices(TETRAHEDRA, number_of_points, 4, soup.cells, soup.cell_references);
+    const std::size_t number_of_simplices = soup.edges.size() + soup.facets.size() + soup.cells.size();
+    read_simplices(EDGES_P2, number_of_points, 3, soup.edges, soup.edge_references);
+    read_simplices(TRIANGLES_P2, number_of_points, 6, soup.facets, soup.facet_references);
+    read_simplices(TETRAHEDRA_P2, number_of_points, 10, soup.cells, soup.cell_references);
+    require_tetrahedra(sum(soup.cells.size()), sum(soup.facets.size()), mesher_of_MEDIT);
+    const std::size_t number_of_second_order
+      = sum(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
+    if(number_of_second_order > 0 && m_is_slice)
+      throw Input_error("the mesh has cells of second order, which several processes do not read");
+    if(number_of_second_order > 0)
+      remove_nodes_of_higher_order(soup);
     return soup;
   }
 
 private:
-  enum { VERSION, DIMENSION, VERTICES, TRIANGLES, TETRAHEDRA, END = 10, OTHER, NONE };
+  enum { VERSION, DIMENSION, VERTICES, EDGES, TRIANGLES, TETRAHEDRA, EDGES_P2, TRIANGLES_P2, TETRAHEDRA_P2,
+         END = 14, OTHER, NONE };
   static constexpr std::array<std::string_view, OTHER> m_keywords
-    = { "MeshVersionFormatted", "Dimension", "Vertices", "Triangles", "Tetrahedra",
-        "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
+    = { "MeshVersionFormatted", "Dimension", "Vertices", "Edges", "Triangles", "Tetrahedra", "EdgesP2", "TrianglesP2",
+        "TetrahedraP2", "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
 
-  struct Section
+  // The sections with a keyword.
+  struct Sections
   {
-    std::size_t line;     // of the keyword
-    double count;         // of elements in the whole file
-    Text_scanner begin;   // of what this slice has of them
+    double count = 0;                 // of elements that this slice tells of
+    std::vector<Text_scanner> begins; // of what this slice has of them
   };
 
   // The next keyword does, or the end of the text. An infinite coordinate, or one that is no number, is told as such.
@@ -103,86 +118,68 @@ private:
         scanner.expect_end("the keyword 'End'");
       if(m_last >= END)
         continue;
-      const std::size_t line = scanner.line();
-      if(m_sections[m_last])
-        fail_of_second(line, m_last);
       const std::size_t count
         = scanner.next_number<std::size_t>(m_last < VERTICES ? "a version or dimension" : "a number of elements");
       if(m_last == VERSION && (count < 1 || count > 4)) // which differ in the binary format alone
         scanner.fail("the version of the format is " + std::to_string(count) + " instead of 1 to 4");
       if(m_last == DIMENSION && count != 3)
         scanner.fail("the dimension is not 3");
-      if(m_last > TETRAHEDRA && count != 0)
+      if(m_last > TETRAHEDRA_P2 && count != 0)
         scanner.fail("the mesh is not tetrahedral, it has " + std::string(word));
-      m_sections[m_last] = { line, static_cast<double>(count), scanner };
+      m_sections[m_last].count += static_cast<double>(count);
+      m_sections[m_last].begins.push_back(scanner);
     }
   }
-
-  [[noreturn]] static void fail_of_second(const std::size_t line, const std::size_t k)
-  { Text_scanner::fail(line, "a second section '" + std::string(m_keywords[k]) + "'"); }
 
   // Finds in which section of the slices before the text of this one begins.
   void share_sections(Text_scanner text)
   {
-    std::vector<double> mine(END + 1, -1);
-    for(std::size_t k = 0; k < END; ++k)
-      if(m_sections[k])
-        mine[k] = m_sections[k]->count;
-    mine[END] = static_cast<double>(m_last);
-    const std::vector<double> all = m_communicator.concatenated(mine);
-    const std::size_t size_of_all_before = static_cast<std::size_t>(m_communicator.rank()) * mine.size();
-    m_is_last = size_of_all_before + mine.size() == all.size();
+    const std::vector<double> all = m_communicator.concatenated({ static_cast<double>(m_last) });
+    const std::size_t rank = static_cast<std::size_t>(m_communicator.rank());
+    m_is_last = rank + 1 == all.size();
     std::size_t open = NONE;
-    double count = 0;
-    for(std::size_t i = 0; i < size_of_all_before; i += mine.size())
-    {
-      for(std::size_t k = 0; k < END; ++k)
-        if(all[i + k] >= 0 && m_sections[k])
-          fail_of_second(m_sections[k]->line, k);
-      if(all[i + END] == NONE)
-        continue;
-      open = static_cast<std::size_t>(all[i + END]);
-      count = all[i + (std::min)(open, std::size_t(END))];
-    }
+    for(std::size_t i = 0; i < rank; ++i)
+      if(all[i] != NONE)
+        open = static_cast<std::size_t>(all[i]);
     if(open == END)
       text.expect_end("the keyword 'End'");
     if(open < END)
-      m_sections[open] = { text.line(), count, text };
+      m_sections[open].begins.insert(m_sections[open].begins.begin(), text);
   }
 
-  // Calls `read_element(scanner)` for each element that this slice has of a section, which may be missing.
+  // Calls `read_element(scanner)` for each element that this slice has of the sections with a keyword.
   template <typename ReadElement>
   void read_section(const std::size_t k, const ReadElement& read_element) const
   {
     std::size_t number = 0;
     std::optional<Text_scanner> scanner;
-    if(m_sections[k])
-      scanner = m_sections[k]->begin;
-    for(; scanner && !ends_section(scanner->rest()); ++number)
-    {
-      if(!m_is_slice)
+    for(const Text_scanner& begin : m_sections[k].begins)
+      for(scanner = begin; !ends_section(scanner->rest()); ++number)
       {
-        read_element(*scanner);
-        continue;
+        if(!m_is_slice)
+        {
+          read_element(*scanner);
+          continue;
+        }
+        Text_scanner line = scanner->next_line();
+        read_element(line);
+        line.expect_end("the element, which must have a line of its own");
       }
-      Text_scanner line = scanner->next_line();
-      read_element(line);
-      line.expect_end("the element, which must have a line of its own");
-    }
 
-    const double total = m_communicator.sum(static_cast<double>(number));
-    if(!scanner || total == m_sections[k]->count)
+    const double total = m_communicator.sum(static_cast<double>(number)), expected = m_communicator.sum(m_sections[k].count);
+    if(!scanner || total == expected)
       return;
     const std::string_view word = scanner->next_word();
     if(!word.empty() || m_is_last) // otherwise the section goes on in the next slice
       scanner->fail((word.empty() ? "the end of the file" : Text_scanner::quote(word)) + " follows "
                     + std::to_string(static_cast<std::size_t>(total)) + " instead of "
-                    + std::to_string(static_cast<std::size_t>(m_sections[k]->count)) + " elements of the section '"
+                    + std::to_string(static_cast<std::size_t>(expected)) + " elements of the section '"
                     + std::string(m_keywords[k]) + "'");
   }
 
+  // Reads the first vertices of each element, which are its corners.
   template <std::size_t N>
-  void read_simplices(const std::size_t k, const std::size_t number_of_points,
+  void read_simplices(const std::size_t k, const std::size_t number_of_points, const std::size_t number_of_vertices,
                       std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references) const
   {
     read_section(k, [&](Text_scanner& scanner)
@@ -190,6 +187,8 @@ private:
       std::array<std::size_t, N> simplex;
       for(std::size_t& v : simplex)
         v = next_vertex(scanner, number_of_points);
+      for(std::size_t i = N; i < number_of_vertices; ++i)
+        next_vertex(scanner, number_of_points);
       simplices.push_back(simplex);
       references.push_back(next_reference(scanner));
     });
@@ -208,7 +207,7 @@ private:
 
   const Communicator_3& m_communicator;
   bool m_is_slice, m_is_last;
-  std::array<std::optional<Section>, END> m_sections;
+  std::array<Sections, END> m_sections;
   std::size_t m_last = NONE; // keyword of this slice
 };
 

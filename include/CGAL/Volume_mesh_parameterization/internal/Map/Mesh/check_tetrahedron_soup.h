@@ -55,13 +55,27 @@ inline void check_cells(const std::vector<std::array<std::size_t, 4> >& cells, c
     check_simplex(cells[c], number_of_points, "cell ", c);
 }
 
+inline void check_data(const std::vector<Data_array_3>& arrays, const std::size_t number_of_elements)
+{
+  for(const Data_array_3& array : arrays)
+    if(array.values.size() != number_of_elements * array.number_of_components)
+      throw Input_error("the data '" + array.name + "' have not the size of the mesh");
+}
+
 inline void check_simplices(const Tetrahedron_soup_3& soup)
 {
-  if(soup.cell_references.size() != soup.cells.size() || soup.facet_references.size() != soup.facets.size())
-    throw Input_error("there is not one reference per cell and per facet");
+  if(soup.cell_references.size() != soup.cells.size() || soup.facet_references.size() != soup.facets.size()
+     || soup.edge_references.size() != soup.edges.size())
+    throw Input_error("there is not one reference per cell, facet and edge");
+  check_data(soup.point_data, soup.points.size());
+  check_data(soup.cell_data, soup.cells.size());
+  check_data(soup.facet_data, soup.facets.size());
+  check_data(soup.edge_data, soup.edges.size());
   check_cells(soup.cells, soup.points.size());
   for(std::size_t f = 0; f < soup.facets.size(); ++f)
     check_simplex(soup.facets[f], soup.points.size(), "triangle ", f);
+  for(std::size_t e = 0; e < soup.edges.size(); ++e)
+    check_simplex(soup.edges[e], soup.points.size(), "edge ", e);
 }
 
 // Are the cells negatively oriented? All must be oriented alike, and none may be flat.

@@ -43,14 +43,14 @@ void for_each_face(const Simplex_3& simplex, const Function& f)
   }
 }
 
-// Simplices of one dimension with their references, and which of them have a point.
+// Simplices of one dimension with their references and data, and which of them have a point.
 template <std::size_t N>
 class Incident_simplices_3
 {
 public:
   Incident_simplices_3(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references,
-                       const std::size_t number_of_points)
-    : m_simplices(simplices), m_references(references), m_incident(number_of_points)
+                       std::vector<Data_array_3>& data, const std::size_t number_of_points)
+    : m_simplices(simplices), m_references(references), m_data(data), m_incident(number_of_points)
   {
     for(std::size_t s = 0; s < simplices.size(); ++s)
       for(const std::size_t v : simplices[s])
@@ -82,6 +82,9 @@ public:
           m_incident[w].push_back(m_simplices.size());
         m_simplices.push_back(replace(m_simplices[s], face[k], v));
         m_references.push_back(m_references[s]);
+        for(Data_array_3& array : m_data)
+          for(std::size_t i = 0; i < array.number_of_components; ++i)
+            array.values.push_back(array.values[s * array.number_of_components + i]);
       }
       m_simplices[s] = replace(m_simplices[s], face[0], v);
       m_incident[face[0]].erase(std::find(m_incident[face[0]].begin(), m_incident[face[0]].end(), s));
@@ -98,17 +101,19 @@ private:
 
   std::vector<std::array<std::size_t, N> >& m_simplices;
   std::vector<int>& m_references;
+  std::vector<Data_array_3>& m_data;
   std::vector<std::vector<std::size_t> > m_incident;
 };
 
-// Makes new points vertices of interior edges, facets and cells of a body. New cells and facets have the references of
-// those they come from.
+// Makes new points vertices of interior edges, facets and cells of a body. New cells, facets and edges have the references
+// and data of those they come from.
 class Refinement_3
 {
 public:
   explicit Refinement_3(Body_3& body)
-    : m_body(body), m_cells(body.soup.cells, body.soup.cell_references, body.soup.points.size()),
-      m_facets(body.soup.facets, body.soup.facet_references, body.soup.points.size())
+    : m_body(body), m_cells(body.soup.cells, body.soup.cell_references, body.soup.cell_data, body.soup.points.size()),
+      m_facets(body.soup.facets, body.soup.facet_references, body.soup.facet_data, body.soup.points.size()),
+      m_edges(body.soup.edges, body.soup.edge_references, body.soup.edge_data, body.soup.points.size())
   {
     for(const auto& [u, v, w] : body.boundary)
       m_boundary_edges.insert(m_boundary_edges.end(), { (std::minmax)(u, v), (std::minmax)(v, w), (std::minmax)(w, u) });
@@ -148,46 +153,60 @@ public:
     const std::vector<std::size_t> cells = cells_around(simplex);
     if(!is_interior(simplex, cells))
       return std::nullopt;
-    const std::optional<Exact_point_3> p = point_in_simplex(simplex, cells);
-    if(!p)
+    const Weights weights = weights_of_point(simplex, cells);
+    if(weights.empty())
       return std::nullopt;
     m_cells.insert(simplex);
     m_facets.insert(simplex);
-    m_body.soup.points.push_back(coordinates(*p));
+    m_edges.insert(simplex);
+    m_body.soup.points.push_back(coordinates(point(simplex, weights)));
+    for(Data_array_3& array : m_body.soup.point_data)
+      for(std::size_t i = 0; i < array.number_of_components; ++i)
+      {
+        const auto value = [&](const std::size_t v) { return array.values[v * array.number_of_components + i]; };
+        array.values.push_back(array.has_integers ? value(simplex[0]) : mean(simplex, weights, value));
+      }
     return Insertion_3{ m_body.soup.points.size() - 1, simplex, cells };
   }
 
 private:
   using Edge = std::pair<std::size_t, std::size_t>; // the smaller one first
+  using Weights = boost::container::static_vector<double, 4>;
 
   Exact_point_3 point(const std::size_t v) const { return exact_point(m_body.soup.points[v]); }
 
-  // A point of a simplex that can become a vertex, as all cells it makes are positive after rounding: the centroid, or else
-  // one up to a third of the way towards a vertex.
-  std::optional<Exact_point_3> point_in_simplex(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const
+  // Weights of the vertices of a simplex for a point that can become a vertex, as all cells it makes are positive after
+  // rounding: the centroid, or else one up to a third of the way towards a vertex. None if there is no such point.
+  Weights weights_of_point(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const
   {
     for(const double additional_weight : { 0., 0.125, 0.25, 0.5, 1. })
-      for(const std::size_t v : simplex)
+      for(std::size_t preferred = 0; preferred < simplex.size(); ++preferred)
       {
-        const Exact_point_3 p = weighted_mean(simplex, v, additional_weight);
-        if(makes_positive_cells(simplex, cells, p))
-          return p;
+        Weights weights(simplex.size(), 1.);
+        weights[preferred] += additional_weight;
+        if(makes_positive_cells(simplex, cells, point(simplex, weights)))
+          return weights;
       }
-    return std::nullopt;
+    return {};
   }
 
-  Exact_point_3 weighted_mean(const Simplex_3& simplex, const std::size_t preferred, const double additional_weight) const
+  template <typename Value>
+  static double mean(const Simplex_3& simplex, const Weights& weights, const Value& value)
   {
-    std::array<double, 3> sum = { 0, 0, 0 };
-    double total_weight = 0;
-    for(const std::size_t v : simplex)
+    double sum = 0, total_weight = 0;
+    for(std::size_t i = 0; i < simplex.size(); ++i)
     {
-      const double weight = (v == preferred) ? 1 + additional_weight : 1;
-      for(int i = 0; i < 3; ++i)
-        sum[i] += weight * m_body.soup.points[v][i];
-      total_weight += weight;
+      sum += weights[i] * value(simplex[i]);
+      total_weight += weights[i];
     }
-    return Exact_point_3(sum[0] / total_weight, sum[1] / total_weight, sum[2] / total_weight);
+    return sum / total_weight;
+  }
+
+  Exact_point_3 point(const Simplex_3& simplex, const Weights& weights) const
+  {
+    const auto coordinate = [&](const int i)
+    { return mean(simplex, weights, [&](const std::size_t v) { return m_body.soup.points[v][i]; }); };
+    return Exact_point_3(coordinate(0), coordinate(1), coordinate(2));
   }
 
   bool makes_positive_cells(const Simplex_3& simplex, const std::vector<std::size_t>& cells, const Exact_point_3& p) const
@@ -206,6 +225,7 @@ private:
   Body_3& m_body;
   Incident_simplices_3<4> m_cells;
   Incident_simplices_3<3> m_facets;
+  Incident_simplices_3<2> m_edges;
   std::vector<Edge> m_boundary_edges;
 };
 

@@ -1,0 +1,111 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Adds cells of an unstructured grid of VTK to a soup that has its points, with their data. References are among these.
+class VTK_cells_reader
+{
+public:
+  VTK_cells_reader(Tetrahedron_soup_3& soup, std::vector<Data_array_3> data) : m_soup(soup), m_data(std::move(data))
+  {
+    // of this package, meshio, MFEM, SfePy and OpenGeoSys
+    for(const char* name : { "reference", "medit:ref", "gmsh:physical", "material", "attribute", "mat_id", "MaterialIDs" })
+      for(const Data_array_3& array : m_data)
+        if(m_references.empty() && array.name == name && array.number_of_components == 1 && array.has_integers)
+          m_references = array.values;
+    m_data.erase(std::remove_if(m_data.begin(), m_data.end(), [](const auto& array) { return array.name == "reference"; }),
+                 m_data.end());
+    for(std::vector<Data_array_3>* const copies : { &soup.cell_data, &soup.facet_data, &soup.edge_data })
+      for(const Data_array_3& array : m_data)
+        copies->push_back({ array.name, array.number_of_components, array.has_integers, {} });
+  }
+
+  // `vertices` are those of cell c, which has a type of VTK.
+  template <typename Iterator>
+  void add(const std::size_t c, const std::int64_t type, const Iterator vertices, const std::size_t number_of_vertices)
+  {
+    switch(type)
+    {
+      case 3: case 21: case 68: // a line; quadratic, or of any order
+        add(c, vertices, number_of_vertices, m_soup.edges, m_soup.edge_references, m_soup.edge_data); break;
+      case 5: case 22: case 69:
+        add(c, vertices, number_of_vertices, m_soup.facets, m_soup.facet_references, m_soup.facet_data); break;
+      case 10: case 24: case 71:
+        add(c, vertices, number_of_vertices, m_soup.cells, m_soup.cell_references, m_soup.cell_data); break;
+      default:
+        constexpr std::int64_t last_of_surfaces = 9;
+        if(type < 1 || type > last_of_surfaces)
+          throw Input_error("the mesh is not tetrahedral, it has a cell of VTK's type " + std::to_string(type));
+    }
+  }
+
+  // Removes what only cells of a higher order have.
+  void finish()
+  {
+    require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(),
+                       "meshio convert FILE.vtu FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
+    if(m_has_higher_order)
+      remove_nodes_of_higher_order(m_soup);
+  }
+
+private:
+  template <std::size_t N, typename Iterator>
+  void add(const std::size_t c, const Iterator vertices, const std::size_t number_of_vertices,
+           std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references, std::vector<Data_array_3>& copies)
+  {
+    if(number_of_vertices < N)
+      throw Input_error("cell " + std::to_string(c) + " (counted from 0) has only " + std::to_string(number_of_vertices)
+                        + " vertices");
+    m_has_higher_order = m_has_higher_order || number_of_vertices > N;
+    simplices.emplace_back();
+    for(std::size_t i = 0; i < N; ++i)
+      simplices.back()[i] = checked_vertex(vertices[i], 0, m_soup.points.size());
+    references.push_back(m_references.empty() ? 0 : checked_reference(static_cast<std::int64_t>(m_references[c])));
+    for(std::size_t a = 0; a < m_data.size(); ++a)
+      for(std::size_t i = 0, n = m_data[a].number_of_components; i < n; ++i)
+        copies[a].values.push_back(m_data[a].values[c * n + i]);
+  }
+
+  Tetrahedron_soup_3& m_soup;
+  std::vector<Data_array_3> m_data;
+  std::vector<double> m_references;
+  bool m_has_higher_order = false;
+};
+
+// Adds all cells: cell c has the vertices from `ends[c - 1]` to `ends[c]` in `connectivity`.
+inline void add_VTK_cells(Tetrahedron_soup_3& soup, const std::vector<std::int64_t>& connectivity,
+                          const std::vector<std::int64_t>& ends, const std::vector<std::int64_t>& types,
+                          std::vector<Data_array_3> data)
+{
+  if(ends.size() != types.size())
+    throw Input_error("the arrays of the cells are not equally long");
+  VTK_cells_reader reader(soup, std::move(data));
+  std::int64_t begin = 0;
+  for(std::size_t c = 0; c < types.size(); begin = ends[c++])
+  {
+    if(ends[c] < begin || static_cast<std::uint64_t>(ends[c]) > connectivity.size())
+      throw Input_error("the offset " + std::to_string(ends[c]) + " of cell " + std::to_string(c)
+                        + " (counted from 0) is wrong");
+    reader.add(c, types[c], connectivity.begin() + begin, static_cast<std::size_t>(ends[c] - begin));
+  }
+  reader.finish();
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_H
