@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs all tests with other compilers, standards and libraries than scripts/test.sh does. Prints a line for each
-# configuration; its messages are in FOLDER/CONFIGURATION.log. With meshio, files of the driver are tested, too.
+# configuration; its messages are in FOLDER/CONFIGURATION.log. With Gmsh, TetGen and meshio, files of other programs are tested, too.
 set -euo pipefail
 
 usage="Usage: scripts/test_matrix.sh [--folder FOLDER] [--cgal PREFIX] [--eigen PREFIX] [CONFIGURATION...]
@@ -13,7 +13,7 @@ Without a configuration, all of these, but for the sanitizers:
   threads      the core: several threads at once, with clang++ and the sanitizer of threads, without TBB, which is not compiled
                for it
   clang        clang++
-  minimal      C++20, without TBB, CHOLMOD and PETSc
+  minimal      C++20, without TBB, CHOLMOD, PETSc, Gmsh, VTK and what decompresses files
   petsc        the tests with several processes, with the assertions of this package, of CGAL and of Eigen
   cgal         the CGAL installed in the folder given by --cgal
   eigen        the Eigen installed in the folder given by --eigen, and that CGAL
@@ -119,6 +119,8 @@ run()
     threads) test_threads ;;
     clang) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ ;;
     minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF \
+               -DZLIB_LIBRARY=OFF -DLZMA_LIBRARY=OFF -DLZ4_LIBRARY=OFF \
+               -DGMSH_LIBRARY=OFF -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON \
                -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON ;;
     petsc) build_and_test_processes ;;
     cgal) CMAKE_PREFIX_PATH="$cgal" build_and_test "$1" ;;
@@ -133,7 +135,8 @@ run()
   esac
 }
 
-"$root/scripts/install_dependencies.sh" clang libclang-rt-dev python3-meshio libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
+"$root/scripts/install_dependencies.sh" clang libclang-rt-dev gmsh libgmsh-dev libvtk9-dev \
+  meshio-tools python3-meshio tetgen libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
   qemu-user-static g++-mingw-w64-x86-64-posix wine64
 mkdir -p "$folder"
 failures=0

@@ -2,7 +2,8 @@
 #include "catch.h"
 #include "array_of_vtu_file.h"
 
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <CGAL/Real_timer.h>
@@ -768,9 +769,12 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
   CHECK(sentence("none.mesh target.txt") == "none.mesh: the file cannot be opened\n");
   CHECK(sentence("source.mesh none.txt") == "none.txt: the file cannot be opened\n");
   CHECK(sentence("target.txt target.txt").find("target.txt: line 1: this is not an ASCII MEDIT file") == 0);
-  folder.write("mesh.obj", "v 0 0 0\n");
-  CHECK(sentence("mesh.obj --to ball").find("; other formats can be converted: meshio convert mesh.obj mesh.mesh\n")
+  folder.write("mesh.xyz", "v 0 0 0\n");
+  CHECK(sentence("mesh.xyz --to ball").find("; other formats can be converted: meshio convert mesh.xyz mesh.vtu\n")
         != std::string::npos);
+  folder.write("mesh.off", "OFF\n");
+  CHECK(sentence("mesh.off --to ball").find("; this is a surface, which a volume mesher fills: tetgen -pqg mesh.off writes "
+                                            "mesh.1.mesh\n") != std::string::npos);
   folder.write("mesh.vtu", "<?xml version=\"1.0\"?>\n");
   CHECK(sentence("mesh.vtu --to ball") == "mesh.vtu: this is not a VTK XML file of the type UnstructuredGrid\n");
 
@@ -929,7 +933,9 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
     CHECK(facets.count({ i, j, k }) == 1);
   CHECK(refined.facets.size() > source.facets.size());
   CHECK(folder.run("source.mesh target.mesh --quiet --refine --output map.vtu") == 0);
-  CHECK(array_of<std::int32_t>(folder.text("map.vtu"), "reference", "Int32") == refined.cell_references);
+  std::vector<int> references = refined.cell_references;
+  references.insert(references.end(), refined.facet_references.begin(), refined.facet_references.end());
+  CHECK(array_of<std::int32_t>(folder.text("map.vtu"), "reference", "Int32") == references);
 }
 
 TEST_CASE("Each file may be a pipe, and - is the standard input or output")
@@ -990,6 +996,56 @@ TEST_CASE("Cells that are negative in the source are so in the output, which has
   CHECK(folder.soup("negative_map.mesh").cells == source.cells);
   CHECK(folder.soup("negative_map.mesh").points == folder.soup("positive_map.mesh").points);
   CHECK(folder.text("again.mesh") == folder.text("negative.mesh"));
+}
+
+TEST_CASE("Names of groups and data of the source are in the output, also where it is refined")
+{
+  const Folder folder;
+  Soup source = fan_in_prism(12);
+  source.group_names = { { { 3, 1 }, "bone" } };
+  source.edges = { { 1, 2 } };
+  source.edge_references = { 8 };
+  source.point_data = { { "T", 1, false, {} }, { "x", 3, false, {} } };
+  for(const Point& p : source.points)
+  {
+    source.point_data[0].values.push_back(p[0] + 2 * p[1] - p[2] / 3);
+    source.point_data[1].values.insert(source.point_data[1].values.end(), p.begin(), p.end());
+  }
+  source.cell_data = { { "number", 1, true, {} } };
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+    source.cell_data[0].values.push_back(static_cast<double>(c));
+  std::ofstream vtu(folder.path("source.vtu"), std::ios::binary);
+  VMP::IO::write_VTU(vtu, source, source.points);
+  vtu.close();
+  Soup target = source;
+  for(Point& p : target.points)
+    p = {(1 + p[0]) * std::cos(p[2] / 4), p[1], (1 + p[0]) * std::sin(p[2] / 4)};
+  folder.write("target.mesh", target);
+  REQUIRE(folder.run("source.vtu target.mesh --refine -o map.vtu --refined-source refined.mesh") == 0);
+  Soup map;
+  VMP::IO::read_tetrahedron_soup(folder.path("map.vtu"), map);
+  REQUIRE(map.points.size() > source.points.size());
+  CHECK(map.group_names == source.group_names);
+  CHECK(map.edge_references == std::vector<int>{ 8 });
+  CHECK(folder.soup("refined.mesh").edges == source.edges);
+  const auto data = [](const std::vector<VMP::Data_array_3>& arrays, const std::string& name)
+  {
+    const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const auto& array) { return array.name == name; });
+    REQUIRE(found != arrays.end());
+    return found->values;
+  };
+  const std::vector<double> T = data(map.point_data, "T"), x = data(map.point_data, "x"), numbers = data(map.cell_data, "number");
+  REQUIRE(T.size() == map.points.size());
+  REQUIRE(x.size() == 3 * map.points.size());
+  for(std::size_t v = 0; v < map.points.size(); ++v)
+  {
+    const Point& p = map.points[v];
+    CHECK(T[v] == Approx(p[0] + 2 * p[1] - p[2] / 3).margin(1e-12));
+    CHECK(x[3 * v + 2] == p[2]);
+  }
+  REQUIRE(numbers.size() == map.cells.size());
+  CHECK(numbers.size() > source.cells.size());
+  CHECK(std::set<double>(numbers.begin(), numbers.end()).size() == source.cells.size());
 }
 
 TEST_CASE("The source may be a file of VTK, and so may the target")

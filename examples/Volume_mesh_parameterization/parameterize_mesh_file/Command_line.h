@@ -39,7 +39,9 @@ R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [
 Maps a tetrahedral mesh onto another domain. The boundary goes to the domain with that name, or where TARGET
 tells; the vertices inside are placed such that no cell is inverted or flat, and that the distortion is low.
 
-  SOURCE.mesh  the mesh: a MEDIT file (*.mesh or *.meshb), or one of VTK (*.vtu) without compression
+  SOURCE.mesh  the mesh: a MEDIT file (*.mesh or *.meshb) or one of VTK (*.vtu); if the program was built with Gmsh, also
+               *.msh, *.unv or *.bdf; if it was built with VTK, also *.vtk. Of other formats,
+               meshio makes a file *.vtu: meshio convert a.inp a.vtu
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
                the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates.
                Lines may tell vertices inside as well, which are met
@@ -108,11 +110,12 @@ inline Command_line command_line(Options& options)
   po::options_description files("Files", width);
   files.add_options()
     ("output,o", po::value(&options.output)->value_name("FILE"),
-     "the map; *.mesh: the mesh with the new coordinates; *.vtu: the source with the map and its distortion as data")
+     "the map; *.mesh: the mesh with the new coordinates, with Gmsh also *.msh, or *.msh2 for its version 2.2; *.vtu: the source "
+     "with the map and its distortion as data. Groups and data of the source are in what can hold them")
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
-     "the source (*.mesh) with the vertices that --refine has added; it has the cells of the output")
+     "the source (*.mesh, *.msh) with the vertices that --refine has added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
-     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu or *.inp)")
+     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu, *.msh or *.inp)")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
   po::options_description source("Source", width);

@@ -2,6 +2,7 @@
 #ifndef HEXAHEDRA_FILE_H
 #define HEXAHEDRA_FILE_H
 
+#include "Mesh_format.h"
 #include "Output_file.h"
 #include "Progress_line.h"
 
@@ -12,17 +13,10 @@
 
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-inline bool is_mesh_name(const std::string& name)
-{
-  const std::string extension = std::filesystem::path(name).extension().string();
-  return extension == ".mesh" || extension == ".vtu";
-}
 
 class Hexahedra_file
 {
@@ -40,7 +34,7 @@ public:
     if(*end != '\0' || !(m_spacing > 0))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a positive number");
     if(!is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
-      throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with .mesh nor with .vtu nor with .inp");
+      throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with " + mesh_extensions + " nor with .inp");
   }
 
   const std::string& name() const { return m_name; } // empty if there is none
@@ -62,6 +56,10 @@ public:
         VMP::IO::write_VTU(file.stream(), mesh);
       else if(extension() == ".inp")
         VMP::IO::write_INP(file.stream(), mesh);
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+      else if(is_Gmsh_name(m_name))
+        write_MSH(file.stream(), mesh, source.group_names, is_old_Gmsh_name(m_name));
+#endif
       else
         VMP::IO::write_MEDIT(file.stream(), mesh);
       file.commit(progress);
@@ -70,7 +68,7 @@ public:
   }
 
 private:
-  std::string extension() const { return std::filesystem::path(m_name).extension().string(); }
+  std::string extension() const { return extension_of(m_name); }
 
   double m_spacing = 0;
   std::string m_name;

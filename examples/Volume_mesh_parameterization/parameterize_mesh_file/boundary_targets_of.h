@@ -114,6 +114,11 @@ inline Points targets_of_file(const std::string& filename,
                               const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
+  if(format_of(filename) == Mesh_format::GMSH || format_of(filename) == Mesh_format::VTK)
+  {
+    VMP::Tetrahedron_soup_3 target = read_mesh(filename, progress);
+    return naming(filename, [&] { return VMP::internal::targets_of_mesh(std::move(target), mesh); });
+  }
   Points targets;
   if(VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress)))
      == VMP::ERROR_INTERRUPTED)

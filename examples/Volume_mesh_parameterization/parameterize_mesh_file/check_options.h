@@ -56,7 +56,7 @@ inline bool writes_to_standard_output(const Options& options)
 inline void check_files(const Options& options)
 {
   if(!options.output.empty() && !is_stream(options.output) && !is_mesh_name(options.output))
-    throw std::runtime_error(options.output + ": the name of the output ends neither with .mesh nor with .vtu; "
+    throw std::runtime_error(options.output + ": the name of the output ends neither with " + mesh_extensions + "; "
                              "other formats can be made of both: meshio convert map.vtu map.OTHER");
   check_roles(inputs(options), outputs(options));
 }

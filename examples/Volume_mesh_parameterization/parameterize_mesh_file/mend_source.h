@@ -123,6 +123,7 @@ inline void count_coinciding_points(Source& source)
 inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup, const Options& options)
 {
   Source source = { std::move(soup) };
+  source.notes = source.soup.notes;
   if(options.do_merge_points)
     merge_points(source);
   turn_cells(source);

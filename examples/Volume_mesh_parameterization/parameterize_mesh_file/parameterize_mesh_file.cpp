@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <new>
@@ -72,14 +71,19 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, 
 void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, const Progress_line& progress)
 {
   Output_file file(filename);
-  VMP::IO::write_MEDIT(file.stream(), mesh);
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+  if(is_Gmsh_name(filename))
+    write_MSH(file.stream(), mesh, is_old_Gmsh_name(filename));
+  else
+#endif
+    VMP::IO::write_MEDIT(file.stream(), mesh);
   file.commit(progress);
 }
 
 void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw,
                const Progress_line& progress)
 {
-  if(std::filesystem::path(filename).extension() == ".vtu")
+  if(extension_of(filename) == ".vtu")
   {
     Output_file file(filename);
     VMP::IO::write_VTU(file.stream(), source, uvw);

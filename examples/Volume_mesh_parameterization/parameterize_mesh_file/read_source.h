@@ -1,6 +1,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H
 
+#include "Mesh_format.h"
 #include "Progress_line.h"
 #include "mend_source.h"
 
@@ -8,7 +9,6 @@
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -27,10 +27,18 @@ auto naming(const std::string& filename, const Function& f)
   }
 }
 
-inline Source read_source(const Options& options, Progress_line& progress)
+// Reads a mesh in any of the formats. Throws `Interruption` where the time is over.
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_line& progress)
 {
-  const std::string& filename = options.source;
   namespace VMP = CGAL::Volume_mesh_parameterization;
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+  if(format_of(filename) == Mesh_format::GMSH)
+    return naming(filename, [&] { return read_by_Gmsh(filename); });
+#endif
+#ifdef PARAMETERIZE_MESH_FILE_USES_VTK
+  if(format_of(filename) == Mesh_format::VTK)
+    return naming(filename, [&] { return read_by_VTK(filename); });
+#endif
   VMP::Tetrahedron_soup_3 soup;
   try
   {
@@ -40,13 +48,15 @@ inline Source read_source(const Options& options, Progress_line& progress)
   }
   catch(const VMP::Input_error& error)
   {
-    const std::filesystem::path path(filename), extension = path.extension();
-    if(extension == ".mesh" || extension == ".meshb" || extension == ".vtu" || !std::filesystem::is_regular_file(path))
-      throw;
-    throw VMP::Input_error(error.what() + std::string("; other formats can be converted: meshio convert ") + filename + " "
-                           + std::filesystem::path(path).replace_extension(".mesh").string());
+    throw VMP::Input_error(error.what() + advice_for(filename));
   }
-  return naming(filename, [&] { return mended_source(std::move(soup), options); });
+  return soup;
+}
+
+inline Source read_source(const Options& options, Progress_line& progress)
+{
+  auto soup = read_mesh(options.source, progress);
+  return naming(options.source, [&] { return mended_source(std::move(soup), options); });
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H

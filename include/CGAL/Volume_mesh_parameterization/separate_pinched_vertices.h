@@ -60,7 +60,7 @@ inline void renumber_facets(const std::vector<std::array<std::size_t, 4> >& befo
 /// number of cells, but for those at such vertices.
 ///
 /// \param soup the mesh, whose cells are all positive or all negative. The first fan keeps its vertex; points at the same
-///        place for the other ones are appended. Marked facets follow their cells.
+///        place for the other ones are appended, with the same data. Marked facets follow their cells.
 ///
 /// \return for each appended point, the vertex that it was
 ///
@@ -85,6 +85,9 @@ inline std::vector<std::size_t> separate_pinched_vertices(Tetrahedron_soup_3& so
     {
       origins.push_back(v);
       soup.points.push_back(std::array<double, 3>(soup.points[v]));
+      for(Data_array_3& array : soup.point_data)
+        for(std::size_t i = 0; i < array.number_of_components; ++i)
+          array.values.push_back(array.values[v * array.number_of_components + i]);
     }
     soup.cells[corner / 4][corner % 4] = entry->second;
   }

@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
 
+#include <algorithm>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Adds cells of an unstructured grid of VTK to a soup that has its points, with their data. References are among these.

@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
+#include <limits>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Throws `Input_error` if there is no tetrahedron. `command` makes a surface in such a file a tetrahedral mesh.

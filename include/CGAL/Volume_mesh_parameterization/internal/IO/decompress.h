@@ -24,6 +24,7 @@
 #  include <lz4.h>
 #endif
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>

@@ -1,0 +1,232 @@
+// Meshes in the formats that Gmsh reads.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_READER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_READER_H
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Gmsh with an empty model, without messages, from here to the end of the scope.
+class Gmsh_session
+{
+public:
+  Gmsh_session()
+  {
+    gmsh::initialize(0, nullptr, false);
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::model::add("mesh");
+  }
+
+  ~Gmsh_session() { gmsh::finalize(); }
+
+  Gmsh_session(const Gmsh_session&) = delete;
+  Gmsh_session& operator=(const Gmsh_session&) = delete;
+};
+
+// Calls f in a session. Gmsh throws its last message as a string.
+template <typename Function>
+auto with_Gmsh(const Function& f)
+{
+  try
+  {
+    const Gmsh_session session;
+    return f();
+  }
+  catch(const std::string& message)
+  {
+    throw CGAL::Volume_mesh_parameterization::Input_error("Gmsh says: " + message);
+  }
+}
+
+// Makes a soup of the model that Gmsh has read.
+class Gmsh_reader
+{
+  using Soup = CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3;
+  using Data = std::vector<CGAL::Volume_mesh_parameterization::Data_array_3>;
+  using Input_error = CGAL::Volume_mesh_parameterization::Input_error;
+
+public:
+  Soup read()
+  {
+    read_points();
+    std::array<bool, 4> has_groups = {};
+    gmsh::vectorpair groups, entities;
+    gmsh::model::getPhysicalGroups(groups);
+    for(const auto& [dimension, tag] : groups)
+    {
+      has_groups[dimension] = true;
+      std::string name;
+      gmsh::model::getPhysicalName(dimension, tag, name);
+      if(!name.empty())
+        m_soup.group_names[{ dimension, tag }] = name;
+    }
+    gmsh::model::getEntities(entities);
+    for(const auto& [dimension, tag] : entities)
+      read_entity(dimension, has_groups[dimension] ? groups_of(dimension, tag) : std::vector<int>{ tag }, tag);
+    CGAL::Volume_mesh_parameterization::internal::require_tetrahedra(
+      m_soup.cells.size(), m_soup.facets.size(), "gmsh FILE.msh -save -o FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
+    read_data();
+    if(m_has_higher_order)
+      CGAL::Volume_mesh_parameterization::internal::remove_nodes_of_higher_order(m_soup);
+    return std::move(m_soup);
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // Points are in the order of their tags.
+  void read_points()
+  {
+    std::vector<std::size_t> tags, order;
+    std::vector<double> coordinates, parameters;
+    gmsh::model::mesh::getNodes(tags, coordinates, parameters, -1, -1, false, false);
+    order.resize(tags.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j) { return tags[i] < tags[j]; });
+    for(const std::size_t i : order)
+    {
+      const std::array<double, 3> point = { coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2] };
+      if(!std::all_of(point.begin(), point.end(), [](const double x) { return std::isfinite(x); }))
+        throw Input_error("a coordinate is not finite");
+      m_points[tags[i]] = m_soup.points.size();
+      m_soup.points.push_back(point);
+    }
+  }
+
+  // The groups of an entity, or else no group; of a cell only one is kept.
+  std::vector<int> groups_of(const int dimension, const int tag)
+  {
+    std::vector<int> result;
+    gmsh::model::getPhysicalGroupsForEntity(dimension, tag, result);
+    if(dimension == 3 && result.size() > 1)
+    {
+      m_soup.notes.push_back("the volume " + std::to_string(tag) + " is in " + std::to_string(result.size())
+                             + " physical groups, of which the first one is kept");
+      result.resize(1);
+    }
+    if(result.empty())
+      result.push_back(0);
+    return result;
+  }
+
+  void read_entity(const int dimension, const std::vector<int>& references, const int entity)
+  {
+    std::vector<int> types;
+    std::vector<std::vector<std::size_t> > tags, nodes;
+    gmsh::model::mesh::getElements(types, tags, nodes, dimension, entity);
+    for(std::size_t t = 0; t < types.size(); ++t)
+    {
+      std::string name;
+      int type_dimension, order, number_of_nodes, number_of_corners;
+      std::vector<double> coordinates;
+      gmsh::model::mesh::getElementProperties(types[t], name, type_dimension, order, number_of_nodes, coordinates,
+                                              number_of_corners);
+      if(dimension == 3 && number_of_corners != 4)
+        throw Input_error("the mesh is not tetrahedral, it has elements of Gmsh's type '" + name + "'");
+      if(dimension == 0 || number_of_corners != dimension + 1)
+        continue;
+      m_has_higher_order = m_has_higher_order || order > 1;
+      for(const int reference : references) // a facet or edge has an entry for each of its groups
+        for(std::size_t i = 0; i < tags[t].size(); ++i)
+          add(dimension, tags[t][i], &nodes[t][i * static_cast<std::size_t>(number_of_nodes)], reference);
+    }
+  }
+
+  void add(const int dimension, const std::size_t tag, const std::size_t* const nodes, const int reference)
+  {
+    switch(dimension)
+    {
+      case 1: add(m_soup.edges, m_soup.edge_references, m_edges, tag, nodes, reference); break;
+      case 2: add(m_soup.facets, m_soup.facet_references, m_facets, tag, nodes, reference); break;
+      default: add(m_soup.cells, m_soup.cell_references, m_cells, tag, nodes, reference);
+    }
+  }
+
+  template <std::size_t N>
+  void add(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references,
+           std::vector<std::size_t>& tags, const std::size_t tag, const std::size_t* const nodes, const int reference)
+  {
+    simplices.emplace_back();
+    for(std::size_t i = 0; i < N; ++i)
+      simplices.back()[i] = m_points.at(nodes[i]);
+    references.push_back(reference);
+    tags.push_back(tag);
+  }
+
+  // The first step of each view.
+  void read_data()
+  {
+    std::vector<int> views;
+    gmsh::view::getTags(views);
+    std::vector<std::size_t> points;
+    for(const auto& [tag, p] : m_points)
+      points.push_back(tag);
+    for(std::size_t i = 0; i < views.size(); ++i)
+    {
+      std::string name, type;
+      std::vector<std::size_t> tags;
+      std::vector<std::vector<double> > data;
+      double time;
+      int number_of_components;
+      gmsh::option::getString("View[" + std::to_string(i) + "].Name", name);
+      gmsh::view::getModelData(views[i], 0, type, tags, data, time, number_of_components);
+      std::map<std::size_t, const std::vector<double>*> values;
+      for(std::size_t k = 0; k < tags.size(); ++k)
+        values[tags[k]] = &data[k];
+      const auto add_to = [&](Data& arrays, const std::vector<std::size_t>& elements)
+      {
+        arrays.push_back({ name, static_cast<std::size_t>(number_of_components), false, {} });
+        for(const std::size_t tag : elements)
+          for(std::size_t k = 0; k < arrays.back().number_of_components; ++k)
+            arrays.back().values.push_back(values.count(tag) != 0 && k < values[tag]->size()
+                                             ? (*values[tag])[k] : std::numeric_limits<double>::quiet_NaN());
+      };
+      if(type == "NodeData")
+        add_to(m_soup.point_data, points);
+      else if(type == "ElementData")
+      {
+        add_to(m_soup.cell_data, m_cells);
+        add_to(m_soup.facet_data, m_facets);
+        add_to(m_soup.edge_data, m_edges);
+      }
+      else
+        m_soup.notes.push_back("the data '" + name + "' of the kind " + type + " are left out");
+    }
+  }
+
+  Soup m_soup;
+  std::map<std::size_t, std::size_t> m_points;          // by their tags, in the order of these
+  std::vector<std::size_t> m_edges, m_facets, m_cells;  // their tags
+  bool m_has_higher_order = false;
+};
+
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_Gmsh(const std::string& filename)
+{
+  if(!std::filesystem::is_regular_file(filename))
+    throw CGAL::Volume_mesh_parameterization::Input_error("Gmsh reads regular files only");
+  // Gmsh takes other files with such a name for scripts, and runs them
+  if(std::filesystem::path(filename).extension().string().find(".msh") == 0 && std::ifstream(filename).peek() != '$')
+    throw CGAL::Volume_mesh_parameterization::Input_error("this is not a mesh of Gmsh");
+  return with_Gmsh([&]
+  {
+    gmsh::merge(filename);
+    return Gmsh_reader().read();
+  });
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_READER_H

@@ -1,0 +1,160 @@
+// Meshes in the format of Gmsh, which writes them.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H
+
+#include "Gmsh_reader.h"
+
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
+
+#include <gmsh.h>
+
+#include <stdlib.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Makes elements of Gmsh. Those with a reference are a group of that number, whatever their dimension is.
+class Gmsh_writer
+{
+public:
+  Gmsh_writer(const std::vector<std::array<double, 3> >& points, const std::map<std::pair<int, int>, std::string>& names)
+    : m_points(points), m_names(names)
+  {}
+
+  // `type` is that of Gmsh. Returns the tags.
+  template <std::size_t N>
+  std::vector<std::size_t> add(const int dimension, const int type, const std::vector<std::array<std::size_t, N> >& elements,
+                               const std::vector<int>& references)
+  {
+    std::map<int, std::array<std::vector<std::size_t>, 2> > of_references; // tags, and nodes
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < elements.size(); ++i)
+    {
+      auto& [tags, nodes] = of_references[references[i]];
+      result.push_back(++m_number_of_elements);
+      tags.push_back(result.back());
+      for(const std::size_t v : elements[i])
+        nodes.push_back(v + 1);
+    }
+    for(const auto& [reference, elements_of_reference] : of_references)
+    {
+      const int entity = gmsh::model::addDiscreteEntity(dimension, reference > 0 ? reference : -1);
+      if(m_number_of_entities++ == 0)
+        add_nodes(dimension, entity);
+      gmsh::model::mesh::addElementsByType(entity, type, elements_of_reference[0], elements_of_reference[1]);
+      if(reference > 0)
+        gmsh::model::addPhysicalGroup(dimension, { entity }, reference);
+      else
+        gmsh::option::setNumber("Mesh.SaveAll", 1);
+      if(const auto name = m_names.find({ dimension, reference }); name != m_names.end())
+        gmsh::model::setPhysicalName(dimension, reference, name->second);
+    }
+    return result;
+  }
+
+  static void add_data(const std::string& kind, const std::vector<CGAL::Volume_mesh_parameterization::Data_array_3>& arrays,
+                       const std::vector<std::size_t>& tags)
+  {
+    for(const auto& array : arrays)
+    {
+      std::vector<std::vector<double> > values;
+      std::vector<std::size_t> tags_of_values;
+      for(std::size_t i = 0; i < tags.size(); ++i)
+      {
+        const auto begin = array.values.begin() + static_cast<std::ptrdiff_t>(i * array.number_of_components);
+        if(std::isnan(*begin))
+          continue;
+        values.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(array.number_of_components));
+        tags_of_values.push_back(tags[i]);
+      }
+      gmsh::view::addModelData(gmsh::view::add(array.name), 0, "mesh", kind, tags_of_values, values, 0,
+                               static_cast<int>(array.number_of_components));
+    }
+  }
+
+  // Gmsh tells formats by names, hence a file in a folder of its own.
+  void write(std::ostream& os, const bool is_old) const
+  {
+    namespace fs = std::filesystem;
+    std::string folder = (fs::temp_directory_path() / "parameterize_mesh_file.XXXXXX").string();
+    if(mkdtemp(folder.data()) == nullptr)
+      throw std::runtime_error(folder + ": the folder for a temporary file cannot be made");
+    struct Remover
+    {
+      const std::string& folder;
+      ~Remover() { std::error_code ignored; fs::remove_all(folder, ignored); }
+    } const remover = { folder };
+    const fs::path path = fs::path(folder) / "mesh.msh";
+    gmsh::option::setNumber("Mesh.MshFileVersion", is_old ? 2.2 : 4.1);
+    gmsh::option::setNumber("Mesh.Binary", is_old ? 0 : 1);
+    gmsh::option::setNumber("PostProcessing.SaveMesh", 0);
+    gmsh::write(path.string());
+    std::vector<int> views;
+    gmsh::view::getTags(views);
+    for(const int view : views)
+      gmsh::view::write(view, path.string(), true);
+    std::ifstream is(path, std::ios::binary);
+    if(!is || !(os << is.rdbuf()))
+      throw std::runtime_error("Gmsh cannot write the mesh");
+  }
+
+private:
+  void add_nodes(const int dimension, const int entity) const
+  {
+    std::vector<std::size_t> tags(m_points.size());
+    std::iota(tags.begin(), tags.end(), std::size_t(1));
+    std::vector<double> coordinates;
+    for(const std::array<double, 3>& p : m_points)
+      coordinates.insert(coordinates.end(), p.begin(), p.end());
+    gmsh::model::mesh::addNodes(dimension, entity, tags, coordinates);
+  }
+
+  const std::vector<std::array<double, 3> >& m_points;
+  const std::map<std::pair<int, int>, std::string>& m_names;
+  std::size_t m_number_of_elements = 0, m_number_of_entities = 0;
+};
+
+// Writes a mesh in the format 4.1, binary, or 2.2, as text of 16 digits.
+inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const bool is_old)
+{
+  with_Gmsh([&]
+  {
+    Gmsh_writer writer(soup.points, soup.group_names);
+    std::vector<std::size_t> points(soup.points.size());
+    std::iota(points.begin(), points.end(), std::size_t(1));
+    const auto cells = writer.add(3, 4, soup.cells, soup.cell_references);
+    const auto facets = writer.add(2, 2, soup.facets, soup.facet_references);
+    const auto edges = writer.add(1, 1, soup.edges, soup.edge_references);
+    writer.add_data("NodeData", soup.point_data, points);
+    std::vector<std::size_t> elements = cells;
+    elements.insert(elements.end(), facets.begin(), facets.end());
+    elements.insert(elements.end(), edges.begin(), edges.end());
+    writer.add_data("ElementData", CGAL::Volume_mesh_parameterization::internal::joined_cell_data(soup), elements);
+    writer.write(os, is_old);
+  });
+}
+
+inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization::Hexahedron_soup_3& mesh,
+                      const std::map<std::pair<int, int>, std::string>& names, const bool is_old)
+{
+  with_Gmsh([&]
+  {
+    Gmsh_writer writer(mesh.points, names);
+    writer.add(3, 5, mesh.cells, mesh.cell_references);
+    writer.write(os, is_old);
+  });
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H

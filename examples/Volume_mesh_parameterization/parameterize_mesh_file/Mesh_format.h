@@ -1,0 +1,68 @@
+// The formats of meshes by the names of files, and what reads them.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MESH_FORMAT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MESH_FORMAT_H
+
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+#  include "Gmsh_writer.h"
+#endif
+#ifdef PARAMETERIZE_MESH_FILE_USES_VTK
+#  include "VTK_file.h"
+#endif
+
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+
+// LIBRARY: the library reads it, whatever its name is; OTHER: meshio may convert it.
+enum class Mesh_format { LIBRARY, GMSH, VTK, SURFACE, OTHER };
+
+inline std::string extension_of(const std::string& filename) { return std::filesystem::path(filename).extension().string(); }
+
+inline Mesh_format format_of(const std::string& filename)
+{
+  const std::string extension = extension_of(filename);
+  const auto is_one_of = [&](const std::initializer_list<const char*> all)
+  { return std::find(all.begin(), all.end(), extension) != all.end(); };
+  if(is_one_of({ ".msh", ".msh2", ".msh4", ".unv", ".bdf" }))
+    return Mesh_format::GMSH;
+  if(is_one_of({ ".vtk" }))
+    return Mesh_format::VTK;
+  if(is_one_of({ ".off", ".stl", ".ply", ".obj" }))
+    return Mesh_format::SURFACE;
+  return is_one_of({ ".mesh", ".meshb", ".vtu" }) ? Mesh_format::LIBRARY : Mesh_format::OTHER;
+}
+
+// Returns the advice for a file that the library does not read, to be put behind the reason.
+inline std::string advice_for(const std::string& filename)
+{
+  const std::filesystem::path path(filename);
+  if(format_of(filename) == Mesh_format::LIBRARY || !std::filesystem::is_regular_file(path))
+    return "";
+  const auto renamed = [&](const char* extension) { return std::filesystem::path(path).replace_extension(extension).string(); };
+  if(extension_of(filename) == ".obj")
+    return "; this is a surface, which a volume mesher fills: meshio convert " + filename + " " + renamed(".stl")
+      + ", and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
+  if(format_of(filename) == Mesh_format::SURFACE)
+    return "; this is a surface, which a volume mesher fills: tetgen -pqg " + filename + " writes " + renamed(".1.mesh");
+  return "; other formats can be converted: meshio convert " + filename + " " + renamed(".vtu");
+}
+
+// The formats that are written: MEDIT, VTU and, with Gmsh, its own, of the versions 4.1 and 2.2.
+inline bool is_old_Gmsh_name(const std::string& name) { return extension_of(name) == ".msh2"; }
+inline bool is_Gmsh_name(const std::string& name) { return extension_of(name) == ".msh" || is_old_Gmsh_name(name); }
+
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+constexpr bool can_write_by_Gmsh = true;
+const std::string mesh_extensions = ".mesh nor with .vtu nor with .msh nor with .msh2";
+#else
+constexpr bool can_write_by_Gmsh = false;
+const std::string mesh_extensions = ".mesh nor with .vtu";
+#endif
+
+inline bool is_mesh_name(const std::string& name)
+{
+  return extension_of(name) == ".mesh" || extension_of(name) == ".vtu" || (can_write_by_Gmsh && is_Gmsh_name(name));
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MESH_FORMAT_H

@@ -1,0 +1,90 @@
+// Meshes in VTK's legacy format (*.vtk), of all its versions, as text or binary.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_cells.h>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkUnstructuredGridReader.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+inline std::vector<CGAL::Volume_mesh_parameterization::Data_array_3> data_of_VTK(vtkFieldData& data)
+{
+  std::vector<CGAL::Volume_mesh_parameterization::Data_array_3> result;
+  for(int a = 0; a < data.GetNumberOfArrays(); ++a)
+  {
+    vtkDataArray* const array = data.GetArray(a);
+    if(array == nullptr || array->GetName() == nullptr) // text, for instance
+      continue;
+    const bool has_integers = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+    result.push_back({ array->GetName(), static_cast<std::size_t>(array->GetNumberOfComponents()), has_integers, {} });
+    for(vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+      for(int k = 0; k < array->GetNumberOfComponents(); ++k)
+        result.back().values.push_back(array->GetComponent(i, k));
+  }
+  return result;
+}
+
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_VTK(const std::string& filename)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  std::string message; // of the first error, in place of what VTK prints
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&message);
+  observer->SetCallback([](vtkObject*, unsigned long, void* const client, void* const text)
+  {
+    std::string& first = *static_cast<std::string*>(client);
+    if(first.empty())
+      first = static_cast<const char*>(text);
+  });
+  vtkNew<vtkUnstructuredGridReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, observer);
+  reader->SetFileName(filename.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllTensorsOn();
+  reader->ReadAllFieldsOn();
+  if(!reader->IsFileUnstructuredGrid())
+    throw VMP::Input_error("this is not a VTK file of the type UNSTRUCTURED_GRID");
+  reader->Update();
+  vtkUnstructuredGrid& grid = *reader->GetOutput();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  if(reader->GetErrorCode() != 0 || grid.GetNumberOfPoints() == 0)
+    throw VMP::Input_error("VTK cannot read the file. " + message);
+
+  VMP::Tetrahedron_soup_3 soup;
+  if(!message.empty())
+    soup.notes.push_back("VTK says: " + message);
+  for(vtkIdType v = 0; v < grid.GetNumberOfPoints(); ++v)
+  {
+    const double* const p = grid.GetPoint(v);
+    soup.points.push_back({ VMP::internal::checked_coordinate(p[0]), VMP::internal::checked_coordinate(p[1]),
+                            VMP::internal::checked_coordinate(p[2]) });
+  }
+  soup.point_data = data_of_VTK(*grid.GetPointData());
+  VMP::internal::VTK_cells_reader cells(soup, data_of_VTK(*grid.GetCellData()));
+  vtkNew<vtkIdList> vertices;
+  for(vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c)
+  {
+    grid.GetCellPoints(c, vertices);
+    cells.add(static_cast<std::size_t>(c), grid.GetCellType(c), vertices->begin(),
+              static_cast<std::size_t>(vertices->GetNumberOfIds()));
+  }
+  cells.finish();
+  return soup;
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H

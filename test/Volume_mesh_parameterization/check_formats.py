@@ -1,0 +1,249 @@
+"""Goes the whole way of meshes of other programs: from Gmsh, TetGen, meshio and VTK to maps and hexahedra, and back. Compares
+groups and data before and after, and follows each advice that the program gives.
+
+Usage: check_formats.py PARAMETERIZE_MESH_FILE [--gmsh] [--vtk]
+
+The options tell what the program was built with. The programs gmsh, meshio and tetgen are run.
+"""
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+import meshio
+import numpy
+
+TWO_MATERIALS = """
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 3, 1, 1};
+Box(2) = {3, 0, 0, 2, 1, 1};
+v() = BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; };
+Physical Volume("bone", 11) = {1};
+Physical Volume("flesh", 12) = {2};
+left() = Surface In BoundingBox{-.1, -.1, -.1, .1, 1.1, 1.1};
+right() = Surface In BoundingBox{4.9, -.1, -.1, 5.1, 1.1, 1.1};
+middle() = Surface In BoundingBox{2.9, -.1, -.1, 3.1, 1.1, 1.1};
+Physical Surface("clamped", 21) = {left()};
+Physical Surface("loaded", 22) = {right()};
+Physical Surface("interface", 23) = {middle()};
+Mesh.MeshSizeFactor = 4;
+"""
+
+
+INCLUSION = """
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 1, 1, 1};
+Sphere(2) = {0.5, 0.5, 0.5, 0.25};
+v() = BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; };
+Physical Volume("inclusion", 11) = {2};
+Physical Volume("matrix", 12) = {3};
+Physical Surface("interface", 21) = {Boundary{ Volume{2}; }};
+Mesh.MeshSizeMax = 0.25;
+"""
+
+
+def run(*arguments, folder):
+    return subprocess.run([str(a) for a in arguments], cwd=folder, check=True, capture_output=True, text=True)
+
+
+def refused(*arguments, folder):
+    """The sentence of the program where it has to refuse."""
+    result = subprocess.run([str(a) for a in arguments], cwd=folder, capture_output=True, text=True)
+    assert result.returncode == 2, result
+    return result.stderr
+
+
+def gmsh_groups(mesh):
+    """How many elements each group has, by its name."""
+    names = {(tag, dimension): name for name, (tag, dimension) in mesh.field_data.items()}
+    result = Counter()
+    for block, tags in zip(mesh.cells, mesh.cell_data["gmsh:physical"]):
+        dimension = {"line": 1, "triangle": 2, "quad": 2, "tetra": 3, "hexahedron": 3}[block.type]
+        for tag, number in zip(*numpy.unique(tags, return_counts=True)):
+            result[names[tag, dimension]] += number
+    return dict(result)
+
+
+def areas_of_groups(mesh):
+    """The area or the volume of each group, which refinement keeps."""
+    result = Counter()
+    for block, tags in zip(mesh.cells, mesh.cell_data["gmsh:physical"]):
+        corners = mesh.points[block.data]
+        edges = corners[:, 1:] - corners[:, :1]
+        sizes = (numpy.abs(numpy.linalg.det(edges)) / 6 if block.type == "tetra"
+                 else numpy.linalg.norm(numpy.cross(edges[:, 0], edges[:, 1]), axis=1) / 2)
+        for tag, size in zip(tags, sizes):
+            result[int(tag)] += size
+    return dict(result)
+
+
+def check_gmsh(driver, folder):
+    """From Gmsh to a ball, a polycube and hexahedra, and back."""
+    (folder / "bar.geo").write_text(TWO_MATERIALS)
+    images = []
+    for version, options in {"4.1": [], "4.1 binary": ["-bin"], "2.2": ["-format", "msh22"],
+                             "2.2 binary": ["-format", "msh22", "-bin"]}.items():
+        run("gmsh", "-3", *options, "-o", "bar.msh", "bar.geo", folder=folder)
+        run(driver, "bar.msh", "--to", "ball", "--refine", "-o", "ball.msh", "--refined-source", "refined.msh", folder=folder)
+        source, ball, refined = (meshio.read(folder / name) for name in ("bar.msh", "ball.msh", "refined.msh"))
+        assert set(gmsh_groups(source)) == {"bone", "flesh", "clamped", "loaded", "interface"}
+        assert gmsh_groups(ball) == gmsh_groups(refined), version
+        for group, size in areas_of_groups(source).items():
+            assert abs(areas_of_groups(refined)[group] - size) < 1e-12, (version, group)
+        images.append(gmsh_groups(ball))
+        run("gmsh", "ball.msh", "-save", "-o", "again.msh", folder=folder) # Gmsh reads it, too
+        assert gmsh_groups(meshio.read(folder / "again.msh")) == gmsh_groups(ball)
+        run(driver, "refined.msh", "ball.msh", "-o", "same.msh", folder=folder) # the target may be such a file, too
+        assert numpy.array_equal(meshio.read(folder / "same.msh").cells_dict["tetra"], ball.cells_dict["tetra"])
+    assert all(image == images[0] for image in images)
+
+    # a ball is refined to become a box: parts of triangles and cells are in their groups
+    run(driver, "ball.msh", "--to", "box=5,1,1", "--refine", "-o", "box.msh", "--refined-source", "refined.msh", folder=folder)
+    box, refined = (meshio.read(folder / name) for name in ("box.msh", "refined.msh"))
+    assert len(refined.points) > len(ball.points)
+    assert gmsh_groups(refined) == gmsh_groups(box)
+    for group, size in areas_of_groups(ball).items():
+        assert abs(areas_of_groups(refined)[group] - size) < 1e-12, group
+
+    run(driver, "bar.msh", "--to", "polycube", "--refine", "-o", "polycube.msh2", "--hexahedra", "0.5", "hexahedra.msh", folder=folder)
+    assert set(gmsh_groups(meshio.read(folder / "polycube.msh2", file_format="gmsh"))) == set(gmsh_groups(source))
+    hexahedra = gmsh_groups(meshio.read(folder / "hexahedra.msh"))
+    assert hexahedra == {"bone": 24, "flesh": 16}, hexahedra
+
+    run(driver, "bar.msh", "--to", "ball", "--refine", "-o", "ball.vtu", folder=folder)
+    vtu = meshio.read(folder / "ball.vtu")
+    assert Counter(numpy.concatenate([r for r in vtu.cell_data["reference"]]).tolist()) == Counter(
+        numpy.concatenate([r for r in ball.cell_data["gmsh:physical"]]).tolist())
+
+    run("gmsh", "-3", "-order", "2", "-o", "curved.msh", "bar.geo", folder=folder)
+    curved = run(driver, "curved.msh", "--to", "ball", "--refine", "-o", "ball.msh", folder=folder)
+    assert "their corners are used" in curved.stderr
+    assert set(gmsh_groups(meshio.read(folder / "ball.msh"))) == set(gmsh_groups(source))
+    for extension in ("unv", "bdf"):
+        run("gmsh", "-3", "-o", "bar." + extension, "bar.geo", folder=folder)
+        run(driver, "bar." + extension, "--to", "ball", "--refine", "-o", "ball.mesh", folder=folder)
+        assert len(meshio.read(folder / "ball.mesh").points) > 0
+
+
+def check_data_of_gmsh(driver, folder):
+    """Data of nodes and elements of a .msh file come back."""
+    mesh = meshio.read(folder / "ball.msh")
+    mesh.point_data = {"T": mesh.points @ [1, 2, 3]}
+    mesh.cell_data["k"] = [numpy.arange(len(block.data), dtype=float) for block in mesh.cells]
+    meshio.write(folder / "data.msh", mesh, file_format="gmsh22", binary=True)
+    run(driver, "data.msh", "--to", "box=5,1,1", "--refine", "-o", "box.msh", "--refined-source", "refined.msh", folder=folder)
+    refined = meshio.read(folder / "refined.msh")
+    assert len(refined.points) > len(mesh.points)
+    assert numpy.allclose(refined.point_data["T"].ravel(), refined.points @ [1, 2, 3])
+    assert numpy.array_equal(meshio.read(folder / "box.msh").point_data["T"], refined.point_data["T"])
+    assert set(numpy.concatenate([k.ravel() for k in refined.cell_data["k"]])) == set(
+        numpy.concatenate([k.ravel() for k in mesh.cell_data["k"]]))
+
+
+def check_moved_inclusion(driver, folder):
+    """The targets are a mesh that meshio has written, in which an inclusion and its surroundings have moved."""
+    (folder / "inclusion.geo").write_text(INCLUSION)
+    run("gmsh", "-3", "-o", "inclusion.msh", "inclusion.geo", folder=folder)
+    mesh = meshio.read(folder / "inclusion.msh")
+    groups = gmsh_groups(mesh)
+    moved = mesh.points.copy()
+    moved[:, 0] *= 1 + 0.2 * moved[:, 1] * moved[:, 2]
+    meshio.write(folder / "moved.vtu", meshio.Mesh(moved, [("tetra", mesh.cells_dict["tetra"])]))
+    run(driver, "inclusion.msh", "moved.vtu", "-o", "image.msh", folder=folder)
+    image = meshio.read(folder / "image.msh")
+    assert gmsh_groups(image) == groups
+    is_on_boundary = ((mesh.points == 0) | (mesh.points == 1)).any(axis=1)
+    assert numpy.array_equal(image.points[is_on_boundary], moved[is_on_boundary])
+
+
+def check_advice_for_gmsh(driver, folder):
+    """A program without Gmsh tells what makes a file that it reads."""
+    run("gmsh", "-3", "-o", "bar.msh", folder / "bar.geo", folder=folder)
+    command, = advice(refused(driver, "bar.msh", "--to", "ball", folder=folder), "can be converted: ", "bar.msh")
+    run(*command, folder=folder)
+    run(driver, "bar.vtu", "--to", "ball", "--refine", "-o", "ball.vtu", folder=folder)
+    vtu = meshio.read(folder / "ball.vtu")
+    meshio.write(folder / "ball.msh", vtu, file_format="gmsh22")
+    tags = numpy.concatenate([t for t in meshio.read(folder / "ball.msh").cell_data["gmsh:physical"]])
+    assert set(tags.tolist()) == {11, 12, 21, 22, 23}, set(tags.tolist())
+
+
+def triangles_of_references(file):
+    return Counter(meshio.read(file).cell_data_dict["medit:ref"]["triangle"].tolist())
+
+
+def advice(sentence, before, name):
+    """The commands that a sentence tells behind some words, with FILE replaced."""
+    words = sentence.strip().split(before)[1].replace("FILE", Path(name).stem)
+    return [command.split(" writes ")[0].split() for command in words.split(", and then ")]
+
+
+def check_tetgen(driver, folder):
+    """A surface is refused with the command of a mesher, whose mesh keeps its references."""
+    points = numpy.array([[x, y, z] for x in (0., 1.) for y in (0., 1.) for z in (0., 1.)])
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    triangles = [[q[0], *q[i:i + 2]] for q in quads for i in (1, 2)]
+    (folder / "surface.off").write_text("OFF\n8 12 0\n" + "".join("%g %g %g\n" % tuple(p) for p in points)
+                                        + "".join("3 %d %d %d\n" % tuple(t) for t in triangles))
+    meshio.write(folder / "surface.mesh", meshio.Mesh(points, [("triangle", triangles)]))
+    meshio.write(folder / "surface.vtu", meshio.Mesh(points, [("triangle", triangles)]))
+    meshio.write(folder / "surface.obj", meshio.Mesh(points, [("triangle", triangles)]))
+    for name in ("surface.mesh", "surface.off", "surface.obj", "surface.vtu"):
+        sentence = refused(driver, name, "--to", "ball", folder=folder)
+        assert "surface" in sentence and "a volume mesher fills" in sentence
+        for command in advice(sentence, "fills it: " if "fills it" in sentence else "fills: ", name):
+            run(*command, folder=folder)
+        run(driver, "surface.1.mesh", "--to", "ball", "--refine", "-o", "ball.mesh", folder=folder)
+        assert triangles_of_references(folder / "ball.mesh") == triangles_of_references(folder / "surface.1.mesh")
+        (folder / "surface.1.mesh").unlink()
+
+
+def check_abaqus(driver, folder):
+    """An input file with two sets goes by meshio, in both formats."""
+    (folder / "sets.inp").write_text("*HEADING\ntwo\n*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n3, 0, 1, 0\n4, 0, 0, 1\n5, 1, 1, 1\n"
+                                     "*ELEMENT, TYPE=C3D4, ELSET=BONE\n1, 1, 2, 3, 4\n"
+                                     "*ELEMENT, TYPE=C3D4, ELSET=FLESH\n2, 2, 5, 3, 4\n")
+    command, = advice(refused(driver, "sets.inp", "--to", "ball", folder=folder), "can be converted: ", "sets.inp")
+    run(*command, folder=folder)
+    run(driver, "sets.vtu", "--to", "ball", "-o", "ball.vtu", folder=folder)
+    assert meshio.read(folder / "sets.vtu").cell_data.keys() <= meshio.read(folder / "ball.vtu").cell_data.keys()
+    run("meshio", "convert", "sets.inp", "sets.mesh", folder=folder)
+    assert "2 cells" in run(driver, "sets.mesh", "--to", "ball", folder=folder).stdout
+
+
+def check_vtk(driver, folder):
+    """Legacy files of VTK, as MFEM writes them, with data of cells and points."""
+    run("tetgen", "-pqga0.1", "surface.off", folder=folder)
+    mesh = meshio.read(folder / "surface.1.mesh")
+    cells = mesh.cells_dict["tetra"]
+    x = mesh.points[cells].mean(axis=1)[:, 0]
+    mesh = meshio.Mesh(mesh.points, [("tetra", cells)], point_data={"T": mesh.points @ [1., 2., 3.]},
+                       cell_data={"material": [1 + (x > 0.5)]})
+    meshio.write(folder / "cube.vtk", mesh, file_format="vtk42", binary=True)
+    run(driver, "cube.vtk", "--to", "ball", "--refine", "-o", "ball.vtu", folder=folder)
+    ball = meshio.read(folder / "ball.vtu")
+    assert numpy.allclose(ball.point_data["T"], ball.points @ [1, 2, 3])
+    assert set(ball.cell_data["reference"][0].tolist()) == {1, 2}
+    assert numpy.array_equal(ball.cell_data["reference"][0], ball.cell_data["material"][0])
+
+
+def main(driver, options):
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "bar.geo").write_text(TWO_MATERIALS)
+        if "--gmsh" in options:
+            check_gmsh(driver, folder)
+            check_data_of_gmsh(driver, folder)
+            check_moved_inclusion(driver, folder)
+        else:
+            check_advice_for_gmsh(driver, folder)
+        check_tetgen(driver, folder)
+        check_abaqus(driver, folder)
+        if "--vtk" in options:
+            check_vtk(driver, folder)
+    print("Groups and data go through.")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1], sys.argv[2:])
