@@ -56,8 +56,9 @@ Bounded_map parameterize(const Numbered_mesh_3& mesh, const double bound = std::
   options.minimize_maximal_angle_distortion = is_least;
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   const VMP::internal::Input_check_3 check = check_input_3(mesh);
-  const VMP::internal::Found_map_3 found = find_map_3(mesh, check, energy, solver, options, progress);
-  return {make_result_3(mesh, check, found, energy, solver, progress), found.map.positions};
+  const VMP::internal::Map_problem_3 problem = { options, energy, solver, progress };
+  const VMP::internal::Found_map_3 found = find_map_3(mesh, check, problem);
+  return {make_result_3(mesh, check, found, problem), found.map.positions};
 }
 
 // The mean over the cells, with both meshes scaled to one volume.

@@ -600,16 +600,15 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   Linear_solver_of<Solver<> > linear_solver(solver);
   Progress_3 progress = patient_progress();
   Untangling_attempt_3 attempt = untangling_attempts[0];
-  Found_map_3 found;
   Numbered_mesh_3 mesh = prism_to_U();
   Matrix3Xd start = mesh.target;
   start.col(0) = Vector3d(1.5, 0.5, 0.5);
   {
     Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-    Untangling_search_3 search(system, judged(mesh, start), progress, found);
+    Untangling_search_3 search(system, judged(mesh, start), progress);
     search.untangle(attempt, start);
-    REQUIRE(search.goes_on());
-    attempt.few_cells = found.map.number_of_inverted_cells;
+    REQUIRE(search.is_unsolved());
+    attempt.few_cells = search.best().map.number_of_inverted_cells;
     CHECK(search.is_in_vain(attempt));
     --attempt.few_cells;
     CHECK(!search.is_in_vain(attempt));
@@ -620,7 +619,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   REQUIRE(number_of_inverted_cells(mesh, start) > 0);
   Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   attempt.few_cells = mesh.cells.size();
-  CHECK(!Untangling_search_3(system, judged(mesh, start), progress, found).is_in_vain(attempt));
+  CHECK(!Untangling_search_3(system, judged(mesh, start), progress).is_in_vain(attempt));
 }
 
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")
@@ -1105,7 +1104,7 @@ TEST_CASE("A cell that the boundary makes flat does not keep the other vertices 
   VMP::internal::Progress_3 progress = patient_progress();
   VMP::internal::Map_options_3 options;
   options.energy_tolerance = 0; // to the minimum
-  minimize_map_3(problem.system, problem.energy, options, progress, found);
+  found = minimize_map_3(problem.system, { options, problem.energy, problem.solver, progress }, found);
   CHECK(found.map.is_solution());
   CHECK(far_from_minimum(found.map.positions, far) < 0.05);
   CHECK(far_from_minimum(found.map.positions, center) < 0.05);

@@ -170,7 +170,7 @@ TEST_CASE("A start that inverts no cell does not hide that the solver has failed
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   VMP::internal::Map_options_3 options;
   options.mode = VMP::Boundary_mode::FIXED;
-  const VMP::internal::Found_map_3 found = find_map_3(mesh, {}, problem.energy, problem.solver, options, progress);
+  const VMP::internal::Found_map_3 found = find_map_3(mesh, {}, { options, problem.energy, problem.solver, progress });
   CHECK(found.map.is_solution());
   CHECK(found.status == VMP::ERROR_LINEAR_SOLVER_FAILED);
   CHECK(found.reason == sentence(Linear_solver_status::FAILED));

@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Carried_search_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 
@@ -22,11 +22,13 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = CGAL::Volume_mesh_parameterization::internal;
 
 using CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
-using internal::Blocked_approach_3;
 using internal::Found_map_3;
 using internal::Numbered_mesh_3;
 using internal::Refinement_plan_3;
+using internal::Search_start_3;
 using internal::plan_refinement_3;
+using internal::renumbered_start_3;
+using Stage = Search_start_3::Stage;
 using Edge = std::array<int, 2>;
 
 namespace {
@@ -63,7 +65,23 @@ internal::Diagnosis_3 diagnosis(const std::vector<std::size_t>& inverted_cells)
   return result;
 }
 
-Blocked_approach_3 went_on(const double distance) { return { true, 7, distance }; }
+// The soft boundary continued from images, and was blocked at this distance.
+Search_start_3 continued(const double distance)
+{
+  Search_start_3 start;
+  start.stage = Stage::SOFT_BOUNDARY;
+  start.number_of_raises = 7;
+  start.distance = distance;
+  return start;
+}
+
+// Rounds of splits in vain.
+Search_start_3 after_vain_rounds(const std::size_t number)
+{
+  Search_start_3 start;
+  start.number_of_vain_rounds = number;
+  return start;
+}
 
 std::vector<std::size_t> sorted(std::vector<std::size_t> cells)
 {
@@ -79,9 +97,10 @@ TEST_CASE("The first approach that is blocked goes on, with the cells that block
   const Found_map_3 found = blocked_map(mesh, 4);
   REQUIRE(found.is_blocked());
   REQUIRE(found.map.distance_to_boundary == Approx(1));
-  const Refinement_plan_3 plan = plan_refinement_3(mesh, found, Blocked_approach_3(), {});
-  CHECK(plan.approach.goes_on);
-  CHECK(plan.approach.distance == found.map.distance_to_boundary);
+  const Refinement_plan_3 plan = plan_refinement_3(mesh, found, {});
+  CHECK(plan.start.stage == Stage::SOFT_BOUNDARY);
+  CHECK(plan.start.positions == found.map.positions);
+  CHECK(plan.start.distance == found.map.distance_to_boundary);
   CHECK(!plan.edges.empty());
   CHECK(plan.edges == edges_of_cells(mesh, sorted(blocking_cells_3(mesh, mesh.source))));
 }
@@ -90,8 +109,8 @@ TEST_CASE("An approach that goes on has lost its last raise, which was useless")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   for(const std::size_t raises : { 5, 2, 1 })
-    CHECK(plan_refinement_3(mesh, blocked_map(mesh, raises), {}, {}).approach.number_of_raises == raises - 1);
-  CHECK(plan_refinement_3(mesh, blocked_map(mesh, 0), {}, {}).approach.number_of_raises == 0);
+    CHECK(plan_refinement_3(mesh, blocked_map(mesh, raises), {}).start.number_of_raises == raises - 1);
+  CHECK(plan_refinement_3(mesh, blocked_map(mesh, 0), {}).start.number_of_raises == 0);
 }
 
 TEST_CASE("An approach goes on if the last refinement has brought it nearer by a tenth, and else starts again")
@@ -99,32 +118,33 @@ TEST_CASE("An approach goes on if the last refinement has brought it nearer by a
   const Numbered_mesh_3 mesh = impossible_cube();
   const Found_map_3 found = blocked_map(mesh, 4);
   const double distance = found.map.distance_to_boundary;
-  const auto goes_on = [&](const Blocked_approach_3& before)
+  const auto continues = [&](const Search_start_3& before)
   {
-    return plan_refinement_3(mesh, found, before, {}).approach.goes_on;
+    return plan_refinement_3(mesh, found, before).start.stage == Stage::SOFT_BOUNDARY;
   };
-  CHECK(goes_on(went_on(distance / 0.89)));
-  CHECK(!goes_on(went_on(distance / 0.91)));
-  CHECK(!goes_on(went_on(distance)));
-  CHECK(!goes_on(went_on(distance / 2)));
+  CHECK(continues(continued(distance / 0.89)));
+  CHECK(!continues(continued(distance / 0.91)));
+  CHECK(!continues(continued(distance)));
+  CHECK(!continues(continued(distance / 2)));
   // the search that starts again may be the first of a new approach
-  const Blocked_approach_3 started_again = plan_refinement_3(mesh, found, went_on(distance), {}).approach;
-  CHECK(goes_on(started_again));
+  const Search_start_3 started_again = plan_refinement_3(mesh, found, continued(distance)).start;
+  CHECK(started_again.number_of_raises == 0);
+  CHECK(continues(started_again));
 }
 
 TEST_CASE("After three refinements in a row that bring an approach no nearer, nothing is split")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   const Found_map_3 found = blocked_map(mesh, 4);
-  Blocked_approach_3 before;
+  Search_start_3 before;
   for(int round = 0; round < 4; ++round) // after the first one, the search is as far as it was
   {
-    const Refinement_plan_3 plan = plan_refinement_3(mesh, found, before, {});
+    const Refinement_plan_3 plan = plan_refinement_3(mesh, found, before);
     CHECK(plan.edges.empty() == (round == 3));
-    before = plan.approach;
+    before = plan.start;
   }
   before.smallest_distance = 2 * found.map.distance_to_boundary;
-  CHECK_FALSE(plan_refinement_3(mesh, found, before, {}).edges.empty());
+  CHECK_FALSE(plan_refinement_3(mesh, found, before).edges.empty());
 }
 
 TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the approach, it is tried again")
@@ -142,20 +162,21 @@ TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the a
   const auto plan = [&](const std::size_t number)
   {
     found.diagnosis = diagnosis({ others.begin(), others.begin() + number });
-    return plan_refinement_3(mesh, found, {}, {});
+    return plan_refinement_3(mesh, found, {});
   };
   const Refinement_plan_3 fewer = plan(blocking.size() - 1);
   CHECK(fewer.edges == edges_of_cells(mesh, { others.begin(), others.end() - 1 }));
-  CHECK(!fewer.approach.goes_on);
+  CHECK(fewer.start.stage == Stage::NONE);
   found.diagnosis = diagnosis({ others[0] });
-  internal::Stuck_untangling_3 given_up;
-  given_up.has_given_up = true;
-  CHECK(plan_refinement_3(mesh, found, {}, given_up).edges == edges_of_cells(mesh, blocking));
-  CHECK(plan_refinement_3(mesh, found, {}, given_up).approach.goes_on);
+  const Refinement_plan_3 given_up = plan_refinement_3(mesh, found, after_vain_rounds(2));
+  CHECK(given_up.edges == edges_of_cells(mesh, blocking));
+  CHECK(given_up.start.stage == Stage::SOFT_BOUNDARY);
+  CHECK(given_up.start.has_given_up_splits());
+  CHECK(plan_refinement_3(mesh, found, after_vain_rounds(1)).start.number_of_vain_rounds == 0);
   for(const std::size_t number : { blocking.size(), std::size_t(0) }) // as many, or nothing known
   {
     CHECK(plan(number).edges == edges_of_cells(mesh, blocking));
-    CHECK(plan(number).approach.goes_on);
+    CHECK(plan(number).start.stage == Stage::SOFT_BOUNDARY);
   }
 }
 
@@ -168,10 +189,10 @@ TEST_CASE("The cells to refine come in the order of the user")
   std::vector<std::size_t> blocking = sorted(blocking_cells_3(mesh, mesh.source));
   REQUIRE(blocking.size() > 1);
   std::reverse(blocking.begin(), blocking.end());
-  CHECK(plan_refinement_3(mesh, found, {}, {}).edges == edges_of_cells(mesh, blocking));
+  CHECK(plan_refinement_3(mesh, found, {}).edges == edges_of_cells(mesh, blocking));
 
   found.diagnosis = diagnosis({ 3, 5 });
-  CHECK(plan_refinement_3(mesh, found, {}, {}).edges == edges_of_cells(mesh, { 5, 3 }));
+  CHECK(plan_refinement_3(mesh, found, {}).edges == edges_of_cells(mesh, { 5, 3 }));
 }
 
 TEST_CASE("A cell has six edges")
@@ -246,16 +267,17 @@ Numbered_mesh_3 three_cells()
 TEST_CASE("Untangling that was stuck goes on while splits make inverted cells fewer")
 {
   const Numbered_mesh_3 mesh = three_cells();
-  internal::Stuck_untangling_3 state;
+  Search_start_3 start;
   for(const std::size_t number : { 3, 2, 1 })
   {
-    const Refinement_plan_3 plan = plan_splits_3(mesh, stuck_map(mesh, number), state);
-    CHECK(plan.untangling.goes_on);
-    CHECK(plan.untangling.number_of_vain_rounds == 0);
-    CHECK(plan.untangling.fewest_inverted_cells == number);
+    const Found_map_3 found = stuck_map(mesh, number);
+    const Refinement_plan_3 plan = plan_refinement_3(mesh, found, start);
+    start = plan.start;
+    CHECK(start.stage == Stage::UNTANGLING);
+    CHECK(start.positions == found.map.positions);
+    CHECK(start.number_of_vain_rounds == 0);
+    CHECK(start.fewest_inverted_cells == number);
     CHECK(plan.edges.size() == number);
-    CHECK(!plan.approach.goes_on);
-    state = plan.untangling;
   }
 }
 
@@ -263,21 +285,24 @@ TEST_CASE("After two rounds of splits in vain, untangling is given up")
 {
   const Numbered_mesh_3 mesh = three_cells();
   const Found_map_3 found = stuck_map(mesh, 2);
-  internal::Stuck_untangling_3 state;
+  Search_start_3 start;
+  start.may_split = true;
   for(const std::size_t vain_rounds : { 0, 1, 2 })
   {
-    const Refinement_plan_3 plan = plan_splits_3(mesh, found, state);
-    CHECK(plan.untangling.goes_on == (vain_rounds < 2));
-    CHECK(plan.untangling.has_given_up == (vain_rounds == 2));
-    CHECK(plan.untangling.number_of_vain_rounds == vain_rounds);
+    CHECK(start.may_split_inverted_cells());
+    const Refinement_plan_3 plan = plan_refinement_3(mesh, found, start);
+    start = plan.start;
+    start.may_split = true;
+    CHECK(start.stage == (vain_rounds < 2 ? Stage::UNTANGLING : Stage::NONE));
+    CHECK(start.number_of_vain_rounds == vain_rounds);
     CHECK(plan.edges.size() == (vain_rounds < 2 ? 2 : 0));
-    state = plan.untangling;
   }
+  CHECK(!start.may_split_inverted_cells()); // cells are left to the soft boundary
+  start = after_vain_rounds(0);
+  CHECK(!start.may_split_inverted_cells());
 }
 
 namespace {
-
-Refinement_plan_3 plan_of(const Blocked_approach_3& approach) { return { {}, approach, {} }; }
 
 // Four cells around the edge of two points, with a ring of four around it.
 struct Four_cells
@@ -318,26 +343,40 @@ struct Four_cells
 
 } // namespace
 
-TEST_CASE("An approach that goes on has the images of all vertices, with midpoints for new ones")
+namespace {
+
+Search_start_3 start_from(const Stage stage, const Matrix3Xd& image)
 {
+  Search_start_3 start;
+  start.stage = stage;
+  start.positions = image;
+  start.number_of_raises = 3;
+  start.distance = 0.5;
+  return start;
+}
+
+} // namespace
+
+TEST_CASE("A search that continues has the images of all vertices, with midpoints for new ones")
+{
+  const Stage stage = GENERATE(Stage::UNTANGLING, Stage::SOFT_BOUNDARY);
+  const double factor = stage == Stage::UNTANGLING ? -1 : 2; // untangling continues, although cells are inverted
   Four_cells cells;
   const auto before = cells.numbered();
-  const Matrix3Xd image = 2 * cells.image(before, cells.source);
+  const Matrix3Xd image = factor * cells.image(before, cells.source);
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  internal::Carried_search_3 carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
 
   const auto after = cells.numbered();
   REQUIRE(after.points.size() == 7);
-  const internal::Approach_start_3 start = carried.approach_start(after, 2);
-  CHECK(start.patience == 2);
+  const Search_start_3 start = renumbered_start_3(start_from(stage, image), before.points, inserted, after);
+  CHECK(start.stage == stage);
   CHECK(start.number_of_raises == 3);
+  CHECK(start.distance == 0.5);
   REQUIRE(start.positions.cols() == 7);
-  CHECK(start.positions.col(after.vertices[inserted[0].point]) == Eigen::Vector3d(2, 0, 0));
+  CHECK(start.positions.col(after.vertices[inserted[0].point]) == Eigen::Vector3d(factor, 0, 0));
   for(int v = 0; v < 6; ++v)
-    CHECK(start.positions.col(after.vertices[v]) == 2 * cells.source.col(v));
-  CHECK(carried.blocked().goes_on);
-  CHECK(carried.blocked().distance == 0.5);
+    CHECK(start.positions.col(after.vertices[v]) == factor * cells.source.col(v));
 }
 
 TEST_CASE("Images that rounding has spoilt are given up")
@@ -353,54 +392,10 @@ TEST_CASE("Images that rounding has spoilt are given up")
 
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
-  internal::Carried_search_3 carried(before, image, inserted, plan_of({ true, 3, 0.5 }));
-  REQUIRE(carried.blocked().goes_on);
-  const internal::Approach_start_3 start = carried.approach_start(cells.numbered(), 2);
-  CHECK(start.positions.cols() == 0);
+  const Search_start_3 start
+    = renumbered_start_3(start_from(Stage::SOFT_BOUNDARY, image), before.points, inserted, cells.numbered());
+  CHECK(start.stage == Stage::NONE); // so that the next approach that is blocked counts as the first one
   CHECK(start.number_of_raises == 0);
-  CHECK(start.patience == 2);
-  CHECK(!carried.blocked().goes_on); // so that the next approach that is blocked counts as the first one
-}
-
-TEST_CASE("An approach that starts again carries no images")
-{
-  Four_cells cells;
-  const auto before = cells.numbered();
-  const Matrix3Xd image = cells.image(before, cells.source);
-  internal::Carried_search_3 carried(before, image, cells.split(), plan_of({ false, 3, 0.5 }));
-  const internal::Approach_start_3 start = carried.approach_start(cells.numbered(), 1);
-  CHECK(start.positions.cols() == 0);
-  CHECK(start.number_of_raises == 0);
-  CHECK(!carried.blocked().goes_on);
-}
-
-TEST_CASE("Untangling that goes on has the images of all vertices, although they invert cells")
-{
-  Four_cells cells;
-  const auto before = cells.numbered();
-  const Matrix3Xd image = -cells.image(before, cells.source);
-  Refinement_plan_3 plan;
-  plan.untangling.goes_on = true;
-  const auto inserted = cells.split();
-  REQUIRE(inserted.size() == 1);
-  const internal::Carried_search_3 carried(before, image, inserted, plan);
-  const auto after = cells.numbered();
-  const internal::Untangling_start_3 start = carried.untangling_start(after, true);
-  REQUIRE(start.positions.cols() == 7);
-  CHECK(start.positions.col(after.vertices[inserted[0].point]) == Eigen::Vector3d(-1, 0, 0));
-  CHECK(start.most_inverted_cells_to_split > 0);
-  CHECK(carried.untangling_start(after, false).most_inverted_cells_to_split == 0);
-}
-
-TEST_CASE("A search that has given up splitting leaves inverted cells to the soft boundary")
-{
-  Four_cells cells;
-  const auto before = cells.numbered();
-  Refinement_plan_3 plan;
-  plan.untangling.has_given_up = true;
-  const internal::Carried_search_3 carried(before, cells.source, {}, plan);
-  CHECK(carried.untangling_start(before, true).most_inverted_cells_to_split == 0);
-  CHECK(carried.untangling_start(before, true).positions.cols() == 0);
 }
 
 TEST_CASE("Given edges are split, longest first, and others are ignored")

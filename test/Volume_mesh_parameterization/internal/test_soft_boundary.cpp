@@ -39,7 +39,7 @@ public:
   explicit Approach(const internal::Numbered_mesh_3& mesh,
                     const VMP::Soft_boundary_parameters& parameters = VMP::Soft_boundary_parameters(),
                     const Constraints& constraints = Constraints(),
-                    const internal::Approach_start_3& start = internal::Approach_start_3())
+                    const internal::Search_start_3& start = internal::Search_start_3())
     : internal::Boundary_approach_3(mesh, stretch, solver, parameters, constraints, start)
   {}
 };
@@ -297,7 +297,12 @@ TEST_CASE("The distance of two vertices that share no cell is kept")
 }
 
 // Start at the aligned source, with an end as soon as the approach is blocked.
-const internal::Approach_start_3 impatient = {{}, 0, 1};
+internal::Search_start_3 impatient()
+{
+  internal::Search_start_3 start;
+  start.patience = 1;
+  return start;
+}
 
 // Two vertices of the boundary change their places.
 internal::Numbered_mesh_3 cube_with_exchanged_targets()
@@ -322,7 +327,7 @@ TEST_CASE("An approach that is blocked ends early, names the cells to blame, and
 {
   const internal::Numbered_mesh_3 mesh = cube_with_exchanged_targets();
   const VMP::Soft_boundary_parameters parameters = VMP::approaching_soft_boundary_parameters();
-  Approach approach(mesh, parameters, {}, impatient);
+  Approach approach(mesh, parameters, {}, impatient());
   run(approach, mesh);
   CHECK(approach.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
   CHECK(approach.number_of_raises() < parameters.maximal_number_of_raises);
@@ -336,7 +341,11 @@ TEST_CASE("An approach that is blocked ends early, names the cells to blame, and
     CHECK(std::any_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](const int v) { return v >= last - 1; }));
   }
 
-  const Approach second(mesh, parameters, {}, {approach.positions(), approach.number_of_raises(), 1});
+  internal::Search_start_3 start = impatient();
+  start.stage = internal::Search_start_3::Stage::SOFT_BOUNDARY;
+  start.positions = approach.positions();
+  start.number_of_raises = approach.number_of_raises();
+  const Approach second(mesh, parameters, {}, start);
   CHECK(second.weight() == approach.weight());
   CHECK(second.energy() == Approx(approach.last_step().energy));
   CHECK((second.positions() - approach.positions()).norm() < 1e-12);
@@ -345,7 +354,7 @@ TEST_CASE("An approach that is blocked ends early, names the cells to blame, and
 TEST_CASE("An approach that can end at the targets does, whatever its patience")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Approach approach(mesh, VMP::approaching_soft_boundary_parameters(), {}, impatient);
+  Approach approach(mesh, VMP::approaching_soft_boundary_parameters(), {}, impatient());
   run(approach, mesh);
   CHECK(approach.status() == VMP::OK);
   CHECK(approach.can_snap());

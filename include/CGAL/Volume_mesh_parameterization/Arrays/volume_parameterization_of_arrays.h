@@ -69,7 +69,7 @@ Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Tar
                 "boundary_map must not be passed for arrays: the targets are an argument.");
   return run_problem<ConcurrencyTag>(np, [&](const Map_problem_3& problem)
   {
-    Body_3 body = body_of(std::move(soup), problem.is_parallel);
+    Body_3 body = body_of(std::move(soup), problem.options.is_parallel);
     std::vector<Insertion_3> insertions;
     std::vector<std::array<double, 3> > images_of_points;
     const Parameterization_result result = parameterize_body_3<std::size_t, may_refine>(

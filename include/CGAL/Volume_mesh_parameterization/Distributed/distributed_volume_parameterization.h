@@ -29,8 +29,8 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
                                                         const IsConstrained& is_constrained, const Map_problem_3& problem,
                                                         std::vector<std::array<double, 3> >& images)
 {
-  const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained, problem.use_volume_weights,
-                                         problem.is_parallel);
+  const Distributed_mesh_3 distributed(communicator, soup, targets, is_constrained,
+                                       problem.options.use_volume_weights, problem.options.is_parallel);
   const Numbered_mesh_3& mesh = distributed.mesh();
   const Input_check_3 check = check_input_3(mesh, problem.progress.budget());
   problem.progress.end_numbering();
@@ -38,14 +38,15 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
   if(check.allows_fixed_boundary())
   {
     PETSc_solver_3 solver(communicator, distributed);
-    if(problem.verbose)
+    if(problem.options.verbose)
       std::cout << "process 0 of " << communicator.size() << ": " << mesh.number_of_own_cells() << " cells and "
                 << mesh.number_of_copied_cells << " of others, " << distributed.number_of_own_rows()
                 << " free vertices and " << mesh.number_of_copied_vertices << " of others; " << solver.name() << std::endl;
     Map_options_3 options = problem.options;
     options.mode = Boundary_mode::FIXED;
-    const Found_map_3 found = find_map_3(mesh, check, problem.energy, solver, options, problem.progress);
-    result = make_result_3(mesh, check, found, problem.energy, solver, problem.progress);
+    const Map_problem_3 of_processes = { options, problem.energy, solver, problem.progress };
+    const Found_map_3 found = find_map_3(mesh, check, of_processes);
+    result = make_result_3(mesh, check, found, of_processes);
     if(result.has_valid_map)
       distributed.write(found.map.positions, images);
   }

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Search_start_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -58,7 +58,7 @@ public:
 
   Boundary_approach_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
                       const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
-                      const Constraints& constraints = Constraints(), const Approach_start_3& start = Approach_start_3())
+                      const Constraints& constraints = Constraints(), const Search_start_3& start = Search_start_3())
     : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
       m_patience(start.patience), m_number_of_raises(start.number_of_raises),
       m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
@@ -66,7 +66,7 @@ public:
       m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
       m_system(mesh, m_scaled, all_vertices(mesh), solver, &m_penalty)
   {
-    minimize(m_scaled.unit * (start.positions.cols() == 0 ? m_aligned_source : start.positions));
+    minimize(m_scaled.unit * (start.stage == Search_start_3::Stage::SOFT_BOUNDARY ? start.positions : m_aligned_source));
     if(!m_minimizer->iterate().evaluation.is_flip_free())
       end(ERROR_INVERTED_SOURCE_CELL);
   }

@@ -21,9 +21,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
-// without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. No images at all if
-// none are given.
+// Returns the initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
+// without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. Returns no images at
+// all if none are given.
 inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
 {
   Matrix3Xd result = mesh.initial;
@@ -39,11 +39,11 @@ inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_sol
   return result;
 }
 
-// Moves the prescribed vertices from these images of all to their targets, the others by the harmonic extension of the
-// displacements, and untangles. One point for all becomes the harmonic map, which recovers affine maps. If it inverts
-// cells, so may that with respect to regular cells, but mostly fewer, so that patches suffice.
-inline void untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, const bool may_split,
-                            Progress_3& progress, Found_map_3& found)
+// Starts from `initial`, moves the prescribed vertices to their targets, extends the displacements harmonically, and
+// untangles. With one point for `initial` this starts from the harmonic map, which recovers affine maps. If it inverts cells,
+// so may that with respect to regular cells, but mostly fewer, so that patches suffice.
+inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, const bool may_leave_cells,
+                                   Progress_3& progress)
 {
   const Numbered_mesh_3& mesh = system.mesh();
   constexpr double energy_tolerance = 1e-6; // of what is a start only
@@ -52,57 +52,82 @@ inline void untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, c
   const auto image = [&]() -> Matrix3Xd { return snapped(mesh, initial + displacements); };
   Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   const Map_3 start = judged(mesh, image());
-  found.number_of_inverted_cells_at_start = start.number_of_inverted_cells;
   if(direction.is_usable() && !start.is_valid() && !progress.is_interrupted())
   {
     system.set_references(true);
     direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   }
   progress.reach_flip_free();
+  Found_map_3 found;
   if(direction.is_usable())
-    untangle_3(system, start, image(), may_split, progress, found);
-  else if(progress.is_interrupted())
-    found.take(ERROR_INTERRUPTED, "", start);
+    found = untangle_map_3(system, start, image(), may_leave_cells, progress);
   else
-    found.take(ERROR_LINEAR_SOLVER_FAILED, describe_failure(direction), start);
+  {
+    found.map = start;
+    found.status = ERROR_LINEAR_SOLVER_FAILED;
+    found.reason = describe_failure(direction);
+  }
+  found.number_of_inverted_cells_at_start = start.number_of_inverted_cells;
+  return found;
 }
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
-// Goes on from the given images. If there are none, starts from the initial map, and where this fails or there is none
-// either, from the harmonic map.
-inline void find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
-                                           Linear_solver_3& solver, const Map_options_3& options,
-                                           const Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
+// Continues from the start, if it tells so. Otherwise starts from the initial map, and where this fails or there is none,
+// from the harmonic map.
+inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
+                                                  const Search_start_3& start)
 {
+  Progress_3& progress = problem.progress;
+  const bool continues = start.stage == Search_start_3::Stage::UNTANGLING, may_leave_cells = start.may_split_inverted_cells();
+  bool may_be_near_minimum = false;
+  Found_map_3 found;
   progress.begin_stage();
-  const bool goes_on = start.cols() > 0, may_split = options.untangling.most_inverted_cells_to_split > 0;
-  const Matrix3Xd initial = goes_on ? start : completed_initial_map_3(mesh, solver, progress);
-  const Matrix3Xd one_point = mesh.base_point.replicate(1, mesh.number_of_vertices());
-  const bool has_initial = !goes_on && initial.cols() > 0;
-  Newton_system_3 system(mesh, free_vertices(mesh), solver);
-  if(goes_on)
-    untangle_on_3(system, start, progress, found);
-  else
-    untangle_from_3(system, has_initial ? initial : one_point, may_split, progress, found);
-  // then the full Hessian is tried first
-  const bool may_be_near_minimum = has_initial && found.status == OK && progress.number_of_steps() == 0;
-  if(has_initial && found.status == ERROR_NOT_FLIP_FREE)
-    untangle_from_3(system, one_point, may_split, progress, found);
+  const Matrix3Xd initial = continues ? start.positions : completed_initial_map_3(mesh, problem.solver, progress);
+  Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
+  if(continues)
+    found = continue_untangling_3(system, initial, progress);
+  else if(initial.cols() > 0)
+  {
+    found = untangle_from_3(system, initial, may_leave_cells, progress);
+    may_be_near_minimum = found.status == OK && progress.number_of_steps() == 0; // then the full Hessian is tried first
+  }
+  if(!continues && found.status == ERROR_NOT_FLIP_FREE)
+    found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_leave_cells, progress);
   if(found.untangling_method.empty())
-    found.untangling_method = goes_on ? "soft boundary" : "harmonic extension";
-  if(found.status == OK && !options.do_slide)
-    minimize_map_3(system, energy, options, progress, found, Negative_curvature(may_be_near_minimum ? 1 : 0));
+    found.untangling_method = continues ? "soft boundary" : "harmonic extension";
+  if(found.status == OK && !problem.options.do_slide)
+    found = minimize_map_3(system, problem, std::move(found), Negative_curvature(may_be_near_minimum ? 1 : 0));
+  return found;
 }
 
-// No inverted cell from the beginning: the boundary approaches its targets. As soon as it can be put
-// there without inverting a cell, the minimization continues with fixed boundary.
-inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
-                                          Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress,
-                                          Found_map_3& found)
+// Finds edges to split where few cells are left inverted, if it may leave them to splits, and otherwise tells why they are.
+inline Found_map_3 examine_inverted_cells_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
+                                            const Search_start_3& start, Found_map_3 found)
 {
-  std::optional<Matrix3Xd> snapped_positions;
+  Progress_3& progress = problem.progress;
+  found.is_stuck = start.may_split_inverted_cells()
+    && found.map.number_of_inverted_cells <= most_exceptions(mesh.global_number_of_cells());
+  if(found.is_stuck)
   {
-    Boundary_approach_3 approach(mesh, energy, solver, options.soft, options.constraints, options.approach);
+    progress.begin_stage();
+    progress.begin_attempt("splits");
+    found.splits = find_splits_3(mesh, problem.solver, found.map, progress);
+  }
+  else if(mesh.is_whole())
+    found.diagnosis = diagnose_3(mesh, found.map.inverted_cells, progress.budget());
+  return found;
+}
+
+// Inverts no cell from the beginning: the boundary approaches its targets. As soon as it can be put there without an
+// inverted cell, the minimization continues with fixed boundary.
+inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
+                                                 const Search_start_3& start)
+{
+  Progress_3& progress = problem.progress;
+  Found_map_3 found;
+  Search_start_3 at_targets;
+  {
+    Boundary_approach_3 approach(mesh, problem.energy, problem.solver, problem.options.soft, mesh.constraints, start);
     progress.begin_stage();
     progress.begin_attempt("soft boundary");
     progress.reach_flip_free();
@@ -112,56 +137,54 @@ inline void find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Cel
       approach.step();
       progress.after_step(approach.last_step());
     }
-    found.take(approach.status().value_or(progress.status_of_end(true)), approach.reason(), approach.map());
+    found.map = approach.map();
+    found.status = approach.status().value_or(progress.status_of_end(true));
+    found.reason = approach.reason();
     found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();
-    if(approach.can_snap() && progress.is_interrupted())
-      found.status = ERROR_INTERRUPTED;
-    else if(approach.can_snap())
-      snapped_positions = approach.snapped_positions();
+    if(approach.can_snap() && !progress.is_interrupted())
+      at_targets = { Search_start_3::Stage::UNTANGLING, approach.snapped_positions() };
   }
-  if(snapped_positions)
-    find_map_with_fixed_boundary_3(mesh, energy, solver, options, *snapped_positions, progress, found);
+  if(at_targets.stage == Search_start_3::Stage::UNTANGLING)
+  {
+    const std::size_t number_of_raises = found.number_of_raises;
+    found = find_map_with_fixed_boundary_3(mesh, problem, at_targets);
+    found.number_of_raises = number_of_raises;
+  }
+  return found;
 }
 
-// From numbered arrays to the images of their vertices, by the stages that are allowed, one after the other.
+// Calls the stages that are allowed, one after the other, from numbered arrays to the images of their vertices. Only here
+// it is decided whether the search was interrupted: it was if time is over while more is wanted, or has ended a stage.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
-                       Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress)
+Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
+                       const Search_start_3& start)
 {
+  const Boundary_mode mode = problem.options.mode;
+  Progress_3& progress = problem.progress;
   Found_map_3 found;
   found.status = check.status;
   found.reason = check.message;
-  const bool goes_on = options.approach.positions.cols() > 0;
-  if(check.allows_fixed_boundary() && options.mode != Boundary_mode::SOFT && !goes_on)
+  if(check.allows_fixed_boundary() && mode != Boundary_mode::SOFT && start.stage != Search_start_3::Stage::SOFT_BOUNDARY)
+    found = find_map_with_fixed_boundary_3(mesh, problem, start);
+  if(found.status == ERROR_NOT_FLIP_FREE)
+    found = examine_inverted_cells_3(mesh, problem, start, std::move(found));
+  if(check.allows_soft_boundary() && mode != Boundary_mode::FIXED && !found.map.is_valid() && !found.is_stuck
+     && !progress.is_interrupted())
   {
-    find_map_with_fixed_boundary_3(mesh, energy, solver, options, options.untangling.positions, progress, found);
-    found.is_stuck = found.status == ERROR_NOT_FLIP_FREE
-      && found.map.number_of_inverted_cells <= options.untangling.most_inverted_cells_to_split;
-    if(found.is_stuck)
-    {
-      progress.begin_stage();
-      progress.begin_attempt("splits");
-      found.splits = find_splits_3(mesh, solver, found.map, progress);
-    }
-    else if(found.status == ERROR_NOT_FLIP_FREE && mesh.is_whole())
-      found.diagnosis = diagnose_3(mesh, found.map.inverted_cells, progress.budget());
-    if(found.status == ERROR_NOT_FLIP_FREE && progress.is_interrupted())
-    {
-      found.status = ERROR_INTERRUPTED;
-      found.is_stuck = false;
-    }
-    if(found.is_stuck)
-      return found;
+    const Found_map_3 fixed = std::move(found);
+    found = find_map_with_soft_boundary_3(mesh, problem, start);
+    found.number_of_inverted_cells_at_start = fixed.number_of_inverted_cells_at_start;
+    found.diagnosis = fixed.diagnosis;
   }
-  const bool needs_soft_boundary
-    = check.allows_soft_boundary() && options.mode != Boundary_mode::FIXED && !found.map.is_valid();
-  if(needs_soft_boundary && progress.is_interrupted())
+  if(found.map.is_solution() && found.status != ERROR_LINEAR_SOLVER_FAILED && problem.options.improve != nullptr)
+    found = problem.options.improve(mesh, problem, std::move(found));
+  const bool is_more_wanted = !found.map.is_valid() || (start.may_split && found.is_blocked());
+  if(is_more_wanted ? progress.is_interrupted() : progress.was_interrupted())
+  {
     found.status = ERROR_INTERRUPTED;
-  else if(needs_soft_boundary)
-    find_map_with_soft_boundary_3(mesh, energy, solver, options, progress, found);
-  if(found.map.is_solution() && found.status != ERROR_LINEAR_SOLVER_FAILED && options.improve != nullptr)
-    options.improve(mesh, energy, solver, options, progress, found);
+    found.is_stuck = false;
+  }
   return found;
 }
 

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
@@ -72,10 +72,11 @@ Parameterization_result refused_result(const Input_check_3& check, const Progres
 
 // The result of a search without its counts of the complex: the only place where it is written.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check,
-                                      const Found_map_3& found, const Cell_energy_3& energy,
-                                      const Linear_solver_3& solver, const Progress_3& progress)
+Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
+                                      const Map_problem_3& problem)
 {
+  const Linear_solver_3& solver = problem.solver;
+  const Progress_3& progress = problem.progress;
   const double begin = progress.seconds();
   Parameterization_result result = progress.effort();
   result.status = final_status(found);
@@ -101,7 +102,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
     result.distortion = measure_distortion_3(mesh, s);
     result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);
-    result.energy = mean_energy_3(mesh, s, energy, to_source_volume);
+    result.energy = mean_energy_3(mesh, s, problem.energy, to_source_volume);
     result.quality = measure_quality_3(mesh, found.map.positions);
     result.unavoidable_angle_distortion = found.unavoidable_angle_distortion;
     result.missed_angle_distortion = found.missed_angle_distortion;

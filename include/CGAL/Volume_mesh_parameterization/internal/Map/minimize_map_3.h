@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
@@ -138,9 +138,9 @@ private:
 };
 
 // Ends a minimization where nothing is gained.
-inline Ends_here ends_if_stagnating(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const Map_options_3& options)
+inline Ends_here ends_if_stagnating(const Numbered_mesh_3& mesh, const Map_problem_3& problem)
 {
-  return [gain = Gain_3(mesh, energy, options.energy_tolerance)](const Newton_iterate_3& iterate) mutable
+  return [gain = Gain_3(mesh, problem.energy, problem.options.energy_tolerance)](const Newton_iterate_3& iterate) mutable
   { return gain.is_stagnating(iterate) ? std::optional(OK) : std::nullopt; };
 }
 
@@ -159,45 +159,49 @@ inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unkn
 // so flat that they hold most of the energy, these crawl along curved valleys for thousands of steps, their stiffness
 // keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
 // is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
-inline void minimize_map_3(Newton_system_3& system, const Cell_energy_3& energy, const Map_options_3& options,
-                           Progress_3& progress, Found_map_3& found,
-                           const Negative_curvature& negative_curvature = Negative_curvature())
+inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& problem, Found_map_3 found,
+                                  const Negative_curvature& negative_curvature = Negative_curvature())
 {
   const Numbered_mesh_3& mesh = system.mesh();
+  Progress_3& progress = problem.progress;
+  const double negligible_gain = problem.options.negligible_gain();
   const auto take = [&](const Newton_result_3& result)
   {
-    found.take(result.status, result.reason, judged(mesh, snapped(mesh, result.positions)));
+    found.map = judged(mesh, snapped(mesh, result.positions));
+    found.status = result.status;
+    found.reason = result.reason;
     progress.end_check();
   };
-  Gain_3 gain(mesh, energy, options.energy_tolerance);
+  Gain_3 gain(mesh, problem.energy, problem.options.energy_tolerance);
   bool has_crawled = false;
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
-    system, energy, found.map.positions, progress, negative_curvature,
+    system, problem.energy, found.map.positions, progress, negative_curvature,
     [&](const Newton_iterate_3& iterate)
     {
       const std::optional<Error_code> status = gain.status_of_end(iterate);
       has_crawled = status == ERROR_NOT_CONVERGED;
       return status;
-    }, options.negligible_gain());
+    }, negligible_gain);
   take(whole);
   const bool is_minimum = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
   if(!is_minimum && !has_crawled)
-    return;
+    return found;
 
   const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
   if(others.size() == 0)
-    return;
+    return found;
   Newton_system_3 rest(mesh, others, system.solver());
   progress.begin_attempt("minimization apart from dominant cells");
-  take(minimize_energy_3(rest, energy, whole.positions, progress, Negative_curvature(),
-                         ends_if_stagnating(mesh, energy, options), options.negligible_gain()));
+  take(minimize_energy_3(rest, problem.energy, whole.positions, progress, Negative_curvature(),
+                         ends_if_stagnating(mesh, problem), negligible_gain));
   if(is_minimum && found.status == ERROR_NOT_CONVERGED)
     found.status = OK; // of the energy as a whole
   if(has_crawled && found.status == OK)
     found.status = ERROR_NOT_CONVERGED;
   if(found.status == ERROR_NOT_CONVERGED)
     found.reason = gain.describe_dominant_cells();
+  return found;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

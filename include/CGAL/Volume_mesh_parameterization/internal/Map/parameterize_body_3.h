@@ -14,29 +14,18 @@
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Search_start_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <cmath>
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// What is asked for, and with what means.
-struct Map_problem_3
-{
-  Map_options_3 options;
-  bool use_volume_weights;
-  bool is_parallel;
-  bool verbose;
-  const Cell_energy_3& energy;
-  Linear_solver_3& solver;
-  Progress_3& progress;
-};
 
 // The seam of the map: all between arrays and the images of points. It knows no complex, an energy only as `Cell_energy_3`, and
 // a solver only as `Linear_solver_3`, so that it can be compiled once.
@@ -54,13 +43,12 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
 
 // The parts of it, for a mesh of which each process has a part.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Cell_energy_3& energy,
-                       Linear_solver_3& solver, const Map_options_3& options, Progress_3& progress);
+Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
+                       const Search_start_3& start = Search_start_3());
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
-                                      const Cell_energy_3& energy, const Linear_solver_3& solver,
-                                      const Progress_3& progress);
+                                      const Map_problem_3& problem);
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress);
@@ -93,10 +81,11 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
     = parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::solver_traits), default_solver);
 
   Limits<NamedParameters> limits(np);
-  const bool verbose = given(np, internal_np::verbose, false);
+  Map_options_3 options;
+  options.verbose = given(np, internal_np::verbose, false);
   const auto after_step = [&](const Parameterization_step& step)
   {
-    if(verbose)
+    if(options.verbose)
       print(step);
     return limits.visitor().after_step(step);
   };
@@ -108,11 +97,12 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                       number < static_cast<double>(largest) ? static_cast<std::size_t>(number_of_iterations) : largest,
                       after_step, communicator);
 
-  Map_options_3 options;
   options.mode = given(np, internal_np::boundary_mode, Boundary_mode::AUTO);
   options.soft = given(np, internal_np::soft_boundary_parameters,
     options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
   options.do_slide = given(np, internal_np::do_slide_boundary, options.do_slide);
+  options.use_volume_weights = given(np, internal_np::use_volume_weights, options.use_volume_weights);
+  options.is_parallel = is_parallel<ConcurrencyTag>();
   options.energy_tolerance = given(np, internal_np::energy_tolerance, options.energy_tolerance);
   options.minimize_maximal_angle_distortion = given(np, internal_np::minimize_maximal_angle_distortion, false);
   options.maximal_angle_distortion = given(np, internal_np::maximal_angle_distortion, options.maximal_angle_distortion);
@@ -129,9 +119,7 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);
-  const Map_problem_3 problem = { options, given(np, internal_np::use_volume_weights, false),
-                                  is_parallel<ConcurrencyTag>(), verbose, cell_energy, linear_solver, progress };
-  return run(problem);
+  return run(Map_problem_3{ options, cell_energy, linear_solver, progress });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

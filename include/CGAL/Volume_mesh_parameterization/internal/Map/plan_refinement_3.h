@@ -13,33 +13,16 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Search_start_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What a refinement keeps of the approach that was blocked.
-struct Blocked_approach_3
-{
-  bool goes_on = false;             // from the map reached; otherwise, all starts again with the refined complex
-  std::size_t number_of_raises = 0; // of the weight of the soft boundary
-  double distance = std::numeric_limits<double>::infinity(); // the largest one to a target
-  double smallest_distance = std::numeric_limits<double>::infinity(); // of those after all refinements
-  std::size_t number_of_vain_rounds = 0; // of refinements that did not lower that
-};
-
-// What a refinement keeps of the untangling that was stuck.
-struct Stuck_untangling_3
-{
-  bool goes_on = false;                  // from the images reached
-  bool has_given_up = false;             // and left it to the soft boundary
-  std::size_t fewest_inverted_cells = (std::numeric_limits<std::size_t>::max)();
-  std::size_t number_of_vain_rounds = 0; // of splits that did not make them fewer
-};
-
+// The edges to split, if they are interior ones, in the order of the user's cells; and where the next search starts.
 struct Refinement_plan_3
 {
-  std::vector<std::array<int, 2> > edges; // to be split if they are interior ones, in the order of the user's cells
-  Blocked_approach_3 approach;
-  Stuck_untangling_3 untangling;
+  std::vector<std::array<int, 2> > edges;
+  Search_start_3 start;
 };
 
 inline void sort_by_user_number(const Numbered_mesh_3& mesh, std::vector<std::size_t>& cells)
@@ -78,23 +61,21 @@ inline std::vector<std::array<int, 2> > one_edge_of_each_cell(const Numbered_mes
   return result;
 }
 
-// Splits the edges found, or else one of each cell that untangling has left inverted. After two rounds in vain, gives up and
-// splits nothing.
-inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
-                                       const Stuck_untangling_3& before)
+// Splits the edges found, or else one of each cell that untangling has left inverted, which continues from there. After
+// rounds in vain, gives up and splits nothing.
+inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_map_3& found, const Search_start_3& before)
 {
-  constexpr std::size_t patience = 2;
   std::vector<std::size_t> cells = found.map.inverted_cells;
   sort_by_user_number(mesh, cells);
 
   Refinement_plan_3 plan;
-  Stuck_untangling_3& untangling = plan.untangling;
-  untangling.number_of_vain_rounds = cells.size() < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
-  untangling.fewest_inverted_cells = (std::min)(cells.size(), before.fewest_inverted_cells);
-  untangling.goes_on = untangling.number_of_vain_rounds < patience;
-  untangling.has_given_up = !untangling.goes_on;
-  if(untangling.goes_on)
-    plan.edges = found.splits.empty() ? one_edge_of_each_cell(mesh, cells) : found.splits;
+  plan.start.number_of_vain_rounds = cells.size() < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
+  plan.start.fewest_inverted_cells = (std::min)(cells.size(), before.fewest_inverted_cells);
+  if(plan.start.has_given_up_splits())
+    return plan;
+  plan.edges = found.splits.empty() ? one_edge_of_each_cell(mesh, cells) : found.splits;
+  plan.start.stage = Search_start_3::Stage::UNTANGLING;
+  plan.start.positions = found.map.positions;
   return plan;
 }
 
@@ -122,32 +103,65 @@ inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, co
 }
 
 // Chooses the cells that keep the boundary from its targets; or, where these are fewer, those that the fixed boundary has
-// left inverted, to try it again, unless that has been given up. If the last refinement has not helped, it is better to start
-// all again as well; if several have not, nothing is split.
+// left inverted, to try it again, unless that has been given up. The soft boundary continues, unless the last refinement has
+// hardly helped: then it is better to start all again as well; if several have not helped, nothing is split.
 inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
-                                           const Blocked_approach_3& before, const Stuck_untangling_3& untangling)
+                                           const Search_start_3& before)
 {
+  if(found.is_stuck)
+    return plan_splits_3(mesh, found, before);
   constexpr double notable = 0.9;
   constexpr std::size_t patience = 3; // a guess: maps that were found needed no more than one such round
   Refinement_plan_3 plan;
-  plan.approach.distance = found.map.distance_to_boundary;
-  plan.approach.smallest_distance = (std::min)(plan.approach.distance, before.smallest_distance);
-  plan.approach.number_of_vain_rounds
-    = plan.approach.distance < notable * before.smallest_distance ? 0 : before.number_of_vain_rounds + 1;
-  if(plan.approach.number_of_vain_rounds >= patience)
+  plan.start.distance = found.map.distance_to_boundary;
+  plan.start.smallest_distance = (std::min)(plan.start.distance, before.smallest_distance);
+  plan.start.number_of_vain_refinements
+    = plan.start.distance < notable * before.smallest_distance ? 0 : before.number_of_vain_refinements + 1;
+  if(plan.start.number_of_vain_refinements >= patience)
     return plan;
-  plan.untangling.has_given_up = untangling.has_given_up;
   std::vector<std::size_t> cells = blocking_cells_3(mesh, found.map.positions);
-  const bool is_easier_fixed = !untangling.has_given_up && found.diagnosis && !found.diagnosis->inverted_cells.empty()
+  const bool is_easier_fixed = !before.has_given_up_splits() && found.diagnosis && !found.diagnosis->inverted_cells.empty()
     && found.diagnosis->inverted_cells.size() < cells.size();
   if(is_easier_fixed)
     cells = found.diagnosis->inverted_cells;
   sort_by_user_number(mesh, cells);
   plan.edges = edges_of_cells(mesh, cells);
 
-  plan.approach.goes_on = !is_easier_fixed && (!before.goes_on || plan.approach.distance < notable * before.distance);
-  plan.approach.number_of_raises = (std::max)(found.number_of_raises, std::size_t(1)) - 1; // the last one was useless
+  if(before.has_given_up_splits())
+    plan.start.number_of_vain_rounds = before.number_of_vain_rounds;
+  const bool has_helped
+    = before.stage != Search_start_3::Stage::SOFT_BOUNDARY || plan.start.distance < notable * before.distance;
+  if(!is_easier_fixed && has_helped)
+  {
+    plan.start.stage = Search_start_3::Stage::SOFT_BOUNDARY;
+    plan.start.positions = found.map.positions;
+    plan.start.number_of_raises = (std::max)(found.number_of_raises, std::size_t(1)) - 1; // the last one was useless
+  }
   return plan;
+}
+
+// Renumbers the positions of a start after a refinement, in which new points are midpoints; `points_before` are those of the
+// vertices until then. Where rounding at one of them has
+// spoilt the images, the soft boundary starts anew.
+inline Search_start_3 renumbered_start_3(Search_start_3 start, const std::vector<std::size_t>& points_before,
+                                         const std::vector<Insertion_3>& insertions, const Numbered_body_3& after)
+{
+  if(start.stage == Search_start_3::Stage::NONE)
+    return start;
+  Matrix3Xd images(3, after.vertices.size()); // of the points
+  for(std::size_t v = 0; v < points_before.size(); ++v)
+    images.col(points_before[v]) = start.positions.col(v);
+  for(const Insertion_3& i : insertions)
+    images.col(i.point) = (images.col(i.simplex[0]) + images.col(i.simplex[1])) / 2;
+  start.positions.resize(3, after.points.size());
+  for(std::size_t v = 0; v < after.points.size(); ++v)
+    start.positions.col(v) = images.col(after.points[v]);
+  if(start.stage == Search_start_3::Stage::SOFT_BOUNDARY && inverted_cells(after.mesh, start.positions).number > 0)
+  {
+    start.stage = Search_start_3::Stage::NONE;
+    start.number_of_raises = 0;
+  }
+  return start;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,9 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Carried_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
 
 #include <iomanip>
 #include <iostream>
@@ -33,53 +33,47 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step&
             << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
 }
 
-// A body with its numbers, and what the check of these has found.
+// Numbers a body, with all that is prescribed in these numbers.
+inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3& prescription, const Map_options_3& options)
+{
+  Numbered_body_3 result(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
+                         options.use_volume_weights, options.is_parallel);
+  Numbered_mesh_3& mesh = result.mesh;
+  if(!prescription.initial.empty())
+    mesh.initial = result.columns(prescription.initial);
+  for(const std::size_t p : result.points)
+    mesh.is_held.push_back(prescription.is_constrained[p]);
+  for(const Linear_constraint_3<std::size_t>& constraint : prescription.constraints)
+  {
+    mesh.constraints.push_back({ {}, constraint.value });
+    for(const auto& term : constraint.terms)
+      mesh.constraints.back().terms.push_back({ result.vertices[term.vertex], term.coefficient });
+  }
+  return result;
+}
+
+// A body with its numbers, and the check of these.
 struct Checked_body_3
 {
   Numbered_body_3 numbered;
   Input_check_3 check;
 
   Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem, const Budget& budget)
-    : numbered(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
-               problem.use_volume_weights, problem.is_parallel)
-  {
-    if(!prescription.initial.empty())
-      numbered.mesh.initial = numbered.columns(prescription.initial);
-    check = check_input_3(numbered.mesh, budget);
-    problem.progress.end_numbering();
-  }
-
-  bool allows(const Boundary_mode mode) const
-  { return check.allows_fixed_boundary() || (check.allows_soft_boundary() && mode != Boundary_mode::FIXED); }
+    : numbered(numbered_body_3(body, prescription, problem.options)), check(check_input_3(numbered.mesh, budget))
+  { problem.progress.end_numbering(); }
 };
 
-// The stages that are allowed, one after the other.
-inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Prescription_3& prescription,
-                                      const Map_problem_3& problem, const Untangling_start_3& untangling,
-                                      const Approach_start_3& approach)
+// Calls the stages that are allowed, one after the other.
+inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Map_problem_3& problem, const Search_start_3& start)
 {
-  const Numbered_body_3& numbered = body.numbered;
-  if(problem.verbose)
-    std::cout << numbered.mesh.cells.size() << " cells, " << numbered.points.size() << " vertices, "
-              << numbered.mesh.number_of_free_vertices << " of them free; linear solver " << problem.solver.name()
-              << std::endl;
-  Map_options_3 options = problem.options;
-  options.untangling = untangling;
-  options.approach = approach;
-  for(const Linear_constraint_3<std::size_t>& constraint : prescription.constraints)
-  {
-    options.constraints.emplace_back();
-    options.constraints.back().value = constraint.value;
-    for(const auto& term : constraint.terms)
-      options.constraints.back().terms.push_back({ numbered.vertices[term.vertex], term.coefficient });
-  }
-  if(options.do_slide)
-    for(const std::size_t p : numbered.points)
-      options.is_held.push_back(prescription.is_constrained[p]);
-  return find_map_3(numbered.mesh, body.check, problem.energy, problem.solver, options, problem.progress);
+  const Numbered_mesh_3& mesh = body.numbered.mesh;
+  if(problem.options.verbose)
+    std::cout << mesh.cells.size() << " cells, " << mesh.number_of_vertices() << " vertices, "
+              << mesh.number_of_free_vertices << " of them free; linear solver " << problem.solver.name() << std::endl;
+  return find_map_3(mesh, body.check, problem, start);
 }
 
-// Counts what the user has given.
+// Adds the numbers of what the user has given.
 inline Parameterization_result counted(Parameterization_result result, const Body_3& body)
 {
   const auto number = [](const std::vector<bool>& is_point) { return std::count(is_point.begin(), is_point.end(), true); };
@@ -100,7 +94,7 @@ inline Parameterization_result written_result(const Body_3& body, const Checked_
 {
   const auto& [numbered, check] = checked;
   Parameterization_result result
-    = found ? make_result_3(numbered.mesh, check, *found, problem.energy, problem.solver, problem.progress)
+    = found ? make_result_3(numbered.mesh, check, *found, problem)
             : refused_result(check, problem.progress);
   if(result.has_valid_map)
   {
@@ -121,17 +115,27 @@ Parameterization_result parameterize_body_3(const Body_3& body, const Prescripti
   if(problem.progress.is_interrupted())
     return interrupted_result(body, problem.progress);
   const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
-  Approach_start_3 approach;
-  approach.patience = 2; // where nothing can be refined, larger weights get a chance
+  Search_start_3 start;
+  start.patience = 2; // where nothing can be refined, larger weights get a chance
   std::optional<Found_map_3> found;
-  if(checked.allows(problem.options.mode))
-    found = find_map_of_body_3(checked, prescription, problem, Untangling_start_3(), approach);
+  if(checked.check.allows(problem.options.mode))
+    found = find_map_of_body_3(checked, problem, start);
   return written_result(body, checked, problem, found, images);
 }
 
-// From a body to the images of its points: refines it where the targets make cells degenerate, and then where a search was
-// blocked, and searches again. More new points than a tenth would mean that this does not help; a small body may need many
-// in proportion. What limits of time leave undone is refined no more.
+// Splits edges of vertices.
+inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const std::vector<std::size_t>& points_of_vertices,
+                                                          const std::vector<std::array<int, 2> >& edges)
+{
+  std::vector<std::array<std::size_t, 2> > edges_of_points;
+  for(const auto& [v, w] : edges)
+    edges_of_points.push_back({ points_of_vertices[v], points_of_vertices[w] });
+  return split_edges_3(body, edges_of_points);
+}
+
+// Refines a body where the targets make cells degenerate, and then searches, and refines where the search was blocked, in
+// turn. More new points than a tenth would mean that this does not help; a small body may need many in proportion. What
+// limits of time leave undone is refined no more.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
@@ -140,53 +144,43 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   if(problem.progress.is_interrupted())
     return interrupted_result(body, problem.progress);
   const Budget& budget = problem.progress.budget();
-  std::size_t number_of_splits = 0;
-  Carried_search_3 carried;
-  for(bool is_first = true; ; is_first = false)
+  Checked_body_3 checked(body, prescription, problem, budget);
+  const auto take = [&](const std::vector<Insertion_3>& made)
   {
+    insertions.insert(insertions.end(), made.begin(), made.end());
     prescription.extend_to(body.soup.points.size());
-    // later, there may be a map to be returned
-    Checked_body_3 checked(body, prescription, problem, is_first ? budget : Budget());
-    const auto take = [&](const std::vector<Insertion_3>& made)
-    { insertions.insert(insertions.end(), made.begin(), made.end()); };
-    if(is_first && checked.check.allows_soft_boundary() && checked.check.is_refinable)
-    {
-      take(remove_degenerate_simplices(body, prescription, budget));
-      if(!insertions.empty())
-        continue;
-    }
-    const std::size_t limit = (std::max)(checked.numbered.points.size() / 10, std::size_t(1000));
-    const bool may_split = checked.check.is_refinable && number_of_splits <= limit;
+    checked = Checked_body_3(body, prescription, problem, Budget()); // there may be a map to be returned
+  };
+  if(checked.check.allows_soft_boundary() && checked.check.is_refinable)
+    if(const auto made = remove_degenerate_simplices(body, prescription, budget); !made.empty())
+      take(made);
 
-    std::optional<Found_map_3> found;
-    if(checked.allows(problem.options.mode))
-    {
-      found = find_map_of_body_3(checked, prescription, problem, carried.untangling_start(checked.numbered, may_split),
-                                 carried.approach_start(checked.numbered, may_split ? 1 : 2));
-      if(found->is_blocked() && may_split && budget.is_exhausted())
-        found->status = ERROR_INTERRUPTED;
-      else if(found->is_blocked() && may_split)
-      {
-        const Refinement_plan_3 plan = carried.plan(checked.numbered.mesh, *found);
-        std::vector<std::array<std::size_t, 2> > edges;
-        for(const auto& [v, w] : plan.edges)
-          edges.push_back({ checked.numbered.points[v], checked.numbered.points[w] });
-        const std::vector<Insertion_3> splits = split_edges_3(body, edges);
-        number_of_splits += splits.size();
-        take(splits);
-        carried = Carried_search_3(checked.numbered, found->map.positions, splits, plan);
-        if(!splits.empty() || found->is_stuck)
-          continue;
-      }
-    }
-    const bool is_refinable = checked.check.is_refinable;
-    checked.check.is_refinable = false; // by more than what has been refined
-    Parameterization_result result = written_result(body, checked, problem, found, images);
-    if(!found && result.status == ERROR_PRESCRIBED_CELL_INVERTED && is_refinable && budget.is_exhausted())
-      result.status = ERROR_INTERRUPTED;
-    result.number_of_added_vertices = insertions.size();
-    return result;
+  std::size_t number_of_splits = 0;
+  std::optional<Found_map_3> found;
+  for(Search_start_3 start; checked.check.allows(problem.options.mode); )
+  {
+    const std::size_t limit = (std::max)(checked.numbered.points.size() / 10, std::size_t(1000));
+    start.may_split = checked.check.is_refinable && number_of_splits <= limit;
+    start.patience = start.may_split ? 1 : 2;
+    found = find_map_of_body_3(checked, problem, start);
+    if(!start.may_split || !found->is_blocked())
+      break;
+    const Refinement_plan_3 plan = plan_refinement_3(checked.numbered.mesh, *found, start);
+    const std::vector<Insertion_3> splits = split_edges_of_vertices_3(body, checked.numbered.points, plan.edges);
+    if(splits.empty() && !found->is_stuck)
+      break;
+    number_of_splits += splits.size();
+    const std::vector<std::size_t> points_before = std::move(checked.numbered.points);
+    take(splits);
+    start = renumbered_start_3(plan.start, points_before, splits, checked.numbered);
+    found.reset();
   }
+  if(!found && checked.check.status == ERROR_PRESCRIBED_CELL_INVERTED && checked.check.is_refinable && budget.is_exhausted())
+    checked.check.status = ERROR_INTERRUPTED;
+  checked.check.is_refinable = false; // by more than what has been refined
+  Parameterization_result result = written_result(body, checked, problem, found, images);
+  result.number_of_added_vertices = insertions.size();
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

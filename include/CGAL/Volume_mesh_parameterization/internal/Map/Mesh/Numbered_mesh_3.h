@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
@@ -31,6 +32,8 @@ struct Numbered_mesh_3
   Matrix3Xd source;               // one column a vertex
   Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
+  std::vector<bool> is_held;             // may a vertex not slide either? none is held if there are no entries
+  std::vector<Linear_constraint_3<int> > constraints; // of the images, besides the targets
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
   Eigen::Vector3d base_point = Eigen::Vector3d::Zero(); // the target of free vertices, near those of the others

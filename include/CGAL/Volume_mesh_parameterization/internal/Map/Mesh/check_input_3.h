@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
@@ -28,6 +29,8 @@ struct Input_check_3
 
   bool allows_fixed_boundary() const { return status == OK; }
   bool allows_soft_boundary() const { return status == OK || status == ERROR_PRESCRIBED_CELL_INVERTED; }
+  bool allows(const Boundary_mode mode) const
+  { return allows_fixed_boundary() || (allows_soft_boundary() && mode != Boundary_mode::FIXED); }
 };
 
 template <typename... Parts>

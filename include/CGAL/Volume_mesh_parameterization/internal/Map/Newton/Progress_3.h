@@ -47,6 +47,9 @@ public:
     return m_is_interrupted;
   }
 
+  // Has is_interrupted() been true for someone who asked?
+  bool was_interrupted() const { return m_is_interrupted; }
+
   bool goes_on() { return m_number_of_steps < m_limit && !is_interrupted(); }
 
   // How a loop ends that does not go on.

@@ -22,31 +22,32 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangling_search_3
 {
 public:
-  Untangling_search_3(Newton_system_3& system, const Map_3& start, Progress_3& progress, Found_map_3& best)
-    : m_mesh(system.mesh()), m_system(system), m_progress(progress), m_best(best)
-  {
-    m_best.take(ERROR_NOT_FLIP_FREE, "", start);
-    m_best.untangling_method = "";
-  }
+  Untangling_search_3(Newton_system_3& system, Map_3 start, Progress_3& progress)
+    : m_mesh(system.mesh()), m_system(system), m_progress(progress)
+  { m_best.map = std::move(start); }
+
+  const Found_map_3& best() const { return m_best; }
 
   // Are so few cells left inverted that they are what no map can mend, as a proof tells?
   bool is_in_vain(const Untangling_attempt_3& attempt) const
   {
-    return goes_on() && m_best.map.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
+    return is_unsolved() && m_best.map.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
         && !prove_infeasibility_3(m_mesh, m_best.map.inverted_cells, m_progress.budget()).empty();
   }
 
-  bool goes_on() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
+  bool is_unsolved() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
-  // Takes the cells of the source again. Cells that have just become positive are flat, and are relaxed.
-  void finish()
+  // Takes the cells of the source again, and returns the best map. Cells that have just become positive are flat, and are
+  // relaxed.
+  Found_map_3 finish()
   {
-    if(goes_on() && m_best.map.is_valid())
+    if(is_unsolved() && m_best.map.is_valid())
       m_best.status = OK;
     m_system.set_references(false);
     if(m_best.status == OK && m_progress.number_of_steps() > 0)
       m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
                                                        m_progress.budget()));
+    return m_best;
   }
 
   // The whole mesh, and then patches of it.
@@ -54,7 +55,7 @@ public:
   {
     const Matrix3Xd positions
       = keep_better(attempt.name, [&] { return untangle_by_3(attempt, m_system, start, m_progress); });
-    if(goes_on())
+    if(is_unsolved())
       untangle_patches(positions, std::string(attempt.name) + ", patches");
   }
 
@@ -73,7 +74,7 @@ public:
     constexpr double flat = 1e-12;
     const Found_map_3 start = m_best;
     untangle_patches(map, "patches");
-    if(goes_on())
+    if(is_unsolved())
       m_best = start;
     else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.map.positions) < flat)
       m_best.status = ERROR_NOT_FLIP_FREE;
@@ -104,38 +105,38 @@ private:
   const Numbered_mesh_3& m_mesh;
   Newton_system_3& m_system;
   Progress_3& m_progress;
-  Found_map_3& m_best;
+  Found_map_3 m_best;
 };
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
-// from the same start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are
-// left, so edges at these are rather split, if they may be.
-inline void untangle_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
-                       const bool may_split, Progress_3& progress, Found_map_3& found)
+// from the start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are left,
+// so these are rather left to splits of edges, if they may be.
+inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
+                                  const bool may_leave_cells, Progress_3& progress)
 {
   constexpr std::size_t few_to_split = 10;
-  Untangling_search_3 search(system, start, progress, found);
+  Untangling_search_3 search(system, start, progress);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
-    if(may_split && !attempt.has_regular_cells && found.map.number_of_inverted_cells <= few_to_split)
+    if(may_leave_cells && !attempt.has_regular_cells && search.best().map.number_of_inverted_cells <= few_to_split)
       break;
-    if(search.goes_on())
+    if(search.is_unsolved())
       search.untangle(attempt, start.positions);
     if(search.is_in_vain(attempt))
       break;
   }
-  search.finish();
+  return search.finish();
 }
 
-// Goes on from images that an earlier search has left with few inverted cells, or none.
-inline void untangle_on_3(Newton_system_3& system, const Matrix3Xd& start, Progress_3& progress, Found_map_3& found)
+// Continues from images that an earlier search has left with few inverted cells, or none.
+inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, Progress_3& progress)
 {
-  Untangling_search_3 search(system, judged(system.mesh(), start), progress, found);
+  Untangling_search_3 search(system, judged(system.mesh(), start), progress);
   search.untangle_patches(start, "patches");
-  if(search.goes_on())
-    search.untangle(untangling_attempts[0], found.map.positions);
-  search.finish();
+  if(search.is_unsolved())
+    search.untangle(untangling_attempts[0], search.best().map.positions);
+  return search.finish();
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -1,0 +1,54 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MAP_PROBLEM_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MAP_PROBLEM_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+class Cell_energy_3;
+class Linear_solver_3;
+class Progress_3;
+struct Map_problem_3;
+
+// Continues from a map that meets the boundary: vertices of planar patches slide, and the distortion of angles is bounded.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Found_map_3 improve_map_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found);
+
+struct Map_options_3
+{
+  Boundary_mode mode = Boundary_mode::AUTO;
+  Soft_boundary_parameters soft;
+  bool do_slide = false;
+  double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it,
+  double negligible_gain() const { return (std::max)(1e-8, energy_tolerance / 100); } // or one promises this
+  double maximal_angle_distortion = std::numeric_limits<double>::infinity();
+  bool minimize_maximal_angle_distortion = false;
+  decltype(&improve_map_3) improve = nullptr; // if it is wanted; otherwise it need not be compiled
+  bool use_volume_weights = false;
+  bool is_parallel = false;
+  bool verbose = false;
+};
+
+// Tells what is asked for, and by what means it is found.
+struct Map_problem_3
+{
+  Map_options_3 options;
+  const Cell_energy_3& energy;
+  Linear_solver_3& solver;
+  Progress_3& progress;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MAP_PROBLEM_3_H
