@@ -5,8 +5,8 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Newton_iterate_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>

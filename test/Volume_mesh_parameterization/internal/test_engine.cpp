@@ -11,7 +11,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Newton_iterate_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>

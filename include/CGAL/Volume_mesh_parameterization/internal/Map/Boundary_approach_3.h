@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Search_start_3.h>
 

@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/Diagnosis_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>

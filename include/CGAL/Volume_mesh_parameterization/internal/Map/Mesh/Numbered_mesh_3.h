@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
@@ -53,14 +53,6 @@ struct Numbered_mesh_3
   bool is_free(const int v) const { return v < number_of_free_vertices; }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
-
-// The positions with the prescribed vertices on their targets.
-inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
-{
-  const int n = mesh.number_of_prescribed_vertices();
-  positions.rightCols(n) = mesh.target.rightCols(n);
-  return positions;
-}
 
 // The bounding box of points of all processes.
 template <typename Points>
@@ -110,13 +102,6 @@ auto values_of_cells(const Numbered_mesh_3& mesh, const std::size_t n, const Fun
   return values_of_indices(mesh.is_parallel, n, [&](const std::size_t c) { return f(mesh.cells[c]); });
 }
 
-// The inverse edge matrices X^{-1} of the cells in the source, times a factor.
-inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
-{
-  return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
-  { return edge_matrix(mesh.source, cell).inverse() * factor; });
-}
-
 template <typename Positions>
 double volume(const Numbered_mesh_3& mesh, const Positions& positions)
 {
@@ -136,47 +121,6 @@ inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
       result[c] = edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / total;
   }
   return result;
-}
-
-// The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
-// one volume. The unit is a power of two, so that scaling is exact.
-struct Scaled_cells_3
-{
-  double unit;
-  std::vector<Eigen::Matrix3d> inverse_sources; // X^{-1} of each cell
-  std::vector<double> weights;                  // how much each cell counts; the sum is 1
-};
-
-// Gives cells with this mean volume a volume near 1.
-inline double unit_of_cells(const double mean_volume) { return std::exp2(-std::round(std::log2(mean_volume) / 3)); }
-
-// The unit gives the cells of the target a volume near 1.
-inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
-{
-  const double target_volume = volume(mesh, mesh.target);
-  const double unit = unit_of_cells(target_volume / mesh.global_number_of_cells());
-  const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
-  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
-}
-
-// The same, with regular cells of one size in place of the source: where only some map without inverted cells is looked
-// for, slivers of the source must not stiffen it.
-inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
-{
-  const double mean_volume = volume(mesh, mesh.target) / mesh.global_number_of_cells();
-  const double unit = unit_of_cells(mean_volume);
-  Eigen::Matrix3d edges; // of a cell with volume 1/3
-  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
-  const Eigen::Matrix3d inverse = edges.inverse() / (std::cbrt(3 * mean_volume) * unit);
-  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
-}
-
-// The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
-inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
-{
-  const double unit = std::exp2(-std::round(std::log2(length)));
-  const double factor = std::cbrt(volume(mesh, mesh.source)) / (unit * length);
-  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
 // How many cells there are with some property, which of them this process owns, and the first of all in the order of the
@@ -210,47 +154,6 @@ Found_cells find_cells(const Numbered_mesh_3& mesh, const Condition& condition)
   result.number = static_cast<std::size_t>(mesh.communicator->sum(static_cast<double>(result.cells.size())));
   return result;
 }
-
-inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Matrix3Xd& positions)
-{
-  return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
-}
-
-// The images of all vertices, with the verdict of exact predicates on them.
-struct Map_3
-{
-  Matrix3Xd positions;
-  std::size_t number_of_inverted_cells = (std::numeric_limits<std::size_t>::max)(); // or flat ones
-  std::vector<std::size_t> inverted_cells; // those of this process
-  bool meets_boundary = false;
-  double distance_to_boundary = 0; // the largest one of a prescribed vertex; may be zero by underflow
-
-  bool is_valid() const { return number_of_inverted_cells == 0; }
-  bool is_solution() const { return is_valid() && meets_boundary; }
-};
-
-// With the prescribed vertices to be on their targets.
-inline Map_3 judged(const Numbered_mesh_3& mesh, Matrix3Xd positions)
-{
-  const int n = mesh.number_of_prescribed_vertices();
-  Found_cells inverted = inverted_cells(mesh, positions);
-  Map_3 map;
-  map.number_of_inverted_cells = inverted.number;
-  map.inverted_cells = std::move(inverted.cells);
-  map.meets_boundary = mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
-  map.distance_to_boundary
-    = mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
-  map.positions = std::move(positions);
-  return map;
-}
-
-// Why no map was found with fixed boundary.
-struct Diagnosis_3
-{
-  std::vector<std::size_t> inverted_cells;
-  std::size_t number_of_proofs = 0; // that there is none
-  std::string message;
-};
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Compressed_rows.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/Spatial_sort_traits_adapter_3.h>

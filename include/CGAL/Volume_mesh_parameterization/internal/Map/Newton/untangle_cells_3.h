@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Newton_iterate_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/line_search_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/untangle_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Scaled_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

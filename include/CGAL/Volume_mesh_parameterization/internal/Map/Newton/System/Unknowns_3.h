@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Compressed_rows.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -1,0 +1,69 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SCALED_CELLS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SCALED_CELLS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
+// one volume. The unit is a power of two, so that scaling is exact.
+struct Scaled_cells_3
+{
+  double unit;
+  std::vector<Eigen::Matrix3d> inverse_sources; // X^{-1} of each cell
+  std::vector<double> weights;                  // how much each cell counts; the sum is 1
+};
+
+// The inverse edge matrices X^{-1} of the cells in the source, times a factor.
+inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
+{
+  return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
+  { return edge_matrix(mesh.source, cell).inverse() * factor; });
+}
+
+// Gives cells with this mean volume a volume near 1.
+inline double unit_of_cells(const double mean_volume) { return std::exp2(-std::round(std::log2(mean_volume) / 3)); }
+
+// The unit gives the cells of the target a volume near 1.
+inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
+{
+  const double target_volume = volume(mesh, mesh.target);
+  const double unit = unit_of_cells(target_volume / mesh.global_number_of_cells());
+  const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
+  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+}
+
+// The same, with regular cells of one size in place of the source: where only some map without inverted cells is looked
+// for, slivers of the source must not stiffen it.
+inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
+{
+  const double mean_volume = volume(mesh, mesh.target) / mesh.global_number_of_cells();
+  const double unit = unit_of_cells(mean_volume);
+  Eigen::Matrix3d edges; // of a cell with volume 1/3
+  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
+  const Eigen::Matrix3d inverse = edges.inverse() / (std::cbrt(3 * mean_volume) * unit);
+  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+}
+
+// The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
+inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
+{
+  const double unit = std::exp2(-std::round(std::log2(length)));
+  const double factor = std::cbrt(volume(mesh, mesh.source)) / (unit * length);
+  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SCALED_CELLS_3_H
