@@ -38,13 +38,13 @@ using Complex = Cube_complex<>;
 using Point_3 = Complex::Point_3;
 using Vertex_handle = Complex::Vertex_handle;
 using Points = std::vector<std::array<double, 3> >;
-using Cells = std::vector<std::array<int, 4> >; // not the type that the package has inside
+using Int_cells = std::vector<std::array<int, 4> >; // not the type that the package has inside
 
 namespace {
 
-Cells cells_of(const VMP::Tetrahedron_soup_3& soup)
+Int_cells cells_of(const VMP::Tetrahedron_soup_3& soup)
 {
-  Cells result;
+  Int_cells result;
   for(const auto& [i, j, k, l] : soup.cells)
     result.push_back({ static_cast<int>(i), static_cast<int>(j), static_cast<int>(k), static_cast<int>(l) });
   return result;
@@ -80,7 +80,7 @@ struct Both
 {
   Complex complex;
   VMP::Tetrahedron_soup_3 soup;
-  Cells cells;
+  Int_cells cells;
 
   explicit Both(const VMP::internal::Numbered_mesh_3& mesh)
     : complex(mesh), soup(source_soup(mesh)), cells(cells_of(soup))
@@ -97,7 +97,7 @@ struct Both
 struct Bent_fan
 {
   Points points, targets;
-  Cells cells;
+  Int_cells cells;
 
   Bent_fan()
   {
@@ -312,7 +312,7 @@ TEST_CASE("A boundary parameterizer is an argument, and leads to the map of its 
     CHECK(result.boundary_distortion == of_targets.boundary_distortion);
     CHECK(result.seconds_boundary > 0);
     Points points = constant.points;
-    Cells cells = cells_of(constant);
+    Int_cells cells = cells_of(constant);
     CGAL::stretch_minimizing_volume_parameterization(points, cells, images, np);
     CHECK(has_same_bits(images, expected));
     CHECK(points.size() == expected.size());
@@ -330,7 +330,7 @@ TEST_CASE("A boundary parameterizer is an argument, and leads to the map of its 
 TEST_CASE("A boundary parameterizer that fails, or is interrupted, tells it in the result")
 {
   Points images;
-  const auto parameterize = [&](const Points& points, const Cells& cells, const auto& np)
+  const auto parameterize = [&](const Points& points, const Int_cells& cells, const auto& np)
   { return CGAL::stretch_minimizing_volume_parameterization(points, cells, images, np); };
   // two cells that share an edge
   const Points points = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 1, 0 }, { -1, 0, 0 }, { -1, -1, 0 } };
@@ -392,7 +392,7 @@ TEST_CASE("Refinement during the search is the same, and appends to the arrays")
 {
   const Bent_fan fan;
   Points points = fan.points, images;
-  Cells cells = fan.cells;
+  Int_cells cells = fan.cells;
   CHECK(CGAL::stretch_minimizing_volume_parameterization(fan.points, fan.cells, fan.targets, images).status != VMP::OK);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     points, cells, fan.targets, images, params::do_refine(true));
@@ -449,7 +449,7 @@ TEST_CASE("Bad arrays are refused, and change nothing")
 {
   const Bent_fan fan;
   Points targets, images = fan.targets;
-  Cells cells = fan.cells;
+  Int_cells cells = fan.cells;
   cells[0][1] = 1000;
   CHECK_THROWS_AS(VMP::Ball_boundary_parameterizer_3().parameterize(fan.points, cells, targets), VMP::Input_error);
   CHECK_THROWS_AS(VMP::measure_distortion(fan.points, cells, fan.targets), VMP::Input_error);
@@ -474,7 +474,7 @@ TEST_CASE("Bad arrays are refused, and change nothing")
   CHECK_THROWS_WITH(CGAL::stretch_minimizing_volume_parameterization(apart, apart.points, images), first_fault);
   CHECK_THROWS_WITH(CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(
                       apart, apart.points, images), first_fault);
-  CHECK(VMP::Ball_boundary_parameterizer_3().parameterize(Points(), Cells(), targets) == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(VMP::Ball_boundary_parameterizer_3().parameterize(Points(), Int_cells(), targets) == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(VMP::boundary_vertices(fan.points, fan.cells).size() == 28);
   CHECK(VMP::non_manifold_boundary_vertices(fan.points, fan.cells).empty());
 }
@@ -500,7 +500,7 @@ TEST_CASE("Matrices of Eigen, with a row for each point and cell, are mapped as 
   };
 
   Points points = fan.points, images;
-  Cells cells = fan.cells;
+  Int_cells cells = fan.cells;
   Eigen::MatrixXd U;
   const auto np = params::do_refine(true).number_of_iterations(20);
   const auto of_arrays = CGAL::stretch_minimizing_volume_parameterization(points, cells, fan.targets, images, np);
@@ -530,21 +530,21 @@ TEST_CASE("Matrices of Eigen, with a row for each point and cell, are mapped as 
 TEST_CASE("The quality of cells has closed forms, and that of the image is part of the result")
 {
   const Points regular = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } };
-  const VMP::Cell_quality_3 best = VMP::measure_quality(regular, Cells{ { 0, 2, 1, 3 } });
+  const VMP::Cell_quality_3 best = VMP::measure_quality(regular, Int_cells{ { 0, 2, 1, 3 } });
   CHECK(best.smallest_dihedral_angle == Approx(70.528779365509));
   CHECK(best.largest_dihedral_angle == Approx(70.528779365509));
   CHECK(best.smallest_scaled_Jacobian == Approx(1));
   CHECK(best.largest_aspect_ratio == Approx(1));
 
   const Points corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  const VMP::Cell_quality_3 quality = VMP::measure_quality(corner, Cells{ { 0, 1, 2, 3 } });
+  const VMP::Cell_quality_3 quality = VMP::measure_quality(corner, Int_cells{ { 0, 1, 2, 3 } });
   CHECK(quality.smallest_dihedral_angle == Approx(54.735610317245));
   CHECK(quality.largest_dihedral_angle == Approx(90));
   CHECK(quality.smallest_scaled_Jacobian == Approx(std::sqrt(0.5)));
   const double radius = 0.5 / (1.5 + std::sqrt(3.) / 2);
   CHECK(quality.largest_aspect_ratio == Approx(std::sqrt(2.) / (2 * std::sqrt(6.) * radius)));
-  CHECK(VMP::measure_quality(corner, Cells{ { 0, 2, 1, 3 } }).smallest_scaled_Jacobian == Approx(-std::sqrt(2.)));
-  CHECK(std::isnan(VMP::measure_quality(corner, Cells()).largest_aspect_ratio));
+  CHECK(VMP::measure_quality(corner, Int_cells{ { 0, 2, 1, 3 } }).smallest_scaled_Jacobian == Approx(-std::sqrt(2.)));
+  CHECK(std::isnan(VMP::measure_quality(corner, Int_cells()).largest_aspect_ratio));
 
   const Bent_fan fan;
   Points images;
