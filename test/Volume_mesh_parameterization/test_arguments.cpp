@@ -95,7 +95,7 @@ struct Constant_energy
 };
 
 template <typename NamedParameters>
-VMP::Parameterization_result parameterize(Complex& complex, const NamedParameters& np)
+VMP::Parameterization_result parameterize_complex(Complex& complex, const NamedParameters& np)
 {
   return CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map(),
                                                           np.boundary_map(complex.boundary_map()));
@@ -203,7 +203,7 @@ TEST_CASE("Any valid map is found for an energy that is constant")
   CAPTURE(constant, static_cast<int>(mode));
   Complex complex(twisted_cube(4, 0.1));
   const VMP::Parameterization_result result
-    = parameterize(complex, params::energy(Constant_energy{ constant }).boundary_mode(mode));
+    = parameterize_complex(complex, params::energy(Constant_energy{ constant }).boundary_mode(mode));
   INFO(result.message);
   CHECK(result.status == VMP::OK);
   CHECK(result.boundary_residual == 0);
@@ -216,8 +216,8 @@ TEST_CASE("Numbers that limit nothing are refused by name")
   Complex complex(twisted_cube(2));
   const auto check = [&](const auto& np, const std::string& sentence)
   {
-    CHECK_THROWS_AS(parameterize(complex, np), CGAL::Precondition_exception);
-    CHECK_THROWS_WITH(parameterize(complex, np), Catch::Matchers::Contains(sentence));
+    CHECK_THROWS_AS(parameterize_complex(complex, np), CGAL::Precondition_exception);
+    CHECK_THROWS_WITH(parameterize_complex(complex, np), Catch::Matchers::Contains(sentence));
     CHECK(complex.uvw.empty());
   };
   check(params::number_of_iterations(infinity), "number of iterations");
@@ -234,8 +234,8 @@ TEST_CASE("Numbers that limit nothing are refused by name")
     check(soft(weight, 25), "weight of a soft boundary");
   for(const double factor : { 1., 0., nan_value, infinity })
     check(soft(100, factor), "factor between the weights");
-  CHECK(parameterize(complex, soft(100, 25)).has_valid_map);
-  CHECK(parameterize(complex, params::number_of_iterations(1e300)).status == VMP::OK);
+  CHECK(parameterize_complex(complex, soft(100, 25)).has_valid_map);
+  CHECK(parameterize_complex(complex, params::number_of_iterations(1e300)).status == VMP::OK);
 
   Points images;
   const Tetrahedron_soup_3 soup = single_cell();
@@ -249,7 +249,7 @@ TEST_CASE("A broken precondition names the place where it is asked")
   Complex complex(twisted_cube(2));
   try
   {
-    parameterize(complex, params::energy_tolerance(-1.));
+    parameterize_complex(complex, params::energy_tolerance(-1.));
     FAIL("no exception");
   }
   catch(const CGAL::Precondition_exception& error)
