@@ -179,7 +179,7 @@ private:
     m_seconds = random.pick({0., 1e-3, 0.1, 100., 100., 100.});
     m_visitor.limit = random.one_in(4) ? 1 + random.below(20) : 1000;
     if(random.one_in(4))
-      m_soft = VMP::single_weight_soft_boundary_parameters(random.pick({0., 1., 1e8, 1e100}));
+      m_soft = VMP::single_weight_soft_boundary_parameters(random.pick({1e-100, 1., 1e8, 1e100}));
     m_soft.do_snap = !random.one_in(4);
     m_soft.use_full_hessian = random.one_in(4);
     for(std::size_t i = random.one_in(5) ? random.below(5) : 0; i > 0; --i)

@@ -451,7 +451,7 @@ TEST_CASE("The boundary goes to a domain that has a name")
   two.cell_references.assign(12, 1);
   folder.write("source.mesh", two);
   CHECK(folder.run("source.mesh --to ball --report report.json") == 2);
-  CHECK(folder.text("stderr").find("among them vertex 7 (counted from 0)") != std::string::npos);
+  CHECK(folder.text("stderr").find("at 1 vertex, number 7 (counted from 0)") != std::string::npos);
   CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_NON_MANIFOLD_BOUNDARY\"") != std::string::npos);
 }
 

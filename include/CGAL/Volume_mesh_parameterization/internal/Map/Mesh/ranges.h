@@ -68,8 +68,8 @@ void check_columns(const Range& range)
 {
   if constexpr(is_matrix<Range>)
   {
-    constexpr int columns = std::decay_t<Range>::ColsAtCompileTime;
-    static_assert(columns == Eigen::Dynamic || columns == number_of_columns,
+    constexpr int rows = std::decay_t<Range>::RowsAtCompileTime, columns = std::decay_t<Range>::ColsAtCompileTime;
+    static_assert(columns == number_of_columns || (columns == Eigen::Dynamic && rows == Eigen::Dynamic),
                   "Matrices have a row for each point or cell, with three or four columns: pass the transposed one.");
     require(range.rows() == 0 || range.cols() == number_of_columns,
             "A matrix of points has three columns, and one of cells four.");
