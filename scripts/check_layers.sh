@@ -15,7 +15,7 @@ part_of()
     Default_visitor.h | Error_code.h | Parameterization_step.h | select.h) echo Support ;;
     *_energy_3.h) echo Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) echo Solvers ;;
-    Boundary_mode.h | Linear_constraint_3.h | Parameterization_result.h | Soft_boundary_parameters.h | Tetrahedron_soup_3.h | Vertex_point_map.h | \
+    Boundary_mode.h | Refinement_mode.h | Linear_constraint_3.h | Parameterization_result.h | Soft_boundary_parameters.h | Tetrahedron_soup_3.h | Vertex_point_map.h | \
       make_parameterizable.h | measure_distortion.h | measure_quality.h | merge_coinciding_points.h | mesh_complex_3_to_tetrahedron_soup.h | \
       orient_tetrahedron_soup.h | separate_pinched_vertices.h | tetrahedron_soup_to_mesh_complex_3.h) echo Map ;;
     Volume_map_3.h | cell_distortions.h) echo Evaluation ;;

@@ -137,8 +137,8 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDescription{whether the complex may be refined where the boundary cannot be reached otherwise:
                           before the computation, as `Volume_mesh_parameterization::make_parameterizable()` does
                           for this boundary map, where few cells stay inverted with fixed boundary, and while a soft
-                          boundary approaches its targets, by splitting interior edges of the cells that block it. The
-                          new vertices receive their images too.}
+                          boundary approaches its targets, by splitting interior edges of the cells that block it; and
+                          in bridges (see `refinement_mode`). The new vertices receive their images too.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`true` where a boundary parameterizer finds the images and the complex, or the arrays, are not
                       constant; `false` where the images are given}
@@ -146,6 +146,18 @@ exact predicates on the coordinates that are written check that no cell is inver
                     the vertices, or 1000 of a small complex, has been added. The complex stays refined whatever the
                     status is.}
     \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
+  \cgalParamNEnd
+  \cgalParamNBegin{refinement_mode}
+    \cgalParamDescription{which vertices refinement may add: those that are needed to reach the boundary, or also those that
+                          help, in bridges: edges, facets and cells inside whose vertices are all prescribed, as across a
+                          gap or a wall that is one cell wide. All bridges are split at once if one has a vertex of a
+                          cell that is inverted where the search starts, or of a cell with four prescribed vertices and
+                          a distortion of angles above 10.}
+    \cgalParamType{`Volume_mesh_parameterization::Refinement_mode`}
+    \cgalParamDefault{`Refinement_mode::HELPFUL`}
+    \cgalParamExtra{This takes one solution of a linear system, and time O(n + m d (d + log m)) for n cells and m bridges,
+                    with at most d cells around an edge. The number of new vertices is not limited, but at most that of
+                    bridges. Without refinement, or with `Boundary_mode::SOFT`, the parameter has no effect.}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that

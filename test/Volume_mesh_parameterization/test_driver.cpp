@@ -5,6 +5,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -936,6 +937,38 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   std::vector<int> references = refined.cell_references;
   references.insert(references.end(), refined.facet_references.begin(), refined.facet_references.end());
   CHECK(array_of<std::int32_t>(folder.text("map.vtu"), "reference", "Int32") == references);
+}
+
+TEST_CASE("Vertices are added where they are needed, where they help, or in all bridges")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  Soup sheared = source;
+  for(Point& p : sheared.points)
+    p[0] += 5 * p[2];
+  folder.write("source.mesh", source);
+  folder.write("same.mesh", source);
+  folder.write("sheared.mesh", sheared);
+  const auto added = [&](const std::string& options)
+  {
+    REQUIRE(folder.run("source.mesh --quiet --report report.json --refined-source refined.mesh --output map.mesh " + options) == 0);
+    CHECK(folder.soup("refined.mesh").points.size() == folder.soup("map.mesh").points.size());
+    CHECK(folder.soup("refined.mesh").points.size()
+          == source.points.size() + static_cast<std::size_t>(number(folder.text("report.json"), "added_vertices")));
+    return number(folder.text("report.json"), "added_vertices");
+  };
+  Soup refined = source;
+  const auto number_of_bridges = static_cast<double>(VMP::make_parameterizable(refined));
+  REQUIRE(number_of_bridges > 0);
+  const double needed = added("--refine=needed sheared.mesh");
+  CHECK(needed < number_of_bridges);
+  CHECK(added("sheared.mesh") == 0);
+  CHECK(added("--refine=none sheared.mesh") == 0);
+  CHECK(added("--refine sheared.mesh") == number_of_bridges); // which is not taken for a value
+  CHECK(added("--refine=helpful same.mesh") == needed);
+  CHECK(added("--refine=all same.mesh") == number_of_bridges);
+  CHECK(folder.run("source.mesh sheared.mesh --refine=most") == 2);
+  CHECK(folder.text("stderr").find("'most'") != std::string::npos);
 }
 
 TEST_CASE("Each file may be a pipe, and - is the standard input or output")

@@ -17,11 +17,11 @@
 
 struct Options
 {
-  std::string source, target, domain, landmarks, others, initial, output, refined_source, report, energy, solver, boundary;
+  std::string source, target, domain, landmarks, others, initial, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
-  bool do_merge_points, do_separate, are_displacements, do_refine, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
+  bool do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
 };
 
 // The options of a program, and the text around them in its help.
@@ -141,8 +141,9 @@ inline Command_line command_line(Options& options)
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
      "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
      "auto: fixed, and soft if that finds no map")
-    ("refine", po::bool_switch(&options.do_refine),
-     "add vertices where the targets cannot be met otherwise")
+    ("refine", po::value(&options.refinement)->value_name("WHERE")->default_value("none"),
+     "--refine=needed: add vertices where the targets cannot be met otherwise; --refine, or --refine=helpful: also where edges "
+     "inside between vertices of the boundary make the map slow or distorted; --refine=all: first in all of these edges")
     ("slide", po::bool_switch(&options.do_slide),
      "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
 
@@ -186,8 +187,11 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   po::positional_options_description positional;
   positional.add("source", 1).add("target", 1);
 
+  // alone, an option with a value would take the argument behind it
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  std::replace(arguments.begin(), arguments.end(), std::string("--refine"), std::string("--refine=helpful"));
   po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
+  po::store(po::command_line_parser(arguments).options(all).positional(positional).run(), given);
   po::notify(given);
   if(given.count("help") != 0)
   {

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Refinement_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
@@ -59,6 +60,21 @@ inline CGAL::Volume_mesh_parameterization::Boundary_mode named_boundary_mode(con
   using CGAL::Volume_mesh_parameterization::Boundary_mode;
   return find_name<Boundary_mode>("boundary mode", name, {
     {"auto", Boundary_mode::AUTO}, {"fixed", Boundary_mode::FIXED}, {"soft", Boundary_mode::SOFT}});
+}
+
+// Where the program may add vertices, by the parameters of the library and by make_parameterizable().
+struct Refinement
+{
+  bool do_refine, splits_all_bridges;
+  CGAL::Volume_mesh_parameterization::Refinement_mode mode;
+};
+
+inline Refinement named_refinement(const std::string& name)
+{
+  using CGAL::Volume_mesh_parameterization::Refinement_mode;
+  return find_name<Refinement>("refinement", name, {
+    {"none", {false, false, Refinement_mode::NEEDED}}, {"needed", {true, false, Refinement_mode::NEEDED}},
+    {"helpful", {true, false, Refinement_mode::HELPFUL}}, {"all", {true, true, Refinement_mode::NEEDED}}});
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H

@@ -66,6 +66,7 @@ inline void check(const Options& options)
   named_energy(options.energy);
   named_solver(options.solver);
   named_boundary_mode(options.boundary);
+  named_refinement(options.refinement);
   if(!options.domain.empty())
     named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))

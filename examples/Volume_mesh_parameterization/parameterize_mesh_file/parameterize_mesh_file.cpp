@@ -13,6 +13,7 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -23,6 +24,7 @@
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <string>
 #include <variant>
@@ -32,15 +34,30 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
+// Splits all bridges of a mesh, and extends what is told of its vertices. Returns the number of new ones.
+std::size_t split_bridges(VMP::Tetrahedron_soup_3& mesh, Target_points& target, Points& initial, Progress_line& progress)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t result = VMP::make_parameterizable(
+    mesh, params::vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained)).visitor(std::ref(progress)));
+  target.points.resize(mesh.points.size(), { nan, nan, nan });
+  target.is_constrained.resize(mesh.points.size(), false);
+  if(!initial.empty())
+    initial.resize(mesh.points.size(), { nan, nan, nan });
+  return result;
+}
+
 Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, const Points& initial,
                     const Options& options, Progress_line& progress, Points& uvw)
 {
   const Points& targets = target.points;
+  const Refinement refinement = named_refinement(options.refinement);
   Result result = std::visit([&](const auto& solver)
   {
     const auto np
       = params::boundary_mode(named_boundary_mode(options.boundary))
-        .do_refine(options.do_refine)
+        .do_refine(refinement.do_refine)
+        .refinement_mode(refinement.mode)
         .do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE)
         .vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained))
         .energy(named_energy(options.energy))
@@ -191,7 +208,7 @@ Outcome run(const Options& options, Progress_line& progress)
   Target_points target;
   if(has_file)
     target = target_points(source, read_points(options.target), options);
-  const Points initial = options.initial.empty() ? Points() : read_points(options.initial);
+  Points initial = options.initial.empty() ? Points() : read_points(options.initial);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
   if(!has_file)
@@ -203,10 +220,13 @@ Outcome run(const Options& options, Progress_line& progress)
   }
   const double seconds_boundary = progress.seconds() - seconds_reading;
 
+  const std::size_t number_of_bridges
+    = named_refinement(options.refinement).splits_all_bridges ? split_bridges(mesh, target, initial, progress) : 0;
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
-  const Result result
+  Result result
     = naming(options.source, [&] { return parameterize(mesh, target, initial, options, progress, uvw); });
+  result.number_of_added_vertices += number_of_bridges;
   if(has_file && result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
     name_missing_target(options.target, mesh, target.points);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Boundary_mode.h>
+#include <CGAL/Volume_mesh_parameterization/Refinement_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 
@@ -30,6 +31,7 @@ Found_map_3 improve_map_3(const Numbered_mesh_3& mesh, const Map_problem_3& prob
 struct Map_options_3
 {
   Boundary_mode mode = Boundary_mode::AUTO;
+  Refinement_mode refinement = Refinement_mode::HELPFUL; // of a body that may be refined
   Soft_boundary_parameters soft;
   bool do_slide = false;
   double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it,

@@ -66,7 +66,8 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                          internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
                          internal_np::initial_map_t, internal_np::maximal_angle_distortion_t,
                          internal_np::minimize_maximal_angle_distortion_t, internal_np::number_of_iterations_t,
-                         internal_np::positional_constraints_t, internal_np::soft_boundary_parameters_t,
+                         internal_np::positional_constraints_t, internal_np::refinement_mode_t,
+                         internal_np::soft_boundary_parameters_t,
                          internal_np::solver_traits_t, internal_np::use_volume_weights_t, internal_np::verbose_t,
                          internal_np::vertex_is_constrained_t>(np);
   using Energy = typename internal_np::Lookup_named_param_def<
@@ -100,6 +101,7 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
   options.mode = given(np, internal_np::boundary_mode, Boundary_mode::AUTO);
   options.soft = given(np, internal_np::soft_boundary_parameters,
     options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
+  options.refinement = given(np, internal_np::refinement_mode, options.refinement);
   options.do_slide = given(np, internal_np::do_slide_boundary, options.do_slide);
   options.use_volume_weights = given(np, internal_np::use_volume_weights, options.use_volume_weights);
   options.is_parallel = is_parallel<ConcurrencyTag>();

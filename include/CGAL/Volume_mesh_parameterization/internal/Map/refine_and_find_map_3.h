@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/split_bridges_3.h>
 
 #include <iomanip>
 #include <iostream>
@@ -133,9 +134,9 @@ inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const st
   return split_edges_3(body, edges_of_points);
 }
 
-// Refines a body where the targets make cells degenerate, and then searches, and refines where the search was blocked, in
-// turn. More new points than a tenth would mean that this does not help; a small body may need many in proportion. What
-// limits of time leave undone is refined no more.
+// Refines a body where the targets make cells degenerate, and in bridges where this helps; then searches, and refines where the
+// search was blocked, in turn. More new points than a tenth would mean that this does not help; a small body may need many in
+// proportion. Nothing is refined any more once a limit of time is reached.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
@@ -153,6 +154,11 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   };
   if(checked.check.allows_soft_boundary() && checked.check.is_refinable)
     if(const auto made = remove_degenerate_simplices(body, prescription, budget); !made.empty())
+      take(made);
+  if(problem.options.refinement == Refinement_mode::HELPFUL && problem.options.mode != Boundary_mode::SOFT
+     && checked.check.allows_soft_boundary() && checked.check.is_refinable)
+    if(const auto made = split_bridges_3(body, checked.numbered, prescription.is_constrained, problem.solver,
+                                         problem.progress); !made.empty())
       take(made);
 
   std::size_t number_of_splits = 0;

@@ -1,0 +1,31 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_REFINEMENT_MODE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_REFINEMENT_MODE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationRef
+
+Which vertices refinement may add: see the named parameter `refinement_mode` of
+`CGAL::stretch_minimizing_volume_parameterization()`.
+*/
+enum class Refinement_mode
+{
+  NEEDED, ///< only those without which the boundary is not reached
+  HELPFUL ///< also those in bridges, simplices inside whose vertices are all prescribed, that make the map slow or distorted
+};
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_REFINEMENT_MODE_H

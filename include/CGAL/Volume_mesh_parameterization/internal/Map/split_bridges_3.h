@@ -1,0 +1,99 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SPLIT_BRIDGES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SPLIT_BRIDGES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/find_map_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Marks the points of bridges: of edges, facets and cells inside whose vertices are all prescribed, as those across a gap
+// that is one cell wide. No map relaxes them.
+inline std::vector<bool> points_of_bridges_3(Body_3& body, const std::vector<bool>& is_prescribed, const Budget& budget)
+{
+  const Refinement_3 refinement(body);
+  std::vector<bool> result(is_prescribed.size(), false);
+  for(std::size_t c = 0; c < body.soup.cells.size() && !budget.is_exhausted(); ++c)
+    for_each_face(refinement.cell(c), [&](const Simplex_3& simplex)
+    {
+      if(is_prescribed_simplex(is_prescribed, simplex)
+         && refinement.is_interior(simplex, refinement.cells_around(simplex)))
+        for(const std::size_t p : simplex)
+          result[p] = true;
+    });
+  return result;
+}
+
+// Returns the map from which a search with fixed boundary starts: the harmonic map, or that with the harmonic displacements
+// of an initial map.
+inline Matrix3Xd start_of_search_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
+{
+  constexpr double energy_tolerance = 1e-6; // as where the search starts
+  Matrix3Xd initial = completed_initial_map_3(mesh, solver, progress);
+  if(initial.cols() == 0)
+    initial = mesh.base_point.replicate(1, mesh.number_of_vertices());
+  Newton_system_3 system(mesh, free_vertices(mesh), solver);
+  Matrix3Xd displacements = snapped(mesh, initial) - initial;
+  harmonic_map_3(system, displacements, progress, energy_tolerance);
+  return snapped(mesh, initial + displacements);
+}
+
+// Finds the cells with four prescribed vertices whose distortion of angles is large.
+inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh_3& mesh)
+{
+  constexpr double large_distortion = 10; // of 16 cases with bridges, 8 to 16 make a difference in two
+  std::vector<std::size_t> result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    const std::array<int, 4>& cell = mesh.cells[c];
+    if(std::any_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); }))
+      continue;
+    const Eigen::Vector3d s
+      = signed_singular_values_3(edge_matrix(mesh.target, cell) * edge_matrix(mesh.source, cell).inverse());
+    if(angle_distortion(s[0], s[2]) > large_distortion)
+      result.push_back(c);
+  }
+  return result;
+}
+
+// Splits all bridges if one has a vertex of a poor cell: of one that is inverted where the search starts, or of a distorted
+// prescribed cell. To leave bridges that are far from poor cells costs up to a quarter of the energy and saves few vertices.
+inline std::vector<Insertion_3> split_bridges_3(Body_3& body, const Numbered_body_3& numbered,
+                                                const std::vector<bool>& is_constrained, Linear_solver_3& solver,
+                                                Progress_3& progress)
+{
+  const Numbered_mesh_3& mesh = numbered.mesh;
+  const std::vector<bool> is_prescribed = prescribed_points(body, is_constrained);
+  const std::vector<bool> has_bridge = points_of_bridges_3(body, is_prescribed, progress.budget());
+  const auto is_at_bridge = [&](const std::size_t c)
+  {
+    return std::any_of(mesh.cells[c].begin(), mesh.cells[c].end(),
+                       [&](const int v) { return has_bridge[numbered.points[v]]; });
+  };
+  const auto are_some_at_bridges = [&](const std::vector<std::size_t>& cells)
+  { return std::any_of(cells.begin(), cells.end(), is_at_bridge); };
+
+  if(std::find(has_bridge.begin(), has_bridge.end(), true) == has_bridge.end())
+    return {};
+  if(!are_some_at_bridges(distorted_prescribed_cells_3(mesh))
+     && !are_some_at_bridges(inverted_cells(mesh, start_of_search_3(mesh, solver, progress)).cells))
+    return {};
+  const auto is_bridge = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
+  return Simplex_removal_3(body, is_bridge).run(progress.budget());
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SPLIT_BRIDGES_3_H
