@@ -12,7 +12,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <Eigen/Core>
@@ -71,7 +71,7 @@ Outcome run(const internal::Numbered_mesh_3& mesh, const Energy& energy, Solver&
     return true;
   });
   internal::Newton_result_3 result
-    = untangle_cells_3(problem.system, harmonic_start(mesh, problem.system), theta, progress);
+    = minimize_untangling_energy_3(problem.system, harmonic_start(mesh, problem.system), theta, progress);
   if(result.status == VMP::OK)
     result = minimize_energy_3(problem.system, problem.energy, result.positions, progress);
   return { snapped(mesh, result.positions), result.status, result.energy, steps };

@@ -437,7 +437,7 @@ TEST_CASE("A map with inverted cells is untangled")
       return true;
     });
     const VMP::internal::Newton_result_3 result
-      = untangle_cells_3(problem.system, start, fixed_boundary::theta, progress);
+      = minimize_untangling_energy_3(problem.system, start, fixed_boundary::theta, progress);
     CHECK(has_target_boundary(mesh, result.positions));
     CHECK(result.status == (limit == 1000 ? VMP::OK : VMP::ERROR_NOT_FLIP_FREE));
     CHECK((number_of_inverted_cells(mesh, result.positions) == 0) == (limit == 1000));
@@ -724,9 +724,9 @@ TEST_CASE("Untangling with regular cells does not depend on slivers of the sourc
   {
     Solver<> solver;
     fixed_boundary::Problem<VMP::Stretch_energy_3, Solver<> > problem(mesh, VMP::Stretch_energy_3(), solver);
-    problem.system.set_references(true);
     VMP::internal::Progress_3 progress = patient_progress();
-    const VMP::internal::Newton_result_3 result = untangle_cells_3(problem.system, mesh.target, 0.5, progress);
+    const VMP::internal::Newton_result_3 result = minimize_untangling_energy_3(
+      problem.system, mesh.target, 0.5, progress, 0, 1e-2, VMP::internal::Reference_cells::REGULAR);
     CHECK(result.status == VMP::OK);
     return result.positions;
   };
@@ -745,11 +745,11 @@ TEST_CASE("The reference cells of a system can be exchanged")
   const VMP::internal::Scaled_cells_3 source = cells_scaled_to_target(mesh), regular = regular_cells_scaled_to_target(mesh);
   CHECK(source.unit == regular.unit);
   VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver);
-  exchanged.set_references(true);
+  exchanged.set_references(VMP::internal::Reference_cells::REGULAR);
   const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver);
   const Matrix3Xd u = source.unit * mesh.source;
   CHECK(exchanged.evaluate(energy, u).energy == system.evaluate(energy, u).energy);
-  exchanged.set_references(false);
+  exchanged.set_references(VMP::internal::Reference_cells::SOURCE);
   CHECK(exchanged.evaluate(energy, u).energy != system.evaluate(energy, u).energy);
   // all edges of a regular cell are equally long, and all cells together fill the target
   const Eigen::Matrix3d edges = regular.inverse_sources[0].inverse();

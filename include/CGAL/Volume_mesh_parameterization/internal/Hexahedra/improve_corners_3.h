@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -66,7 +66,7 @@ inline Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
   Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
   Matrix3Xd positions = mesh.target;
   if(inverted_cells(mesh, positions).number > 0)
-    positions = untangle_cells_3(system, positions, theta, untangling).positions;
+    positions = minimize_untangling_energy_3(system, positions, theta, untangling).positions;
   if(inverted_cells(mesh, positions).number > 0)
     return positions;
   const Untangling_energy_3 energy(0, theta); // its barrier: all corners are positive now

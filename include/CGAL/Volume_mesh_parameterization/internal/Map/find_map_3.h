@@ -54,10 +54,7 @@ inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& ini
   Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
   const Map_3 start = judged(mesh, image());
   if(direction.is_usable() && !start.is_valid() && !progress.is_interrupted())
-  {
-    system.set_references(true);
-    direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
-  }
+    direction = harmonic_map_3(system, displacements, progress, energy_tolerance, Reference_cells::REGULAR);
   progress.reach_flip_free();
   Found_map_3 found;
   if(direction.is_usable())
@@ -133,13 +130,14 @@ inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, co
     progress.begin_attempt("soft boundary");
     progress.reach_flip_free();
     progress.end_start();
-    while(approach.is_running() && progress.goes_on())
+    const auto step = [&]
     {
       approach.step();
-      progress.after_step(approach.last_step());
-    }
+      return approach.last_step();
+    };
+    found.status = approach.is_running() ? progress.make_steps(true, step, [&] { return approach.status(); })
+                                         : *approach.status();
     found.map = approach.map();
-    found.status = approach.status().value_or(progress.status_of_end(true));
     found.reason = approach.reason();
     found.untangling_method = "soft boundary";
     found.number_of_raises = approach.number_of_raises();

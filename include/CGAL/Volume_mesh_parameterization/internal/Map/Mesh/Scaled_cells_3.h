@@ -16,6 +16,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// The cells whose shapes and sizes those of a map are to approach.
+enum class Reference_cells { SOURCE, REGULAR };
+
 // The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
 // one volume. The unit is a power of two, so that scaling is exact.
 struct Scaled_cells_3

@@ -16,6 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
+#include <optional>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // What the loops of a computation ask before each step and tell after it: may they go on, for the clock, the user and the
@@ -55,6 +57,19 @@ public:
   // How a loop ends that does not go on.
   Error_code status_of_end(const bool is_flip_free) const
   { return m_is_interrupted ? ERROR_INTERRUPTED : is_flip_free ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE; }
+
+  // Makes steps until `status()` tells one with which to end, or they may not continue. `step()` tells what it has done.
+  template <typename Step, typename Status>
+  Error_code make_steps(const bool is_flip_free, const Step& step, const Status& status)
+  {
+    while(goes_on())
+    {
+      after_step(step());
+      if(const std::optional<Error_code> end = status())
+        return *end;
+    }
+    return status_of_end(is_flip_free);
+  }
 
   void after_step(Parameterization_step step)
   {

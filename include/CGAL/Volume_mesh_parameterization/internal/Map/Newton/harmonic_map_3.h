@@ -21,12 +21,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // matrix follow, until no more than a part of the energy is left to gain, or the budget is exhausted. Returns the last
 // direction, which is not usable if there was none.
 inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& positions, Progress_3& progress,
-                                         const double energy_tolerance = 1e-14)
+                                         const double energy_tolerance = 1e-14,
+                                         const Reference_cells references = Reference_cells::SOURCE)
 {
   constexpr int maximal_number_of_steps = 20;
   const Dirichlet_energy_3 energy;
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;
+  system.set_references(references);
   Matrix3Xd u = system.unit() * positions;
   if(progress.is_interrupted())
     return {};

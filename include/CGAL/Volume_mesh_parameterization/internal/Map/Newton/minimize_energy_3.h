@@ -162,27 +162,29 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
                                          const Negative_curvature& negative_curvature = Negative_curvature(),
                                          const Ends_here& ends_here = nullptr, const double negligible_gain = 1e-8)
 {
+  system.set_references(Reference_cells::SOURCE);
   Minimizer_3 minimizer(system, energy, positions, negative_curvature);
   const Newton_iterate_3& iterate = minimizer.iterate();
-  const auto result = [&](const Error_code status, const char* const reason = "")
-  { return Newton_result_3{ iterate.positions(), iterate.energy(), status, reason }; };
   progress.end_start();
-  while(progress.goes_on())
+  const auto step = [&]
   {
     minimizer.step(progress.budget());
-    progress.after_step(step_of(iterate, Phase::MINIMIZATION));
+    return step_of(iterate, Phase::MINIMIZATION);
+  };
+  const auto status = [&]() -> std::optional<Error_code>
+  {
     if(!iterate.direction.is_usable())
-      return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
+      return ERROR_LINEAR_SOLVER_FAILED;
     if(minimizer.is_converged(negligible_gain))
-      return result(OK);
+      return OK;
     if(iterate.step_length == 0)
-      return result(ERROR_NOT_CONVERGED);
+      return ERROR_NOT_CONVERGED;
     if(system.mesh().is_whole() && !system.has_penalty())
       minimize_few_3(system, energy, minimizer, progress.budget());
-    if(const std::optional<Error_code> status = ends_here ? ends_here(iterate) : std::nullopt)
-      return result(*status);
-  }
-  return result(progress.status_of_end(true));
+    return ends_here ? ends_here(iterate) : std::nullopt;
+  };
+  const Error_code end = progress.make_steps(true, step, status);
+  return { iterate.positions(), iterate.energy(), end, reason_of_end(end, iterate) };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -167,7 +167,7 @@ std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solve
     Patch_mesh_3 split = patch;
     split_patch_edges_3(split.mesh, split.positions, edges);
     Newton_system_3 system(split.mesh, free_vertices(split.mesh), solver);
-    const Matrix3Xd found = untangle_patch_by_3(attempt, system, split.positions, budget);
+    const Matrix3Xd found = untangle_patch_with_3(attempt, system, split.positions, budget);
     goes_on = after_attempt();
     return inverted_cells(split.mesh, found).number;
   };

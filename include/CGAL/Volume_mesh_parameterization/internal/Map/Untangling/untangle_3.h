@@ -37,13 +37,11 @@ public:
 
   bool is_unsolved() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
-  // Takes the cells of the source again, and returns the best map. Cells that have just become positive are flat, and are
-  // relaxed.
+  // Returns the best map. Cells that have just become positive are flat, and are relaxed.
   Found_map_3 finish()
   {
     if(is_unsolved() && m_best.map.is_valid())
       m_best.status = OK;
-    m_system.set_references(false);
     if(m_best.status == OK && m_progress.number_of_steps() > 0)
       m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
                                                        m_progress.budget()));
@@ -54,7 +52,7 @@ public:
   void untangle(const Untangling_attempt_3& attempt, const Matrix3Xd& start)
   {
     const Matrix3Xd positions
-      = keep_better(attempt.name, [&] { return untangle_by_3(attempt, m_system, start, m_progress); });
+      = keep_better(attempt.name, [&] { return untangle_with_3(attempt, m_system, start, m_progress); });
     if(is_unsolved())
       untangle_patches(positions, std::string(attempt.name) + ", patches");
   }
@@ -119,7 +117,8 @@ inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, c
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
-    if(may_leave_cells && !attempt.has_regular_cells && search.best().map.number_of_inverted_cells <= few_to_split)
+    if(may_leave_cells && attempt.references == Reference_cells::SOURCE
+       && search.best().map.number_of_inverted_cells <= few_to_split)
       break;
     if(search.is_unsolved())
       search.untangle(attempt, start.positions);

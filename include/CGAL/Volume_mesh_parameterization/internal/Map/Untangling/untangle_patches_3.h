@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/untangle_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -25,7 +25,7 @@ struct Untangling_attempt_3
 {
   const char* name;
   bool is_harmonic;        // from the harmonic extension with the reference cells, or from the images as they are?
-  bool has_regular_cells;  // or those of the source?
+  Reference_cells references;
   double theta;
   std::size_t few_cells;   // inverted ones, that are left to patches if they take long
   double solver_tolerance;
@@ -36,9 +36,9 @@ struct Untangling_attempt_3
 // theta must be small, so that parts that shrink a million times do not dominate the energy. A direction of higher precision
 // leads the whole mesh no further, as epsilon changes with each step.
 constexpr std::array<Untangling_attempt_3, 3> untangling_attempts = {{
-  {"regular cells, theta 20", false, true, 20, 3, 0.3},
-  {"regular cells, theta 0.5", false, true, 0.5, 3, 0.3},
-  {"cells of the source", false, false, 0.01, 3, 0.3}
+  {"regular cells, theta 20", false, Reference_cells::REGULAR, 20, 3, 0.3},
+  {"regular cells, theta 0.5", false, Reference_cells::REGULAR, 0.5, 3, 0.3},
+  {"cells of the source", false, Reference_cells::SOURCE, 0.01, 3, 0.3}
 }};
 
 // In a patch, which is small, from both starts, and with directions that are as good as may be.
@@ -56,15 +56,14 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
   return result;
 }
 
-// What an attempt makes of these images of all vertices; the system keeps its reference cells.
-inline Newton_result_3 untangle_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
-                                     Matrix3Xd positions, Progress_3& progress)
+// Makes an attempt from these images of all vertices; the system keeps its reference cells.
+inline Newton_result_3 untangle_with_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
+                                       Matrix3Xd positions, Progress_3& progress)
 {
-  system.set_references(attempt.has_regular_cells);
   if(attempt.is_harmonic)
-    harmonic_map_3(system, positions, progress);
-  Newton_result_3 result = untangle_cells_3(system, positions, attempt.theta, progress, attempt.few_cells,
-                                            attempt.solver_tolerance);
+    harmonic_map_3(system, positions, progress, 1e-14, attempt.references);
+  Newton_result_3 result = minimize_untangling_energy_3(system, positions, attempt.theta, progress, attempt.few_cells,
+                                                        attempt.solver_tolerance, attempt.references);
   result.positions = snapped(system.mesh(), result.positions);
   return result;
 }
@@ -75,18 +74,17 @@ inline Matrix3Xd relaxed_3(Newton_system_3& system, const Matrix3Xd& positions, 
   constexpr std::size_t number_of_steps = 10;
   const Untangling_energy_3 barrier(0, 0.01);
   Progress_3 steps(budget, number_of_steps);
-  system.set_references(false);
   return snapped(system.mesh(),
                  minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(barrier), positions, steps).positions);
 }
 
-// What an attempt makes of the images of a patch. Cells that have just become positive are flat, and are relaxed.
-inline Matrix3Xd untangle_patch_by_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
-                                            const Matrix3Xd& positions, const Budget& budget)
+// Makes an attempt from the images of a patch. Cells that have just become positive are flat, and are relaxed.
+inline Matrix3Xd untangle_patch_with_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
+                                              const Matrix3Xd& positions, const Budget& budget)
 {
   constexpr std::size_t maximal_number_of_steps = 250;
   Progress_3 steps(budget, maximal_number_of_steps);
-  const Newton_result_3 result = untangle_by_3(attempt, system, positions, steps);
+  const Newton_result_3 result = untangle_with_3(attempt, system, positions, steps);
   return result.status == OK ? relaxed_3(system, result.positions, budget) : result.positions;
 }
 
@@ -101,7 +99,7 @@ inline Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3
   {
     if(fewest == 0 || budget.is_exhausted())
       break;
-    const Matrix3Xd found = untangle_patch_by_3(attempt, system, start, budget);
+    const Matrix3Xd found = untangle_patch_with_3(attempt, system, start, budget);
     const std::size_t number = inverted_cells(patch, found).number;
     if(number < fewest)
     {

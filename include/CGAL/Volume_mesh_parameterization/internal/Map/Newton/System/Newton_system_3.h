@@ -116,11 +116,12 @@ public:
   double unit() const { return m_unit; } // by which positions are multiplied
 
   // Takes regular cells as reference from now on, or those of the source again, with the same unit.
-  void set_references(const bool are_regular)
+  void set_references(const Reference_cells references)
   {
-    if(are_regular != m_has_regular_references)
-      m_packs.set_references(m_mesh, are_regular ? regular_cells_scaled_to_target(m_mesh) : cells_scaled_to_target(m_mesh));
-    m_has_regular_references = are_regular;
+    if(references != m_references)
+      m_packs.set_references(m_mesh, references == Reference_cells::REGULAR ? regular_cells_scaled_to_target(m_mesh)
+                                                                            : cells_scaled_to_target(m_mesh));
+    m_references = references;
   }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
@@ -248,7 +249,7 @@ private:
   Unknowns_3 m_unknowns;
   const Quadratic_penalty_3* m_penalty;
   double m_unit;
-  bool m_has_regular_references = false;
+  Reference_cells m_references = Reference_cells::SOURCE;
   Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;
   std::unique_ptr<Linear_system_3> m_system;

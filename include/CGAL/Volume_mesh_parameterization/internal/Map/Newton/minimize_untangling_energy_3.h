@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_UNTANGLE_CELLS_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_UNTANGLE_CELLS_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_MINIMIZE_UNTANGLING_ENERGY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_MINIMIZE_UNTANGLING_ENERGY_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -90,29 +90,32 @@ private:
 
 // Untangles until no cell is inverted, or a few that are better left to patches. The result has the fewest inverted cells
 // of all steps.
-inline Newton_result_3 untangle_cells_3(Newton_system_3& system, const Matrix3Xd& positions, const double theta,
-                                        Progress_3& progress, const std::size_t few = 0,
-                                        const double solver_tolerance = 1e-2)
+inline Newton_result_3 minimize_untangling_energy_3(Newton_system_3& system, const Matrix3Xd& positions,
+                                                    const double theta, Progress_3& progress, const std::size_t few = 0,
+                                                    const double solver_tolerance = 1e-2,
+                                                    const Reference_cells references = Reference_cells::SOURCE)
 {
+  system.set_references(references);
   Untangler_3 untangler(system, system.unit() * positions, theta, few, solver_tolerance);
   const Newton_iterate_3& iterate = untangler.iterate();
-  const auto result = [&](const Error_code status, const char* const reason = "")
-  { return Newton_result_3{ untangler.best() / system.unit(), iterate.evaluation.energy, status, reason }; };
   progress.end_start();
-  while(!iterate.evaluation.is_flip_free())
+  const auto step = [&]
   {
-    if(!progress.goes_on())
-      return result(progress.status_of_end(false));
     untangler.step(progress.budget());
-    progress.after_step(step_of(iterate, Phase::UNTANGLING));
+    return step_of(iterate, Phase::UNTANGLING);
+  };
+  const auto status = [&]() -> std::optional<Error_code>
+  {
     if(!iterate.direction.is_usable())
-      return result(ERROR_LINEAR_SOLVER_FAILED, describe_failure(iterate.direction));
-    if(!iterate.evaluation.is_flip_free() && untangler.is_stuck())
-      return result(ERROR_NOT_FLIP_FREE);
-  }
-  return result(OK);
+      return ERROR_LINEAR_SOLVER_FAILED;
+    if(iterate.evaluation.is_flip_free())
+      return OK;
+    return untangler.is_stuck() ? std::optional(ERROR_NOT_FLIP_FREE) : std::nullopt;
+  };
+  const Error_code end = iterate.evaluation.is_flip_free() ? OK : progress.make_steps(false, step, status);
+  return { untangler.best() / system.unit(), iterate.evaluation.energy, end, reason_of_end(end, iterate) };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_UNTANGLE_CELLS_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_MINIMIZE_UNTANGLING_ENERGY_3_H
