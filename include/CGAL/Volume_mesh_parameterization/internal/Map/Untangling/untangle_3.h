@@ -138,6 +138,53 @@ inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3X
   return search.finish();
 }
 
+// Returns the initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
+// without one, as those that a refinement has inserted, are where they minimize the Dirichlet energy. Returns no images at
+// all if none are given.
+inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
+{
+  Matrix3Xd result = mesh.initial;
+  const auto is_missing = [&](const int v) { return mesh.initial.col(v).array().isNaN().any(); };
+  for(int v = 0; v < result.cols(); ++v)
+    if(is_missing(v))
+      result.col(v) = mesh.target.col(v);
+  const Unknowns_3 unknowns(static_cast<int>(result.cols()), [&](const int v) { return mesh.is_free(v) && is_missing(v); });
+  if(unknowns.size() == 0)
+    return result;
+  Newton_system_3 system(mesh, unknowns, solver);
+  harmonic_map_3(system, result, progress);
+  return result;
+}
+
+// Starts from `initial`, moves the prescribed vertices to their targets, extends the displacements harmonically, and
+// untangles. With one point for `initial` this starts from the harmonic map, which recovers affine maps. If it inverts cells,
+// so may that with respect to regular cells, but mostly fewer, so that patches suffice.
+inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, const bool may_leave_cells,
+                                   Progress_3& progress)
+{
+  const Numbered_mesh_3& mesh = system.mesh();
+  constexpr double energy_tolerance = 1e-6; // of what is a start only
+  progress.begin_stage();
+  Matrix3Xd displacements = snapped(mesh, initial) - initial;
+  const auto image = [&]() -> Matrix3Xd { return snapped(mesh, initial + displacements); };
+  Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
+  const Map_3 start = judged(mesh, image());
+  if(direction.is_usable() && !start.is_valid() && !progress.is_interrupted())
+    direction = harmonic_map_3(system, displacements, progress, energy_tolerance, Reference_cells::REGULAR);
+  progress.reach_flip_free();
+  Found_map_3 found;
+  if(direction.is_usable())
+    found = untangle_map_3(system, start, image(), may_leave_cells, progress);
+  else
+  {
+    found.map = start;
+    found.status = ERROR_LINEAR_SOLVER_FAILED;
+    found.reason = describe_failure(direction);
+  }
+  found.number_of_inverted_cells_at_start = start.number_of_inverted_cells;
+  return found;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_3_H
