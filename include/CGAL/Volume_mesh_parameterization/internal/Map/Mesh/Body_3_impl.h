@@ -25,9 +25,8 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
   result.reserve(sides.size());
   for(const std::size_t side : sides)
   {
-    const auto& [i, j, k] = facets_of_cell[side % 4];
-    const std::array<std::size_t, 4>& cell = cells[side / 4];
-    result.push_back({ cell[j], cell[k], cell[i] });
+    const auto [u, v, w] = facet_of_cell(cells[side / 4], side % 4);
+    result.push_back({ v, w, u });
   }
   return result;
 }

@@ -43,9 +43,8 @@ private:
   // twice the area, times the unit normal
   static Eigen::Vector3d area_vector(const Matrix3Xd& points, const Facet& facet)
   {
-    const Eigen::Vector3d a = points.col(facet[1]) - points.col(facet[0]);
-    const Eigen::Vector3d b = points.col(facet[2]) - points.col(facet[0]);
-    return a.cross(b);
+    const Eigen::Matrix<double, 3, 2> X = edges_of_facet(facet, [&](const int v) { return points.col(v); });
+    return X.col(0).cross(X.col(1));
   }
 
   // Along an axis, it is so exactly: a division by the length may be a multiplication by its rounded reciprocal.

@@ -161,11 +161,7 @@ private:
     const std::size_t n = 4 * m_soup.cells.size();
     for_each_group(n + m_marked_facets.size(), [&](const std::size_t side)
     {
-      if(side >= n)
-        return Side(sorted(m_soup.facets[side - n]), side);
-      const auto& [i, j, k] = facets_of_cell[side % 4];
-      const std::array<std::size_t, 4>& cell = m_soup.cells[side / 4];
-      return Side(sorted(std::array<std::size_t, 3>{ cell[i], cell[j], cell[k] }), side);
+      return Side(sorted(side < n ? facet_of_cell(m_soup.cells[side / 4], side % 4) : m_soup.facets[side - n]), side);
     },
     [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
   }
@@ -203,8 +199,8 @@ private:
   // they turn the other way round.
   bool is_odd(const std::size_t facet) const
   {
-    const auto vertex = [&](const int k) { return m_soup.cells[facet / 4][facets_of_cell[facet % 4][k]]; };
-    return ((vertex(0) > vertex(1)) != (vertex(1) > vertex(2))) != (vertex(0) > vertex(2));
+    const auto [u, v, w] = facet_of_cell(m_soup.cells[facet / 4], facet % 4);
+    return ((u > v) != (v > w)) != (u > w);
   }
 
   std::string cell_name(std::size_t facet) const

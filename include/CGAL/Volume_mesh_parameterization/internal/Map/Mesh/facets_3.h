@@ -50,6 +50,14 @@ void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Func
 // The vertices of the facets of a cell, each opposite to one vertex; they turn counterclockwise as seen from outside.
 constexpr int facets_of_cell[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
+// Returns facet i of a cell.
+template <typename Vertex>
+std::array<Vertex, 3> facet_of_cell(const std::array<Vertex, 4>& cell, const std::size_t i)
+{
+  const auto& [a, b, c] = facets_of_cell[i];
+  return { cell[a], cell[b], cell[c] };
+}
+
 // The facets that belong to one cell only, in the order of their sorted vertices; where the cells are positive, their normals
 // point outwards.
 template <typename Vertex>
@@ -57,12 +65,7 @@ std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::arr
                                                       const bool is_parallel = false)
 {
   using Facet = std::array<Vertex, 3>;
-  const auto facet_of_side = [&](const std::size_t side) -> Facet
-  {
-    const auto& [i, j, k] = facets_of_cell[side % 4];
-    const std::array<Vertex, 4>& cell = cells[side / 4];
-    return { cell[i], cell[j], cell[k] };
-  };
+  const auto facet_of_side = [&](const std::size_t side) -> Facet { return facet_of_cell(cells[side / 4], side % 4); };
   std::vector<char> is_on_boundary(4 * cells.size(), false);
   for_each_group(is_on_boundary.size(), [&](const std::size_t side) { return std::make_pair(sorted(facet_of_side(side)), side); },
                  [&](const auto begin, const auto end) { is_on_boundary[begin->second] = end - begin == 1; }, is_parallel);

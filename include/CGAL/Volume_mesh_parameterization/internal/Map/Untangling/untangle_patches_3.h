@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/Neighborhood_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -38,12 +38,8 @@ public:
     : m_facets_of_cell(cells.size())
   {
     std::vector<std::array<std::size_t, 3> > facets, boundary;
-    for_each_group(4 * cells.size(), [&](const std::size_t side)
-    {
-      const auto& [i, j, k] = facets_of_cell[side % 4];
-      const std::array<std::size_t, 4>& cell = cells[side / 4];
-      return std::make_pair(sorted(std::array<std::size_t, 3>{ cell[i], cell[j], cell[k] }), side / 4);
-    },
+    for_each_group(4 * cells.size(),
+                   [&](const std::size_t side) { return std::make_pair(sorted(facet_of_cell(cells[side / 4], side % 4)), side / 4); },
     [&](const auto begin, const auto end)
     {
       if(end - begin == 1)
