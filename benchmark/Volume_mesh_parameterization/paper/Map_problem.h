@@ -59,19 +59,19 @@ public:
   {
     Soup image = m_soup;
     image.points = in_order_of_file(positions, m_target_scale);
-    write(filename, [&](std::ostream& os) { CGAL::Volume_mesh_parameterization::IO::write_MEDIT(os, image); });
+    write_file(filename, [&](std::ostream& os) { CGAL::Volume_mesh_parameterization::IO::write_MEDIT(os, image); });
   }
 
   // Writes the source with the map and its distortions as data, in the units of the source.
   void write_VTU(const std::string& filename, const Eigen::Matrix3Xd& positions) const
   {
     const auto uvw = in_order_of_file(positions, m_source_scale);
-    write(filename, [&](std::ostream& os) { CGAL::Volume_mesh_parameterization::IO::write_VTU(os, m_soup, uvw); });
+    write_file(filename, [&](std::ostream& os) { CGAL::Volume_mesh_parameterization::IO::write_VTU(os, m_soup, uvw); });
   }
 
 private:
   template <typename Writer>
-  static void write(const std::string& filename, const Writer& writer)
+  static void write_file(const std::string& filename, const Writer& writer)
   {
     std::ofstream file(filename, std::ios::binary);
     writer(file);
