@@ -53,7 +53,7 @@ inline Matrix3Xd start_of_search_3(const Numbered_mesh_3& mesh, Linear_solver_3&
 // Finds the cells with four prescribed vertices whose distortion of angles is large.
 inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh_3& mesh)
 {
-  constexpr double large_distortion = 10; // of 16 cases with bridges, 8 to 16 make a difference in two
+  constexpr double large_distortion = 10; // a guess: no other bound was tried
   std::vector<std::size_t> result;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
