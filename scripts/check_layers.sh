@@ -13,12 +13,12 @@ part_of()
   case ${1#"$package/"} in
     internal/*/*) cut -d / -f 2 <<< "${1#"$package/"}" ;;
     Default_visitor.h | Error_code.h | Parameterization_step.h | select.h) echo Support ;;
-    *_energy_3.h) echo Energies ;;
+    *_energy_3.h | check_derivatives.h) echo Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) echo Solvers ;;
     Boundary_mode.h | Refinement_mode.h | Linear_constraint_3.h | Parameterization_result.h | Soft_boundary_parameters.h | Tetrahedron_soup_3.h | Vertex_point_map.h | \
       make_parameterizable.h | measure_distortion.h | measure_quality.h | merge_coinciding_points.h | mesh_complex_3_to_tetrahedron_soup.h | \
       orient_tetrahedron_soup.h | separate_pinched_vertices.h | tetrahedron_soup_to_mesh_complex_3.h) echo Map ;;
-    Volume_map_3.h | cell_distortions.h) echo Evaluation ;;
+    Volume_map_3.h | cell_distortions.h | evaluate_on_grid.h) echo Evaluation ;;
     *_boundary_parameterizer_3.h | boundary_vertices.h) echo Boundary ;;
     Hexahedral_mesh_result.h | Hexahedron_soup_3.h | hexahedral_mesh.h) echo Hexahedra ;;
     IO/*.h) echo IO ;;

@@ -13,9 +13,7 @@
 // Writes NAME.mesh.
 inline void write_mesh(const std::string& name, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
-  std::ofstream out(name + ".mesh");
-  CGAL::Volume_mesh_parameterization::IO::write_MEDIT(out, soup);
-  if(!out.flush())
+  if(!CGAL::Volume_mesh_parameterization::IO::write_MEDIT(name + ".mesh", soup))
     throw std::runtime_error(name + ".mesh: this file cannot be written");
 }
 

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
@@ -81,10 +80,7 @@ bool write(VMP::Tetrahedron_soup_3 mesh, const Points& texture, const std::vecto
       sum += field[v];
     mesh.cell_references[c] = static_cast<int>(100 * sum / 4);
   }
-  std::ofstream out(filename, std::ios::binary);
-  VMP::IO::write_VTU(out, mesh, texture);
-  out.close();
-  return !out.fail();
+  return VMP::IO::write_VTU(filename, mesh, texture);
 }
 
 int main()

@@ -7,7 +7,6 @@
 
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -35,10 +34,7 @@ try
   if(!result.has_valid_map)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename, std::ios::binary);
-  VMP::IO::write_VTU(out, c3t3, uvw_map);
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  return VMP::IO::write_VTU(output_filename, c3t3, uvw_map) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 catch(const std::exception& error)
 {

@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -59,11 +58,8 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename, std::ios::binary);
-  if(std::filesystem::path(output_filename).extension() == ".inp")
-    VMP::IO::write_INP(out, hexahedra);
-  else
-    VMP::IO::write_VTU(out, hexahedra);
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool is_written = (std::filesystem::path(output_filename).extension() == ".inp")
+                        ? VMP::IO::write_INP(output_filename, hexahedra)
+                        : VMP::IO::write_VTU(output_filename, hexahedra);
+  return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,7 +8,6 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -44,8 +43,5 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out(output_filename, std::ios::binary);
-  VMP::IO::write_VTU(out, c3t3, uvw_map);
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  return VMP::IO::write_VTU(output_filename, c3t3, uvw_map) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -65,8 +64,5 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream out("twisted.vtu", std::ios::binary);
-  VMP::IO::write_VTU(out, c3t3, uvw_map);
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  return VMP::IO::write_VTU("twisted.vtu", c3t3, uvw_map) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

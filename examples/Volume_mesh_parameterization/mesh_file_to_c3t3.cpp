@@ -12,7 +12,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -62,7 +61,5 @@ int main(int argc, char* argv[])
   if(result.status != VMP::OK)
     return EXIT_FAILURE;
 
-  std::ofstream os("map.vtu", std::ios::binary);
-  VMP::IO::write_VTU(os, c3t3, VMP::make_vertex_point_map(uvw));
-  return os ? EXIT_SUCCESS : EXIT_FAILURE;
+  return VMP::IO::write_VTU("map.vtu", c3t3, VMP::make_vertex_point_map(uvw)) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -94,8 +93,7 @@ int main(int argc, char* argv[])
     }
     if(4 * i % n == 0)
     {
-      std::ofstream out("moving_boundary_" + std::to_string(4 * i / n) + ".vtu", std::ios::binary);
-      VMP::IO::write_VTU(out, c3t3, VMP::make_vertex_point_map(position));
+      VMP::IO::write_VTU("moving_boundary_" + std::to_string(4 * i / n) + ".vtu", c3t3, VMP::make_vertex_point_map(position));
     }
     ratios.push_back(static_cast<double>(result.number_of_iterations) / static_cast<double>(cold.number_of_iterations));
   }

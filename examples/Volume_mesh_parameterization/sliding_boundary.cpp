@@ -7,7 +7,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <unordered_map>
@@ -46,10 +45,7 @@ bool parameterize(C3t3& c3t3, const bool do_slide, const std::string& filename)
   if(result.status != VMP::OK)
     return false;
 
-  std::ofstream out(filename, std::ios::binary);
-  VMP::IO::write_VTU(out, c3t3, uvw_map);
-  out.close();
-  return !out.fail();
+  return VMP::IO::write_VTU(filename, c3t3, uvw_map);
 }
 
 int main()

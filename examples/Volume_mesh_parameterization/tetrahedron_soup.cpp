@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <vector>
 
@@ -37,10 +36,7 @@ try
   std::cout << "largest distortion of angles: " << worst->angle << ", in cell " << worst - distortions.begin()
             << std::endl;
 
-  std::ofstream out("ball.vtu", std::ios::binary);
-  VMP::IO::write_VTU(out, soup, images);
-  out.close();
-  return out ? EXIT_SUCCESS : EXIT_FAILURE;
+  return VMP::IO::write_VTU("ball.vtu", soup, images) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 catch(const std::exception& error) // tells the mistake in the files or in the indices
 {

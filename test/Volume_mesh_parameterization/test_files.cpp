@@ -339,12 +339,12 @@ TEST_CASE("Reading ends with the time, or when the visitor wants it")
   Soup soup = single_cell();
   const Points points = soup.points;
   std::istringstream text(tetrahedron + "# " + std::string(1 << 20, 'x')), lines("0 1 2 3\n");
-  CHECK(VMP::IO::read_MEDIT(text, soup, params::maximum_running_time(0)) == VMP::ERROR_INTERRUPTED);
+  CHECK_FALSE(VMP::IO::read_MEDIT(text, soup, params::maximum_running_time(0)));
   Impatient_visitor visitor;
-  CHECK(VMP::IO::read_MEDIT(text, soup, params::visitor(std::ref(visitor))) == VMP::ERROR_INTERRUPTED);
+  CHECK_FALSE(VMP::IO::read_MEDIT(text, soup, params::visitor(std::ref(visitor))));
   CHECK(visitor.number_of_questions == 3);
   Points targets = points;
-  CHECK(VMP::IO::read_boundary_targets(lines, 4, targets, params::maximum_running_time(0)) == VMP::ERROR_INTERRUPTED);
+  CHECK_FALSE(VMP::IO::read_boundary_targets(lines, 4, targets, params::maximum_running_time(0)));
   CHECK(soup.points == points);
   CHECK(targets == points);
 }
@@ -358,18 +358,18 @@ TEST_CASE("A pipe is waited for, but not for ever")
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   Soup soup;
   const auto limit = params::maximum_running_time(0.1);
-  CHECK(VMP::IO::read_MEDIT(pipe, soup, limit) == VMP::ERROR_INTERRUPTED); // nobody has opened it
+  CHECK_FALSE(VMP::IO::read_MEDIT(pipe, soup, limit)); // nobody has opened it
 
   const int end = open(pipe.c_str(), O_RDWR); // does not wait for a reader
   REQUIRE(write(end, tetrahedron.data(), tetrahedron.size()) == static_cast<ssize_t>(tetrahedron.size()));
   Impatient_visitor visitor;
-  CHECK(VMP::IO::read_MEDIT(pipe, soup, params::visitor(std::ref(visitor))) == VMP::ERROR_INTERRUPTED); // is not closed
+  CHECK_FALSE(VMP::IO::read_MEDIT(pipe, soup, params::visitor(std::ref(visitor)))); // is not closed
   Points targets;
-  CHECK(VMP::IO::read_boundary_targets(pipe, single_cell(), targets, limit) == VMP::ERROR_INTERRUPTED);
+  CHECK_FALSE(VMP::IO::read_boundary_targets(pipe, single_cell(), targets, limit));
   close(end);
 
   std::thread writer([&]() { std::ofstream(pipe) << tetrahedron; });
-  CHECK(VMP::IO::read_MEDIT(pipe, soup) == VMP::OK);
+  CHECK(VMP::IO::read_MEDIT(pipe, soup));
   writer.join();
   CHECK(soup.cells == single_cell().cells);
   std::remove(pipe.c_str());
@@ -472,6 +472,82 @@ TEST_CASE("A VTU file is written of a C3t3 and a property map")
   CHECK(array_of<std::int32_t>(os.str(), "reference", "Int32") == std::vector<std::int32_t>(12, 1));
   for(double det_J : array_of(os.str(), "det_J"))
     CHECK(std::abs(det_J - 2) < 1e-14);
+}
+
+TEST_CASE("A VTU file is written of arrays and of matrices, as of a soup without references")
+{
+  Soup soup = box(2, 1, 1);
+  soup.cell_references.assign(soup.cells.size(), 0);
+  Points uvw = soup.points;
+  uvw[3][0] += 0.25;
+  std::ostringstream expected, of_arrays, of_matrices;
+  CHECK(VMP::IO::write_VTU(expected, soup, uvw));
+
+  std::vector<K::Point_3> points;
+  std::vector<std::array<int, 4> > cells;
+  Eigen::MatrixXd images(uvw.size(), 3);
+  for(std::size_t v = 0; v < uvw.size(); ++v)
+  {
+    points.emplace_back(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
+    images.row(v) = Eigen::RowVector3d(uvw[v].data());
+  }
+  Eigen::MatrixXi corners(soup.cells.size(), 4);
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+  {
+    cells.push_back({ int(soup.cells[c][0]), int(soup.cells[c][1]), int(soup.cells[c][2]), int(soup.cells[c][3]) });
+    corners.row(c) = Eigen::RowVector4i(cells[c].data());
+  }
+  CHECK(VMP::IO::write_VTU(of_arrays, points, cells, uvw));
+  CHECK(of_arrays.str() == expected.str());
+  CHECK(VMP::IO::write_VTU(of_matrices, soup.points, corners, images));
+  CHECK(of_matrices.str() == expected.str());
+
+  cells[0][2] = -1;
+  CHECK_THROWS_AS(VMP::IO::write_VTU(of_arrays, points, cells, uvw), VMP::Input_error);
+  uvw.pop_back();
+  CHECK_THROWS_AS(VMP::IO::write_VTU(of_arrays, points, corners, uvw), CGAL::Precondition_exception);
+}
+
+TEST_CASE("Files are written by their names, and what is no mesh leaves them as they were")
+{
+  const std::string name = "written_by_name.vtu";
+  const auto content = [&]()
+  {
+    std::ifstream file(name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+  };
+  Soup soup = single_cell(), copy;
+  std::ostringstream vtu, medit;
+  VMP::IO::write_VTU(vtu, soup, soup.points);
+  VMP::IO::write_MEDIT(medit, soup);
+  CHECK(VMP::IO::write_VTU(name, soup, soup.points));
+  CHECK(content() == vtu.str());
+  CHECK(VMP::IO::read_VTU(name, copy));
+  CHECK(has_same_bits(copy.points, soup.points));
+  CHECK(copy.cells == soup.cells);
+  std::istringstream is(vtu.str());
+  CHECK(VMP::IO::read_VTU(is, copy));
+  CHECK(copy.cell_references == soup.cell_references);
+  CHECK_FALSE(VMP::IO::read_VTU(name, copy, CGAL::parameters::maximum_running_time(0)));
+
+  soup.cells[0][0] = 4;
+  CHECK_THROWS_AS(VMP::IO::write_VTU(name, soup, soup.points), VMP::Input_error);
+  CHECK_THROWS_AS(VMP::IO::write_MEDIT(name, soup), VMP::Input_error);
+  CHECK(content() == vtu.str());
+  soup = single_cell();
+  CHECK(VMP::IO::write_MEDIT(name, soup));
+  CHECK(content() == medit.str());
+  std::remove(name.c_str());
+  CHECK_FALSE(VMP::IO::write_VTU("no/such/folder.vtu", soup, soup.points));
+  CHECK_FALSE(VMP::IO::write_MEDIT("no/such/folder.mesh", soup));
+  vtu.setstate(std::ios::badbit);
+  CHECK_FALSE(VMP::IO::write_VTU(vtu, soup, soup.points));
+  medit.setstate(std::ios::badbit);
+  CHECK_FALSE(VMP::IO::write_MEDIT(medit, soup));
+#ifndef _WIN32
+  if(std::ifstream("/dev/full"))
+    CHECK_FALSE(VMP::IO::write_MEDIT("/dev/full", soup));
+#endif
 }
 
 namespace {
@@ -935,16 +1011,16 @@ TEST_CASE("A file is read whatever its name is, and the targets may be a mesh of
   {
     Soup soup;
     write(text);
-    CHECK(VMP::IO::read_tetrahedron_soup(name, soup) == VMP::OK);
+    CHECK(VMP::IO::read_tetrahedron_soup(name, soup));
     CHECK(soup.cells == single_cell().cells);
-    CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets) == VMP::OK);
+    CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets));
     CHECK(targets == single_cell().points);
   }
   write(binary_MEDIT(3, true));
-  CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets) == VMP::OK);
+  CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets));
   CHECK(targets[3] == std::array<double, 3>{0, 0, .25});
   write("3 1 2 3\n");
-  CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets) == VMP::OK);
+  CHECK(VMP::IO::read_boundary_targets(name, single_cell(), targets));
   CHECK(targets[3] == std::array<double, 3>{1, 2, 3});
   std::remove(name.c_str());
 }

@@ -59,23 +59,20 @@ public:
   {
     Soup image = m_soup;
     image.points = in_order_of_file(positions, m_target_scale);
-    write_file(filename, [&](std::ostream& os) { CGAL::Volume_mesh_parameterization::IO::write_MEDIT(os, image); });
+    require_written(CGAL::Volume_mesh_parameterization::IO::write_MEDIT(filename, image), filename);
   }
 
   // Writes the source with the map and its distortions as data, in the units of the source.
   void write_VTU(const std::string& filename, const Eigen::Matrix3Xd& positions) const
   {
     const auto uvw = in_order_of_file(positions, m_source_scale);
-    write_file(filename, [&](std::ostream& os) { CGAL::Volume_mesh_parameterization::IO::write_VTU(os, m_soup, uvw); });
+    require_written(CGAL::Volume_mesh_parameterization::IO::write_VTU(filename, m_soup, uvw), filename);
   }
 
 private:
-  template <typename Writer>
-  static void write_file(const std::string& filename, const Writer& writer)
+  static void require_written(const bool is_written, const std::string& filename)
   {
-    std::ofstream file(filename, std::ios::binary);
-    writer(file);
-    if(!file.flush())
+    if(!is_written)
       throw std::runtime_error(filename + ": the file cannot be written");
   }
 

@@ -120,8 +120,7 @@ inline Points targets_of_file(const std::string& filename,
     return naming(filename, [&] { return VMP::internal::targets_of_mesh(std::move(target), mesh); });
   }
   Points targets;
-  if(VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress)))
-     == VMP::ERROR_INTERRUPTED)
+  if(!VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress))))
     throw Interruption();
   return targets;
 }

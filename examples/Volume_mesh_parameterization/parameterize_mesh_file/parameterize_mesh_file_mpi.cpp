@@ -142,13 +142,14 @@ Exit_code run(const Options& options, Progress_line& progress, Result& result)
   VMP::Distributed_tetrahedron_soup_3 source;
   Points targets, uvw;
   const auto limits = params::visitor(std::ref(progress)).maximum_running_time(options.time_limit);
-  result.status = VMP::IO::read_MEDIT(options.source, source, limits);
-  if(result.status == VMP::OK)
-    result.status = VMP::IO::read_boundary_targets(options.target, source, targets, limits);
-  if(result.status == VMP::OK)
+  if(VMP::IO::read_MEDIT(options.source, source, limits)
+     && VMP::IO::read_boundary_targets(options.target, source, targets, limits))
     result = parameterize(options, source, targets, uvw, progress);
   else
+  {
+    result.status = VMP::ERROR_INTERRUPTED;
     result.message = std::string(progress.reason()) + " There is no map yet.";
+  }
   progress.finish();
   const Exit_code code = exit_code(result);
   if(code == SUCCESS && !options.output.empty())

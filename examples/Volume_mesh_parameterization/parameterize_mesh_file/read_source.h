@@ -42,8 +42,7 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
   VMP::Tetrahedron_soup_3 soup;
   try
   {
-    if(VMP::IO::read_tetrahedron_soup(filename, soup, CGAL::parameters::visitor(std::ref(progress)))
-       == VMP::ERROR_INTERRUPTED)
+    if(!VMP::IO::read_tetrahedron_soup(filename, soup, CGAL::parameters::visitor(std::ref(progress))))
       throw Interruption();
   }
   catch(const VMP::Input_error& error)

@@ -963,6 +963,19 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   std::ostringstream out;
   VMP::IO::write_INP(out, mesh);
   const auto sections = sections_of_inp(out.str());
+  const std::string name = "hexahedra_of_a_type.inp";
+  for(const std::string type : { "C3D8", "C3D8I", "C3D8R" })
+  {
+    CHECK(VMP::IO::write_INP(name, mesh, type));
+    std::ifstream file(name);
+    auto sections_of_type = sections_of_inp(std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
+    CHECK(sections_of_type.size() == sections.size());
+    CHECK(sections_of_type.count("*ELEMENT, TYPE=" + type + ", ELSET=EALL") == 1);
+  }
+  std::remove(name.c_str());
+  CHECK_THROWS_AS(VMP::IO::write_INP(name, mesh, "C3D4"), CGAL::Precondition_exception);
+  CHECK_FALSE(std::ifstream(name));
+  CHECK_FALSE(VMP::IO::write_INP("no/such/folder.inp", mesh));
 
   const std::vector<std::string>& nodes = sections.at("*NODE, NSET=NALL");
   REQUIRE(nodes.size() == 4 * mesh.points.size());

@@ -169,13 +169,12 @@ namespace IO {
 /// \param soup gets the mesh
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `maximum_running_time` and `visitor`
 ///
-/// \return `OK`, or `ERROR_INTERRUPTED` in all processes if the time is over or the visitor ends the reading in one of them;
-///         `soup` is then unchanged.
+/// \return `false` in all processes if the time is over or the visitor ends the reading in one of them; `soup` is then unchanged.
 ///
 /// \exception Input_error names the file and the line that are wrong, in all processes; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup,
-                      const NamedParameters& np = parameters::default_values())
+bool read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& soup,
+                const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
@@ -201,13 +200,13 @@ Error_code read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_
 /// \param targets gets a point for each point of this slice; a vertex without a line gets not-a-number coordinates
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
 ///
-/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
+/// \return `false` if the time is over or the visitor ends the reading; `targets` is then unchanged.
 ///
 /// \exception Input_error names the file and what is wrong, in all processes; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_boundary_targets(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
-                                 std::vector<std::array<double, 3> >& targets,
-                                 const NamedParameters& np = parameters::default_values())
+bool read_boundary_targets(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
+                           std::vector<std::array<double, 3> >& targets,
+                           const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {

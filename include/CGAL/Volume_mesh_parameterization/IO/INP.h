@@ -51,8 +51,7 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements of the type `C3D8`,
-/// numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each face of the polycube the
+/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each face of the polycube the
 /// set `PATCH_1`, `PATCH_2`, ... of its nodes, for supports, and the surface of the same name, of faces of elements, for
 /// pressures. The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
 ///
@@ -61,10 +60,18 @@ namespace IO {
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
+/// \param element_type the type of the elements: `C3D8`, of full integration; `C3D8I`, with incompatible modes, for bending;
+///        or `C3D8R`, of reduced integration
+///
+/// \return whether the stream has taken everything
+///
+/// \pre The type is one of these; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 ///
 /// \exception Input_error tells which arrays do not fit together.
-inline void write_INP(std::ostream& os, const Hexahedron_soup_3& mesh)
+inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std::string& element_type = "C3D8")
 {
+  internal::require(element_type == "C3D8" || element_type == "C3D8I" || element_type == "C3D8R",
+                    "The elements are of the type C3D8, C3D8I or C3D8R.");
   internal::check_hexahedra(mesh);
   internal::Text_writer writer(os);
   writer << "*NODE, NSET=NALL\n";
@@ -75,7 +82,7 @@ inline void write_INP(std::ostream& os, const Hexahedron_soup_3& mesh)
       writer << ", " << internal::INP_number(x);
     writer << "\n";
   }
-  writer << "*ELEMENT, TYPE=C3D8, ELSET=EALL\n";
+  writer << "*ELEMENT, TYPE=" << element_type << ", ELSET=EALL\n";
   std::map<int, std::vector<std::size_t> > subdomains;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
@@ -102,7 +109,20 @@ inline void write_INP(std::ostream& os, const Hexahedron_soup_3& mesh)
     for(const std::size_t f : facets) // the faces of an element are numbered as its quadrangles here
       writer << mesh.facet_cells[f] + 1 << ", S" << internal::side_of_facet(mesh, f) + 1 << "\n";
   }
+  return writer.finish();
 }
+
+/// \ingroup PkgVolumeMeshParameterizationHexahedra
+///
+/// writes hexahedra to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+///
+/// \param filename the name of the file
+/// \param mesh the hexahedra
+/// \param element_type the type of the elements
+///
+/// \return whether the file is complete
+inline bool write_INP(const std::string& filename, const Hexahedron_soup_3& mesh, const std::string& element_type = "C3D8")
+{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_INP(os, mesh, element_type); }); }
 
 } // namespace IO
 } // namespace CGAL::Volume_mesh_parameterization

@@ -68,12 +68,12 @@ namespace IO {
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `maximum_running_time` and
 ///        `visitor`, as `stretch_minimizing_volume_parameterization()` takes them
 ///
-/// \return `OK`, or `ERROR_INTERRUPTED` if the time is over or the visitor ends the reading; `soup` is then unchanged. A
+/// \return `false` if the time is over or the visitor ends the reading; `soup` is then unchanged. A
 ///         stream that waits for its source is waited for; a file is not.
 ///
 /// \exception Input_error names the line of a text that is wrong, or what is wrong; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
+bool read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, "", [&](const internal::Budget& budget)
   { soup = internal::read_MEDIT_text(internal::read_text(is, budget), budget); });
@@ -91,8 +91,8 @@ Error_code read_MEDIT(std::istream& is, Tetrahedron_soup_3& soup, const NamedPar
 ///
 /// \exception Input_error names the file and the line that are wrong; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
-                      const NamedParameters& np = parameters::default_values())
+bool read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
+                const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   { soup = internal::read_MEDIT_text(internal::read_file(filename, budget), budget); });
@@ -104,13 +104,14 @@ Error_code read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
 ///
 /// Vertices and cells keep their order, and `read_MEDIT()` restores the coordinates bit by bit. The format holds neither the
 /// names of groups nor data.
-/// A failure to write is left in the state of the stream.
 ///
 /// \param os the stream
 /// \param soup the mesh
 ///
+/// \return whether the stream has taken everything
+///
 /// \exception Input_error tells that an index does not exist, or a reference is missing.
-inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
+inline bool write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 {
   internal::check_simplices(soup);
   internal::Text_writer writer(os);
@@ -121,6 +122,7 @@ inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
     internal::write_MEDIT_cells(writer, "Triangles", soup.facets, soup.facet_references);
   internal::write_MEDIT_cells(writer, "Tetrahedra", soup.cells, soup.cell_references);
   writer << "End\n";
+  return writer.finish();
 }
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
@@ -131,8 +133,10 @@ inline void write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 /// \param os the stream
 /// \param mesh the hexahedra
 ///
+/// \return whether the stream has taken everything
+///
 /// \exception Input_error tells which arrays do not fit together.
-inline void write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
+inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
   internal::check_hexahedra(mesh);
   internal::Text_writer writer(os);
@@ -140,7 +144,20 @@ inline void write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
   internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, mesh.cell_references);
   internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, mesh.facet_patches);
   writer << "End\n";
+  return writer.finish();
 }
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a mesh to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+///
+/// \param filename the name of the file
+/// \param mesh the tetrahedra or hexahedra
+///
+/// \return whether the file is complete
+template <typename Mesh>
+bool write_MEDIT(const std::string& filename, const Mesh& mesh)
+{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_MEDIT(os, mesh); }); }
 
 } // namespace IO
 } // namespace CGAL::Volume_mesh_parameterization

@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -72,6 +74,43 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
+/// reads a tetrahedral mesh from a VTK XML file (`.vtu`), as `read_tetrahedron_soup()` does. Images that `write_VTU()` has
+/// written are the array `uvw` of `Tetrahedron_soup_3::point_data`.
+///
+/// \param is the stream, opened in binary mode (`std::ios::binary`) if it is a file
+/// \param soup gets the mesh
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `false` if the time is over or the visitor ends the reading; `soup` is then unchanged.
+///
+/// \exception Input_error tells what is wrong; \c soup is then unchanged.
+template <typename NamedParameters = parameters::Default_named_parameters>
+bool read_VTU(std::istream& is, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
+{
+  return internal::read_within_limits(np, "", [&](const internal::Budget& budget)
+  { soup = internal::read_VTU(internal::read_text(is, budget), budget); });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// reads a tetrahedral mesh from a file, likewise.
+///
+/// \param filename the name of the file, which may be a pipe
+/// \param soup gets the mesh
+/// \param np the same named parameters
+///
+/// \return the same
+///
+/// \exception Input_error names the file and what is wrong; \c soup is then unchanged.
+template <typename NamedParameters = parameters::Default_named_parameters>
+bool read_VTU(const std::string& filename, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
+{
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
+  { soup = internal::read_VTU(internal::read_file(filename, budget), budget); });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
 /// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
 ///
 /// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
@@ -81,21 +120,43 @@ namespace IO {
 /// and lines behind the cells, with their own references and the other values of a cell at them. The data of the soup with
 /// other names are written, too, and the names of groups, as `read_tetrahedron_soup()` reads them.
 /// The values are binary, in the appended form of the format (`encoding="raw"`), so bits are kept: 53 bytes a cell and 48
-/// a point. A failure to write is left in the state of the stream.
+/// a point.
 ///
 /// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
 /// \param soup the mesh
 /// \param uvw the image of each point, in the order of the points
 ///
+/// \return whether the stream has taken everything
+///
 /// \exception Input_error tells that an index does not exist, or a reference is missing.
 ///
 /// \pre `uvw` has as many points as `soup`; otherwise `CGAL::Precondition_exception` is thrown, in every build.
-inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
+inline bool write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
 {
   internal::check_simplices(soup);
   internal::require(uvw.size() == soup.points.size(), "There are as many images as points.");
   internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points));
+  return os.good();
 }
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a mesh that is given by arrays, as `CGAL::stretch_minimizing_volume_parameterization()` takes them, with its
+/// parameterization. The value `reference` of all cells is 0.
+///
+/// \param os the stream
+/// \param points the points
+/// \param cells four indices of points for each cell
+/// \param images the image of each point
+///
+/// \return whether the stream has taken everything
+///
+/// \exception Input_error tells that an index does not exist.
+///
+/// \pre There are as many images as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+template <typename PointRange, typename CellRange, typename ImageRange>
+bool write_VTU(std::ostream& os, const PointRange& points, const CellRange& cells, const ImageRange& images)
+{ return IO::write_VTU(os, internal::soup_of(points, cells), internal::coordinates_of(images)); }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -109,13 +170,15 @@ inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const st
 /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 /// \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Triangulation::Vertex_handle` as key type
 ///         and the point type of the geometric traits as value type
+///
+/// \return whether the stream has taken everything
 template <typename C3t3, typename VertexUVWMap>
-void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
+bool write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 {
   Tetrahedron_soup_3 soup;
   std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
   mesh_complex_3_to_tetrahedron_soup(c3t3, soup, vertices);
-  IO::write_VTU(os, soup, internal::points_of(vertices, uvw_map));
+  return IO::write_VTU(os, soup, internal::points_of(vertices, uvw_map));
 }
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
@@ -127,8 +190,10 @@ void write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra
 ///
+/// \return whether the stream has taken everything
+///
 /// \exception Input_error tells which arrays do not fit together.
-inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
+inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
   internal::check_hexahedra(mesh);
   const std::size_t number_of_hexahedra = mesh.cells.size(), number_of_cells = number_of_hexahedra + mesh.facets.size();
@@ -150,7 +215,21 @@ inline void write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
   { return i < number_of_hexahedra ? 0 : mesh.facet_patches[i - number_of_hexahedra]; });
   writer.end("CellData");
   writer.write(os);
+  return os.good();
 }
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a mesh to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+///
+/// \param filename the name of the file
+/// \param mesh the arguments behind the stream: a soup and its images, arrays of points, cells and images, a complex and its
+///        map, or hexahedra
+///
+/// \return whether the file is complete
+template <typename... Mesh>
+bool write_VTU(const std::string& filename, const Mesh&... mesh)
+{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_VTU(os, mesh...); }); }
 
 } // namespace IO
 } // namespace CGAL::Volume_mesh_parameterization

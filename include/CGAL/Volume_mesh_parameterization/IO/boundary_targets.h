@@ -109,13 +109,13 @@ namespace IO {
 /// \param targets gets `number_of_vertices` points; a vertex without a line gets not-a-number coordinates
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
 ///
-/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
+/// \return `false` if the time is over or the visitor ends the reading; `targets` is then unchanged.
 ///
 /// \exception Input_error names the line that is wrong; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
-                                 std::vector<std::array<double, 3> >& targets,
-                                 const NamedParameters& np = parameters::default_values())
+bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
+                           std::vector<std::array<double, 3> >& targets,
+                           const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, "", [&](const internal::Budget& budget)
   {
@@ -135,13 +135,13 @@ Error_code read_boundary_targets(std::istream& is, std::size_t number_of_vertice
 /// \param targets gets a point for each vertex of `source`; a vertex without a line gets not-a-number coordinates
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
 ///
-/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `targets` is then unchanged.
+/// \return `false` if the time is over or the visitor ends the reading; `targets` is then unchanged.
 ///
 /// \exception Input_error names the file and what is wrong; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_boundary_targets(const std::string& filename, const Tetrahedron_soup_3& source,
-                                 std::vector<std::array<double, 3> >& targets,
-                                 const NamedParameters& np = parameters::default_values())
+bool read_boundary_targets(const std::string& filename, const Tetrahedron_soup_3& source,
+                           std::vector<std::array<double, 3> >& targets,
+                           const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {

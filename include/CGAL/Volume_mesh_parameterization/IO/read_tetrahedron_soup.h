@@ -41,12 +41,12 @@ namespace IO {
 /// \param soup gets the mesh
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
 ///
-/// \return `OK` or `ERROR_INTERRUPTED`, as `read_MEDIT()`; `soup` is then unchanged.
+/// \return `false` if the time is over or the visitor ends the reading; `soup` is then unchanged.
 ///
 /// \exception Input_error names the file and what is wrong; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
-Error_code read_tetrahedron_soup(const std::string& filename, Tetrahedron_soup_3& soup,
-                                 const NamedParameters& np = parameters::default_values())
+bool read_tetrahedron_soup(const std::string& filename, Tetrahedron_soup_3& soup,
+                           const NamedParameters& np = parameters::default_values())
 {
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   { soup = internal::read_soup(internal::read_file(filename, budget), budget); });

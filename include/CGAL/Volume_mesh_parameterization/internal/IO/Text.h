@@ -25,6 +25,7 @@
 #include <cmath>
 #include <fstream>
 #include <locale>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
@@ -39,18 +40,28 @@ inline void go_on(const Budget& budget)
     throw Interruption();
 }
 
-// Calls `read(budget)` with the limits of the named parameters. Puts the name of the file, if there is one, in front of the
-// sentence of a failure.
+// Calls `read(budget)` with the limits of the named parameters, and returns false if they end it. Puts the name of the file, if
+// there is one, in front of the sentence of a failure.
 template <typename NamedParameters, typename Read>
-Error_code read_within_limits(const NamedParameters& np, const std::string& filename, const Read& read)
+bool read_within_limits(const NamedParameters& np, const std::string& filename, const Read& read)
 {
   check_named_parameters(np);
   Limits<NamedParameters> limits(np);
   const Budget budget = limits.budget();
   try { read(budget); }
-  catch(const Interruption&) { return ERROR_INTERRUPTED; }
+  catch(const Interruption&) { return false; }
   catch(const Input_error& error) { throw Input_error(filename.empty() ? error.what() : filename + ": " + error.what()); }
-  return OK;
+  return true;
+}
+
+// Writes a file by `write(stream)`, and returns whether it is complete. What throws in between leaves the file as it was.
+template <typename Write>
+bool write_file(const std::string& filename, const Write& write)
+{
+  std::stringstream content;
+  write(content);
+  std::ofstream file(filename, std::ios::binary);
+  return file << content.rdbuf() && file.flush();
 }
 
 // The rest of a stream, or its next `size` characters.
@@ -253,6 +264,13 @@ public:
   Text_writer(const Text_writer&) = delete;
   Text_writer& operator=(const Text_writer&) = delete;
   ~Text_writer() { flush(); }
+
+  // Writes the rest, and returns whether the stream has taken everything.
+  bool finish()
+  {
+    flush();
+    return m_os.good();
+  }
 
   Text_writer& operator<<(const std::string_view text)
   {
