@@ -1,4 +1,4 @@
-# What the headers need; read by the build of this package and by projects that use the installed one.
+# The dependencies of the headers; read by the build of this package and by projects that use the installed one.
 include(CMakeFindDependencyMacro)
 find_dependency(CGAL)
 find_dependency(Eigen3) # 3.3 or newer; asking for that version would refuse version 5

@@ -23,7 +23,7 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
   $<TARGET_NAME_IF_EXISTS:CGAL::CHOLMOD_support>
   $<TARGET_NAME_IF_EXISTS:CGAL::VTU_compression_support>)
 
-# The same with the engine compiled once, for those who have many units or build often. It agrees with units of any flags:
+# The target with the engine compiled once, for those who have many units or build often. It agrees with units of any flags:
 # no type that both know depends on them, so its users learn nothing but the macro.
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[

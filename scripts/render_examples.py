@@ -59,9 +59,9 @@ def line_actor(data, color, width):
 def edges_of_domain(grid):
     """Where faces of the domain meet: without them, faces behind each other look like one with teeth."""
     surface = surface_of(grid)
-    place = surface.GetPoints().GetData()
-    place.SetName("place")
-    surface.GetPointData().AddArray(place)
+    positions = surface.GetPoints().GetData()
+    positions.SetName("position")
+    surface.GetPointData().AddArray(positions)
     points = vtk.vtkPoints()
     points.SetData(surface.GetPointData().GetArray("uvw"))
     domain = vtk.vtkPolyData()
@@ -74,7 +74,7 @@ def edges_of_domain(grid):
     edges.Update()
     lines = edges.GetOutput()
     points = vtk.vtkPoints()
-    points.SetData(lines.GetPointData().GetArray("place"))
+    points.SetData(lines.GetPointData().GetArray("position"))
     lines.SetPoints(points)
     return line_actor(lines, (0, 0, 0), 6)
 
@@ -103,8 +103,8 @@ def grid_lines(grid, number=16):
     return line_actor(lines.GetOutput(), (0.1, 0.25, 0.5), 4)
 
 
-def colors_of_places(grid):
-    """A colour for each place in the domain: red, green and blue grow with the coordinates."""
+def colors_of_positions(grid):
+    """A colour for each position in the domain: red, green and blue grow with the coordinates."""
     uvw = vtk_to_numpy(grid.GetPointData().GetArray("uvw"))
     low, high = uvw.min(axis=0), uvw.max(axis=0)
     return (60 + 190 * (uvw - low) / (high - low)).astype(numpy.uint8)
@@ -212,9 +212,9 @@ def draw_row(bodies, output, bar=None):
     figure, axes = pyplot.subplots(1, len(bodies), figsize=(10.8, 10.8 / len(bodies)), constrained_layout=True)
     with tempfile.TemporaryDirectory() as name:
         panel = Path(name) / "panel.png"
-        for place, (actors, direction, up, title) in zip(axes, bodies):
+        for panel_axes, (actors, direction, up, title) in zip(axes, bodies):
             render.picture(panel, actors, direction, up)
-            show(place, panel, title)
+            show(panel_axes, panel, title)
     if bar:
         colors, (low, high), title = bar
         scale = matplotlib.cm.ScalarMappable(Normalize(low, high), ListedColormap(colors))
@@ -230,17 +230,17 @@ def colors_of(actor):
 
 def draw_map(vtu, output):
     """Source and image with the same colours; both distortions in both halves of the image, and their histograms.
-    Where the boundary slides, the targets are beside the places that the vertices have slid to."""
+    Where the boundary slides, the targets are beside the points that the vertices have slid to."""
     direction, up, normal = VIEWS[vtu.stem]
     source = render.read(str(vtu))
     scale_to_source_volume(source)
     image = render.image_of(source)
-    colors = colors_of_places(source)
+    colors = colors_of_positions(source)
     bodies = [(source, "source"), (image, "image; equal colors: equal points")]
     fixed = vtu.with_name(vtu.stem.replace("sliding", "fixed") + ".vtu")
     if fixed != vtu:
         targets = render.read(str(fixed))
-        colors = colors_of_places(targets)
+        colors = colors_of_positions(targets)
         bodies = [(source, "source"), (render.image_of(targets), "targets; equal colors: equal points"),
                   (image, "where the vertices have slid to")]
 
@@ -256,8 +256,8 @@ def draw_map(vtu, output):
             render.picture(panel, opened(image, f"{quantity}_distortion", normal, up), normal, up, aspect=2)
             show(axes, panel, f"distortion of {quantity}s in both halves")
     draw_histogram(below[2], source)
-    place = below[2].get_position()
-    below[2].set_position((place.x0 + 0.02, place.y0, place.width - 0.03, place.height))
+    box = below[2].get_position()
+    below[2].set_position((box.x0 + 0.02, box.y0, box.width - 0.03, box.height))
     scale = figure.add_axes((0.16, 0.075, 0.4, 0.02))
     colors = matplotlib.cm.ScalarMappable(LogNorm(2, LARGEST), ListedColormap(render.color_scale()))
     bar = figure.colorbar(colors, scale, orientation="horizontal", ticks=[2, 3, 4, 5, 6, 8, 10])

@@ -4,9 +4,9 @@
 compare_programs.py DRIVER FOLDER --options "--refine" --external "NAME=other -s {source} -b {target} -o {output}" \\
   --first-valid "NAME=untangled at (\\S+) s"
 
-The driver and the other programs, which are not part of this package, run one after the other. A command has the places
+The driver and the other programs, which are not part of this package, run one after the other. A command has the words
 {source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates; a
-program that refines writes the refined source to {refined}. All maps are judged alike, by check_map.py in exact
+program that refines writes the refined source to {refined}. All maps are checked alike, by check_map.py in exact
 arithmetic, and so are their distortions, of the map scaled to the volume of the source. Seconds are those that the
 processor spends on the whole program with its files, so other programs on the machine hardly change them; those until
 the first valid map are what the program says, less the part of its time in which it did not run. Tables are in Markdown.
@@ -104,11 +104,11 @@ def run(name, command, first_valid, case, time_limit):
     row = {"case": case.name, "program": name}
     with tempfile.TemporaryDirectory() as path:
         folder = Path(path)
-        places = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
-                  "refined": folder / "refined.mesh", "report": folder / "report.json"}
+        paths = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
+                 "refined": folder / "refined.mesh", "report": folder / "report.json"}
         begin, begin_processor = time.monotonic(), processor_seconds()
         try:
-            process = subprocess.run([word.format(**places) for word in shlex.split(command)], stdout=subprocess.PIPE,
+            process = subprocess.run([word.format(**paths) for word in shlex.split(command)], stdout=subprocess.PIPE,
                                      stderr=subprocess.STDOUT, text=True, timeout=time_limit)
         except subprocess.TimeoutExpired:
             return {**row, "status": "time limit"}

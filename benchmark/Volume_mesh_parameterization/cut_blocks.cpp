@@ -96,7 +96,7 @@ Soup part_where_positive(const Soup& soup, const Function& function)
   std::map<Edge, std::size_t> zeros;
   const auto zero_of_edge = [&](const Edge& edge)
   {
-    const auto [place, is_new] = zeros.emplace(edge, part.points.size());
+    const auto [entry, is_new] = zeros.emplace(edge, part.points.size());
     if(is_new)
     {
       const auto [a, b] = edge;
@@ -105,7 +105,7 @@ Soup part_where_positive(const Soup& soup, const Function& function)
       part.points.push_back({ zero[0], zero[1], zero[2] });
       values.push_back(0);
     }
-    return place->second;
+    return entry->second;
   };
   for(const Cell& cell : soup.cells)
   {
@@ -155,10 +155,10 @@ Soup largest_component(const Soup& soup)
     component.cell_references.push_back(1);
     for(std::size_t& v : component.cells.back())
     {
-      const auto [place, is_new] = number.emplace(v, component.points.size());
+      const auto [entry, is_new] = number.emplace(v, component.points.size());
       if(is_new)
         component.points.push_back(soup.points[v]);
-      v = place->second;
+      v = entry->second;
     }
   }
   return component;

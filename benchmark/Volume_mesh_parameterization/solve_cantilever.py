@@ -116,11 +116,11 @@ def quadratic(points, cells):
     return text, middles
 
 
-def triangles_in(points, cells, place, width):
+def triangles_in(points, cells, box, width):
     facets = Counter(tuple(sorted(f)) for c in cells for f in itertools.combinations(c, 3))
     return [f for f, number in facets.items() if number == 1
             and all(low - 1e-6 * width <= points[v - 1][axis] <= high + 1e-6 * width
-                    for v in f for axis, (low, high) in enumerate(place))]
+                    for v in f for axis, (low, high) in enumerate(box))]
 
 
 def main():

@@ -111,11 +111,11 @@ try
   Points carried;
   for(const std::array<double, 3>& q : bull.in_ball)
   {
-    const auto place = *elephant_to_ball.nearest_preimage(Point_3(q[0], q[1], q[2]));
+    const auto preimage = *elephant_to_ball.nearest_preimage(Point_3(q[0], q[1], q[2]));
     double value = 0;
     for(std::size_t i = 0; i < 4; ++i)
-      value += place.barycentric_coordinates[i] * field[elephant.mesh.cells[place.cell][i]];
-    carried.push_back({ place.point.x(), place.point.y(), place.point.z() });
+      value += preimage.barycentric_coordinates[i] * field[elephant.mesh.cells[preimage.cell][i]];
+    carried.push_back({ preimage.point.x(), preimage.point.y(), preimage.point.z() });
     carried_field.push_back(value);
   }
   const bool is_written = write(elephant.mesh, elephant.mesh.points, field, "elephant.vtu")

@@ -15,10 +15,10 @@ template <typename T = double>
 std::vector<T> array_of(const std::string& file, const std::string& name, const std::string& type = "Float64")
 {
   const std::string declaration = "type=\"" + type + "\" Name=\"" + name + "\"", appended = " format=\"appended\" offset=\"";
-  const std::size_t place = file.find(declaration);
-  REQUIRE(place != std::string::npos);
-  const std::size_t offset = file.find(appended, place);
-  const std::string between = file.substr(place + declaration.size(), offset - place - declaration.size());
+  const std::size_t declared = file.find(declaration);
+  REQUIRE(declared != std::string::npos);
+  const std::size_t offset = file.find(appended, declared);
+  const std::string between = file.substr(declared + declaration.size(), offset - declared - declaration.size());
   REQUIRE((between.empty() || between == " NumberOfComponents=\"3\""));
   const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(file.substr(offset + appended.size()));
   std::uint64_t number_of_bytes = 0;

@@ -1428,14 +1428,14 @@ TEST_CASE("Only the part that moves needs targets, which may be displacements")
   const Folder folder;
   const Soup source = cube(3);
   folder.write("source.mesh", source);
-  std::ostringstream places, displacements;
+  std::ostringstream targets, displacements;
   for(std::size_t v = 0; v < source.points.size(); ++v)
     if(source.points[v][2] == 3)
     {
-      places << v << " " << source.points[v][0] << " " << source.points[v][1] << " 4\n";
+      targets << v << " " << source.points[v][0] << " " << source.points[v][1] << " 4\n";
       displacements << v << " 0 0 1\n";
     }
-  folder.write("target.txt", places.str());
+  folder.write("target.txt", targets.str());
   folder.write("displacements.txt", displacements.str());
   CHECK(folder.run("source.mesh target.txt -o map.mesh") == 2);
   CHECK(folder.text("stderr").find("has no target; if others stay where they are, --others stay tells this") != std::string::npos);

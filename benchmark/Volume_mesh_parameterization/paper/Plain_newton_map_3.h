@@ -4,7 +4,7 @@
 #include "Shifted_newton_3.h"
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 
 #include <Eigen/Dense>
 
@@ -12,7 +12,7 @@
 #include <cstddef>
 
 // The map with soft boundary, of one weight, by the solver of Jin et al., Remeshing-assisted Optimization for
-// Locally Injective Mappings (CGF 2014), without its relaxation. As Boundary_approach_3, with which it shares
+// Locally Injective Mappings (CGF 2014), without its relaxation. As Soft_boundary_search_3, with which it shares
 // its interface, it starts from the aligned source, takes the mean over the cells and measures lengths
 // where the target has volume 1.
 template <typename Energy>

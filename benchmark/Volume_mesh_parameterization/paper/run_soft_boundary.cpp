@@ -13,7 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 
 #include <CGAL/Real_timer.h>
 
@@ -148,7 +148,7 @@ void run(const Options& options)
   {
     VMP::CHOLMOD_solver_traits_3 cholmod;
     VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> solver(cholmod);
-    VMP::internal::Boundary_approach_3 map(problem.mesh(), cell_energy, solver, options.parameters);
+    VMP::internal::Soft_boundary_search_3 map(problem.mesh(), cell_energy, solver, options.parameters);
     run(map, options, problem, mean_energy, timer);
   }
 }

@@ -56,7 +56,7 @@ class Runs:
             report = json.loads(Path(f"{prefix}.report.json").read_text())
             if not Path(f"{prefix}.mesh").exists():
                 sys.exit(f"{case.name}, {label}: {process.stderr}")
-            return self._judged(case, prefix, [], report["seconds_total"], report["iterations"], report["status"])
+            return self._checked(case, prefix, [], report["seconds_total"], report["iterations"], report["status"])
         return self.pool.submit(run)
 
     def soft(self, case, label, *options):
@@ -68,7 +68,7 @@ class Runs:
 
     def shape(self, case, prefix, step):
         """The map after one of the steps of a run that wrote them all."""
-        return self.pool.submit(lambda: self._judged(case, f"{prefix}_{step}", [], 0, step, ""))
+        return self.pool.submit(lambda: self._checked(case, f"{prefix}_{step}", [], 0, step, ""))
 
     def _submit(self, case, label, program, before, after):
         def run():
@@ -77,10 +77,10 @@ class Runs:
             with open(f"{prefix}.csv", newline="") as file:
                 log = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
             last = log[-1] if log else {"seconds": 0, "step": 0}
-            return self._judged(case, prefix, log, last["seconds"], int(last["step"]), "")
+            return self._checked(case, prefix, log, last["seconds"], int(last["step"]), "")
         return self.pool.submit(run)
 
-    def _judged(self, case, prefix, log, seconds, steps, message):
+    def _checked(self, case, prefix, log, seconds, steps, message):
         name = f"{prefix}.measured"
         process = self._execute([self.programs / "measure_map", case.source, case.target, f"{prefix}.mesh", name])
         if process.returncode != 0:

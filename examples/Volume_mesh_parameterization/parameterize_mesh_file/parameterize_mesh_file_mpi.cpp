@@ -212,13 +212,13 @@ int run(const int argc, char* argv[])
 {
   Options options;
   std::string message;
-  bool goes_on = false;
+  bool has_task = false;
   try
   {
     const Command_line line = distributed_command_line(options);
     check_names(argc, argv, line);
-    goes_on = parse(argc, argv, line, options);
-    if(goes_on)
+    has_task = parse(argc, argv, line, options);
+    if(has_task)
       check(options);
     else if(rank() == 0)
       flush_standard_output();
@@ -229,7 +229,7 @@ int run(const int argc, char* argv[])
   }
   int code = message.empty() ? SUCCESS : BAD_INPUT;
   MPI_Bcast(&code, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  if(code == SUCCESS && goes_on)
+  if(code == SUCCESS && has_task)
   {
     Result result;
     Progress_line progress(!options.is_quiet && rank() == 0, options.time_limit);

@@ -68,7 +68,7 @@ std::size_t tell_insertions(const std::vector<Insertion_3>& insertions, const Na
                             const VertexOfPoint& vertex)
 {
   using Vertex = decltype(vertex(0));
-  auto out = given(np, internal_np::output_iterator, Emptyset_iterator());
+  auto out = parameter_or(np, internal_np::output_iterator, Emptyset_iterator());
   for(const Insertion_3& insertion : insertions)
   {
     Inserted_vertex_3<Vertex> inserted = { vertex(insertion.point), {} };

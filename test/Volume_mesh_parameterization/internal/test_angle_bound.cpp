@@ -51,7 +51,7 @@ Bounded_map parameterize(const Numbered_mesh_3& mesh, const double bound = std::
   VMP::internal::Linear_solver_of<Default_solver> solver(traits);
   VMP::internal::Map_options_3 options;
   options.mode = VMP::Boundary_mode::FIXED;
-  options.improve = VMP::internal::improve_map_3;
+  options.improve = VMP::internal::slide_and_bound_angles_3;
   options.maximal_angle_distortion = bound;
   options.minimize_maximal_angle_distortion = is_least;
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);

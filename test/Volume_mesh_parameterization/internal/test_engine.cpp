@@ -410,8 +410,8 @@ TEST_CASE("Copies of a budget are one: what one of them was told, all know")
   const VMP::internal::Budget budget((std::numeric_limits<double>::infinity)(), [&] { return ++number_of_questions != 3; });
   VMP::internal::Progress_3 progress(budget, 10);
   CHECK(!budget.is_exhausted());
-  CHECK(progress.goes_on());
-  CHECK(!progress.goes_on());
+  CHECK(progress.may_continue());
+  CHECK(!progress.may_continue());
   CHECK(budget.is_exhausted());
   CHECK(number_of_questions == 3);
 }
@@ -605,7 +605,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   start.col(0) = Vector3d(1.5, 0.5, 0.5);
   {
     Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-    Untangling_search_3 search(system, judged(mesh, start), progress);
+    Untangling_search_3 search(system, evaluated_map(mesh, start), progress);
     search.untangle(attempt, start);
     REQUIRE(search.is_unsolved());
     attempt.few_cells = search.best().map.number_of_inverted_cells;
@@ -619,7 +619,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   REQUIRE(number_of_inverted_cells(mesh, start) > 0);
   Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   attempt.few_cells = mesh.cells.size();
-  CHECK(!Untangling_search_3(system, judged(mesh, start), progress).is_in_vain(attempt));
+  CHECK(!Untangling_search_3(system, evaluated_map(mesh, start), progress).is_in_vain(attempt));
 }
 
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")
@@ -634,7 +634,7 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
   VMP::internal::Progress_3 progress = patient_progress();
-  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, judged(mesh, image), progress);
+  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress);
   CHECK(edges.size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
   CHECK(edges.size() <= 8); // there are 16
   split_patch_edges_3(mesh, image, edges);
@@ -667,7 +667,7 @@ TEST_CASE("An edge between prescribed vertices is split where it leaves the targ
   REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
   VMP::internal::Progress_3 progress = patient_progress();
-  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, judged(mesh, image), progress);
+  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress);
   CHECK(std::count(edges.begin(), edges.end(), std::array<int, 2>{ 1, 2 }) == 1);
   CHECK(edges.size() <= 3);
   split_patch_edges_3(mesh, image, edges);
@@ -1099,7 +1099,7 @@ TEST_CASE("A cell that the boundary makes flat does not keep the other vertices 
   REQUIRE(far_from_minimum(start, far) > 0.5);
 
   VMP::internal::Found_map_3 found;
-  found.map = judged(mesh, start);
+  found.map = evaluated_map(mesh, start);
   found.status = VMP::OK;
   VMP::internal::Progress_3 progress = patient_progress();
   VMP::internal::Map_options_3 options;

@@ -687,9 +687,9 @@ TEST_CASE("A grid that memory has no room for is refused with a spacing that wou
   for(const double spacing : {2. / 300, 1e-9, std::numeric_limits<double>::denorm_min()})
   {
     const std::string message = refused(spacing);
-    const std::size_t place = message.find("a spacing of ");
-    REQUIRE(place != std::string::npos);
-    const double boxes = std::pow(std::round(2 / std::stod(message.substr(place + 13))), 3);
+    const std::size_t begin = message.find("a spacing of ");
+    REQUIRE(begin != std::string::npos);
+    const double boxes = std::pow(std::round(2 / std::stod(message.substr(begin + 13))), 3);
     CHECK(boxes <= 1e7);
     CHECK(boxes > 5e6);
   }
@@ -799,15 +799,15 @@ TEST_CASE("Hexahedra are written for VTK and MEDIT")
 
 namespace {
 
-using Place = std::array<std::size_t, 4>; // a block, and a place in it
+using Block_position = std::array<std::size_t, 4>; // a block, and the indices of a cell in it
 
-std::map<Place, std::size_t> cells_by_place(const Hexahedron_soup_3& mesh)
+std::map<Block_position, std::size_t> cells_by_position(const Hexahedron_soup_3& mesh)
 {
-  std::map<Place, std::size_t> result;
+  std::map<Block_position, std::size_t> result;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
     const auto [i, j, k] = mesh.cell_indices[c];
-    CHECK(result.emplace(Place{ mesh.cell_blocks[c], i, j, k }, c).second);
+    CHECK(result.emplace(Block_position{ mesh.cell_blocks[c], i, j, k }, c).second);
   }
   return result;
 }
@@ -822,17 +822,17 @@ TEST_CASE("Hexahedra of a block are a regular grid")
     const bool has_padding = body.mesh(1, mesh).has_padding;
     REQUIRE(mesh.cell_blocks.size() == mesh.cells.size());
     REQUIRE(mesh.cell_indices.size() == mesh.cells.size());
-    const std::map<Place, std::size_t> cells = cells_by_place(mesh);
+    const std::map<Block_position, std::size_t> cells = cells_by_position(mesh);
     std::map<std::size_t, std::array<std::size_t, 3> > sizes;
     std::map<std::size_t, std::size_t> numbers;
     std::size_t number_of_neighbors = 0;
-    for(const auto& [place, c] : cells)
+    for(const auto& [position, c] : cells)
     {
-      ++numbers[place[0]];
+      ++numbers[position[0]];
       for(std::size_t axis = 0; axis < 3; ++axis)
       {
-        sizes[place[0]][axis] = (std::max)(sizes[place[0]][axis], place[axis + 1] + 1);
-        Place behind = place;
+        sizes[position[0]][axis] = (std::max)(sizes[position[0]][axis], position[axis + 1] + 1);
+        Block_position behind = position;
         ++behind[axis + 1];
         const auto neighbor = cells.find(behind);
         if(neighbor == cells.end())

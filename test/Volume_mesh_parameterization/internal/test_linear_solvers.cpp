@@ -334,7 +334,7 @@ TEST_CASE("Beyond thirty thousand rows, conjugate gradients need fewer iteration
   const auto laplacian = [](const int n)
   {
     std::map<int, std::array<int, 3> > points; // by the bits of their coordinates, in turns
-    const auto place = [](const std::array<int, 3>& p)
+    const auto key_of = [](const std::array<int, 3>& p)
     {
       int result = 0;
       for(int bit = 0; bit < 5; ++bit)
@@ -345,7 +345,7 @@ TEST_CASE("Beyond thirty thousand rows, conjugate gradients need fewer iteration
     for(int x = 0; x < n; ++x)
       for(int y = 0; y < n; ++y)
         for(int z = 0; z < n; ++z)
-          points[place({x, y, z})] = {x, y, z};
+          points[key_of({x, y, z})] = {x, y, z};
     std::map<int, int> rows;
     for(const auto& [key, p] : points)
       rows.emplace(key, static_cast<int>(rows.size()));
@@ -359,7 +359,7 @@ TEST_CASE("Beyond thirty thousand rows, conjugate gradients need fewer iteration
           std::array<int, 3> q = p;
           q[i] += step;
           if(q[i] >= 0 && q[i] < n)
-            columns.push_back(rows[place(q)]);
+            columns.push_back(rows[key_of(q)]);
         }
       std::sort(columns.begin() + row_begin.back(), columns.end());
       row_begin.push_back(static_cast<int>(columns.size()));

@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 
 #include <CGAL/tags.h>
 
@@ -254,7 +254,7 @@ TEST_CASE("Plain Newton and relaxation find the same map where both converge", "
   VMP::CHOLMOD_solver_traits_3 solver;
   VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> linear_solver(solver);
   const VMP::internal::Cell_energy_of<VMP::Stretch_energy_3> cell_energy(energy);
-  VMP::internal::Boundary_approach_3 relaxing(mesh, cell_energy, linear_solver, parameters);
+  VMP::internal::Soft_boundary_search_3 relaxing(mesh, cell_energy, linear_solver, parameters);
   while(relaxing.is_running())
     relaxing.step();
 

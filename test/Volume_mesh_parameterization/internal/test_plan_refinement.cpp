@@ -1,4 +1,4 @@
-// Plans after a blocked search: the cells to refine, and whether the approach of the boundary continues.
+// Plans after a blocked search: the cells to refine, and whether the soft boundary continues.
 #include "catch.h"
 #include "cube_mesh.h"
 
@@ -51,7 +51,7 @@ Numbered_mesh_3 impossible_cube()
 Found_map_3 blocked_map(const Numbered_mesh_3& mesh, const std::size_t number_of_raises)
 {
   Found_map_3 found;
-  found.map = judged(mesh, mesh.source);
+  found.map = evaluated_map(mesh, mesh.source);
   found.status = VMP::ERROR_BOUNDARY_NOT_REACHED;
   found.number_of_raises = number_of_raises;
   return found;
@@ -91,7 +91,7 @@ std::vector<std::size_t> sorted(std::vector<std::size_t> cells)
 
 } // namespace
 
-TEST_CASE("The first approach that is blocked goes on, with the cells that block it")
+TEST_CASE("The first soft boundary that is blocked goes on, with the cells that block it")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   const Found_map_3 found = blocked_map(mesh, 4);
@@ -105,7 +105,7 @@ TEST_CASE("The first approach that is blocked goes on, with the cells that block
   CHECK(plan.edges == edges_of_cells(mesh, sorted(blocking_cells_3(mesh, mesh.source))));
 }
 
-TEST_CASE("An approach that goes on has lost its last raise, which was useless")
+TEST_CASE("A soft boundary that goes on has lost its last raise, which was useless")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   for(const std::size_t raises : { 5, 2, 1 })
@@ -113,7 +113,7 @@ TEST_CASE("An approach that goes on has lost its last raise, which was useless")
   CHECK(plan_refinement_3(mesh, blocked_map(mesh, 0), {}).start.number_of_raises == 0);
 }
 
-TEST_CASE("An approach goes on if the last refinement has brought it nearer by a tenth, and else starts again")
+TEST_CASE("A soft boundary goes on if the last refinement has brought it nearer by a tenth, and else starts again")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   const Found_map_3 found = blocked_map(mesh, 4);
@@ -126,13 +126,13 @@ TEST_CASE("An approach goes on if the last refinement has brought it nearer by a
   CHECK(!continues(continued(distance / 0.91)));
   CHECK(!continues(continued(distance)));
   CHECK(!continues(continued(distance / 2)));
-  // the search that starts again may be the first of a new approach
+  // the search that starts again may be the first of a new soft boundary
   const Search_start_3 started_again = plan_refinement_3(mesh, found, continued(distance)).start;
   CHECK(started_again.number_of_raises == 0);
   CHECK(continues(started_again));
 }
 
-TEST_CASE("After three refinements in a row that bring an approach no nearer, nothing is split")
+TEST_CASE("After three refinements in a row that bring a soft boundary no nearer, nothing is split")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   const Found_map_3 found = blocked_map(mesh, 4);
@@ -147,7 +147,7 @@ TEST_CASE("After three refinements in a row that bring an approach no nearer, no
   CHECK_FALSE(plan_refinement_3(mesh, found, before).edges.empty());
 }
 
-TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the approach, it is tried again")
+TEST_CASE("Where the fixed boundary leaves fewer cells inverted than block the soft boundary, it is tried again")
 {
   const Numbered_mesh_3 mesh = impossible_cube();
   Found_map_3 found = blocked_map(mesh, 4);
@@ -240,7 +240,7 @@ Found_map_3 stuck_map(const Numbered_mesh_3& mesh, const std::size_t number_of_i
   Matrix3Xd positions = mesh.source;
   for(std::size_t c = 0; c < number_of_inverted_cells; ++c) // the cells are apart
     positions.col(mesh.cells[c][0]).swap(positions.col(mesh.cells[c][1]));
-  found.map = judged(mesh, positions);
+  found.map = evaluated_map(mesh, positions);
   REQUIRE(found.map.number_of_inverted_cells == number_of_inverted_cells);
   return found;
 }
@@ -394,7 +394,7 @@ TEST_CASE("Images that rounding has spoilt are given up")
   REQUIRE(inserted.size() == 1);
   const Search_start_3 start
     = renumbered_start_3(start_from(Stage::SOFT_BOUNDARY, image), before.points, inserted, cells.numbered());
-  CHECK(start.stage == Stage::NONE); // so that the next approach that is blocked counts as the first one
+  CHECK(start.stage == Stage::NONE); // so that the next soft boundary that is blocked counts as the first one
   CHECK(start.number_of_raises == 0);
 }
 

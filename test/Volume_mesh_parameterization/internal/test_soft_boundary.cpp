@@ -4,7 +4,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
 
 #include <Eigen/Dense>
@@ -26,21 +26,21 @@ namespace {
 
 const internal::Cell_energy_of<VMP::Stretch_energy_3> stretch{VMP::Stretch_energy_3()};
 
-struct Solver_of_approach
+struct Solver_of_search
 {
   Precise_solver traits;
   internal::Linear_solver_of<Precise_solver> solver{traits};
 };
 
 // Soft boundary with a solver of its own.
-class Approach : private Solver_of_approach, public internal::Boundary_approach_3
+class Search : private Solver_of_search, public internal::Soft_boundary_search_3
 {
 public:
-  explicit Approach(const internal::Numbered_mesh_3& mesh,
+  explicit Search(const internal::Numbered_mesh_3& mesh,
                     const VMP::Soft_boundary_parameters& parameters = VMP::Soft_boundary_parameters(),
                     const Constraints& constraints = Constraints(),
                     const internal::Search_start_3& start = internal::Search_start_3())
-    : internal::Boundary_approach_3(mesh, stretch, solver, parameters, constraints, start)
+    : internal::Soft_boundary_search_3(mesh, stretch, solver, parameters, constraints, start)
   {}
 };
 
@@ -86,22 +86,22 @@ bool is_flip_free(const internal::Numbered_mesh_3& mesh, const Eigen::Matrix3Xd&
 }
 
 // Runs until the end, and checks what holds after each step. Returns whether there was a relaxation.
-bool run(Approach& approach, const internal::Numbered_mesh_3& mesh)
+bool run(Search& search, const internal::Numbered_mesh_3& mesh)
 {
-  REQUIRE(is_flip_free(mesh, approach.positions()));
+  REQUIRE(is_flip_free(mesh, search.positions()));
   bool has_relaxed = false;
-  while(approach.is_running() && approach.last_step().iteration < 500)
+  while(search.is_running() && search.last_step().iteration < 500)
   {
-    const double energy_before = approach.energy(); // energy with the weight that the step uses
-    const bool was_relaxing = approach.is_relaxing();
-    approach.step();
-    REQUIRE(is_flip_free(mesh, approach.positions()));
+    const double energy_before = search.energy(); // energy with the weight that the step uses
+    const bool was_relaxing = search.is_relaxing();
+    search.step();
+    REQUIRE(is_flip_free(mesh, search.positions()));
     // a relaxation is for another target
-    if(!was_relaxing && !approach.is_relaxing() && approach.last_step().step_length > 0)
-      REQUIRE(approach.last_step().energy <= energy_before);
-    has_relaxed |= approach.is_relaxing();
+    if(!was_relaxing && !search.is_relaxing() && search.last_step().step_length > 0)
+      REQUIRE(search.last_step().energy <= energy_before);
+    has_relaxed |= search.is_relaxing();
   }
-  REQUIRE(!approach.is_running());
+  REQUIRE(!search.is_running());
   return has_relaxed;
 }
 
@@ -225,11 +225,11 @@ TEST_CASE("A twisted cube is reached from the aligned source")
     parameters.maximal_number_of_relaxations = 0;
   }
 
-  Approach approach(mesh, parameters);
-  run(approach, mesh);
-  CHECK(approach.status() == VMP::OK);
-  CHECK(approach.residual() <= parameters.residual_tolerance);
-  CHECK(is_flip_free(mesh, approach.snapped_positions()));
+  Search search(mesh, parameters);
+  run(search, mesh);
+  CHECK(search.status() == VMP::OK);
+  CHECK(search.residual() <= parameters.residual_tolerance);
+  CHECK(is_flip_free(mesh, search.snapped_positions()));
 }
 
 TEST_CASE("Relaxation helps where the full Hessian is not positive definite")
@@ -237,52 +237,52 @@ TEST_CASE("Relaxation helps where the full Hessian is not positive definite")
   const internal::Numbered_mesh_3 mesh = ring(4);
   VMP::Soft_boundary_parameters parameters = without_snapping();
   parameters.use_full_hessian = true;
-  Approach approach(mesh, parameters);
-  CHECK(run(approach, mesh));
-  CHECK(approach.status() == VMP::OK);
+  Search search(mesh, parameters);
+  CHECK(run(search, mesh));
+  CHECK(search.status() == VMP::OK);
 }
 
 TEST_CASE("The engine ends as soon as the boundary can be snapped")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Approach approach(mesh);
-  run(approach, mesh);
-  REQUIRE(approach.can_snap());
-  const Eigen::Matrix3Xd snapped = approach.snapped_positions();
+  Search search(mesh);
+  run(search, mesh);
+  REQUIRE(search.can_snap());
+  const Eigen::Matrix3Xd snapped = search.snapped_positions();
   CHECK(is_flip_free(mesh, snapped));
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
   CHECK(snapped.rightCols(n) == mesh.target.rightCols(n));
-  CHECK(snapped.leftCols(mesh.number_of_free_vertices) == approach.positions().leftCols(mesh.number_of_free_vertices));
+  CHECK(snapped.leftCols(mesh.number_of_free_vertices) == search.positions().leftCols(mesh.number_of_free_vertices));
 }
 
 TEST_CASE("The result does not depend on units")
 {
   internal::Numbered_mesh_3 mesh = twisted_cube(3, 0.1);
-  Approach approach(mesh, without_snapping());
-  run(approach, mesh);
+  Search search(mesh, without_snapping());
+  run(search, mesh);
   const double factor = 1000;
   internal::Numbered_mesh_3 large = mesh;
   large.source *= 7;
   large.target *= factor;
-  Approach other(large, without_snapping());
+  Search other(large, without_snapping());
   run(other, large);
-  CHECK((other.positions() / factor - approach.positions()).norm() < 1e-6);
-  CHECK(other.last_step().energy == Approx(approach.last_step().energy));
+  CHECK((other.positions() / factor - search.positions()).norm() < 1e-6);
+  CHECK(other.last_step().energy == Approx(search.last_step().energy));
 }
 
 TEST_CASE("A vertex is held on a plane")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Approach unconstrained(mesh, without_snapping());
+  Search unconstrained(mesh, without_snapping());
   run(unconstrained, mesh);
 
   const Eigen::Vector3d normal = Eigen::Vector3d(1, 1, 1).normalized();
   const double value = normal.dot(unconstrained.positions().col(0)) + 0.1;
-  Approach approach(mesh, without_snapping(), {{{{0, normal}}, value}});
-  run(approach, mesh);
-  CHECK(approach.status() == VMP::OK);
-  CHECK(normal.dot(approach.positions().col(0)) == Approx(value).epsilon(1e-5));
-  CHECK(!approach.can_snap()); // which would give the constraint up
+  Search search(mesh, without_snapping(), {{{{0, normal}}, value}});
+  run(search, mesh);
+  CHECK(search.status() == VMP::OK);
+  CHECK(normal.dot(search.positions().col(0)) == Approx(value).epsilon(1e-5));
+  CHECK(!search.can_snap()); // which would give the constraint up
 }
 
 TEST_CASE("The distance of two vertices that share no cell is kept")
@@ -290,13 +290,13 @@ TEST_CASE("The distance of two vertices that share no cell is kept")
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
   const int a = 0, b = mesh.number_of_free_vertices - 1;
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  Approach approach(mesh, without_snapping(), {{{{a, axis}, {b, -axis}}, 0.25}});
-  run(approach, mesh);
-  CHECK(approach.status() == VMP::OK);
-  CHECK(approach.positions()(0, a) - approach.positions()(0, b) == Approx(0.25).epsilon(1e-5));
+  Search search(mesh, without_snapping(), {{{{a, axis}, {b, -axis}}, 0.25}});
+  run(search, mesh);
+  CHECK(search.status() == VMP::OK);
+  CHECK(search.positions()(0, a) - search.positions()(0, b) == Approx(0.25).epsilon(1e-5));
 }
 
-// Start at the aligned source, with an end as soon as the approach is blocked.
+// Start at the aligned source, with an end as soon as the search is blocked.
 internal::Search_start_3 impatient()
 {
   internal::Search_start_3 start;
@@ -313,49 +313,49 @@ internal::Numbered_mesh_3 cube_with_exchanged_targets()
   return mesh;
 }
 
-TEST_CASE("A boundary that cannot be reached is approached, and said so")
+TEST_CASE("A boundary that cannot be reached is brought near, and said so")
 {
   const internal::Numbered_mesh_3 mesh = cube_with_exchanged_targets();
-  Approach approach(mesh);
-  run(approach, mesh);
-  CHECK(approach.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
-  CHECK(approach.residual() > 1e-6);
-  CHECK(!approach.can_snap());
+  Search search(mesh);
+  run(search, mesh);
+  CHECK(search.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(search.residual() > 1e-6);
+  CHECK(!search.can_snap());
 }
 
-TEST_CASE("An approach that is blocked ends early, names the cells to blame, and goes on from there")
+TEST_CASE("A soft boundary that is blocked ends early, names the cells to blame, and goes on from there")
 {
   const internal::Numbered_mesh_3 mesh = cube_with_exchanged_targets();
   const VMP::Soft_boundary_parameters parameters = VMP::approaching_soft_boundary_parameters();
-  Approach approach(mesh, parameters, {}, impatient());
-  run(approach, mesh);
-  CHECK(approach.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
-  CHECK(approach.number_of_raises() < parameters.maximal_number_of_raises);
+  Search search(mesh, parameters, {}, impatient());
+  run(search, mesh);
+  CHECK(search.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(search.number_of_raises() < parameters.maximal_number_of_raises);
 
   const int last = mesh.number_of_vertices() - 1;
-  const std::vector<std::size_t> cells = internal::blocking_cells_3(mesh, approach.positions());
+  const std::vector<std::size_t> cells = internal::blocking_cells_3(mesh, search.positions());
   REQUIRE(!cells.empty());
   for(const std::size_t c : cells)
   {
-    CHECK(!internal::is_positive(approach.snapped_positions(), mesh.cells[c]));
+    CHECK(!internal::is_positive(search.snapped_positions(), mesh.cells[c]));
     CHECK(std::any_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](const int v) { return v >= last - 1; }));
   }
 
   internal::Search_start_3 start = impatient();
   start.stage = internal::Search_start_3::Stage::SOFT_BOUNDARY;
-  start.positions = approach.positions();
-  start.number_of_raises = approach.number_of_raises();
-  const Approach second(mesh, parameters, {}, start);
-  CHECK(second.weight() == approach.weight());
-  CHECK(second.energy() == Approx(approach.last_step().energy));
-  CHECK((second.positions() - approach.positions()).norm() < 1e-12);
+  start.positions = search.positions();
+  start.number_of_raises = search.number_of_raises();
+  const Search second(mesh, parameters, {}, start);
+  CHECK(second.weight() == search.weight());
+  CHECK(second.energy() == Approx(search.last_step().energy));
+  CHECK((second.positions() - search.positions()).norm() < 1e-12);
 }
 
-TEST_CASE("An approach that can end at the targets does, whatever its patience")
+TEST_CASE("A soft boundary that can end at the targets does, whatever its patience")
 {
   const internal::Numbered_mesh_3 mesh = twisted_cube(4, 0.1);
-  Approach approach(mesh, VMP::approaching_soft_boundary_parameters(), {}, impatient());
-  run(approach, mesh);
-  CHECK(approach.status() == VMP::OK);
-  CHECK(approach.can_snap());
+  Search search(mesh, VMP::approaching_soft_boundary_parameters(), {}, impatient());
+  run(search, mesh);
+  CHECK(search.status() == VMP::OK);
+  CHECK(search.can_snap());
 }

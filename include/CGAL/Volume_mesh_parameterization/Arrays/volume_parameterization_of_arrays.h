@@ -27,7 +27,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   const Prescription_3 prescription = prescription_3<Vertex>(body, np, target, vertex);
   if constexpr(may_refine) // refinement is compiled only where users can ask for it
   {
-    if(given(np, internal_np::do_refine, true))
+    if(parameter_or(np, internal_np::do_refine, true))
       return refine_and_parameterize_body_3(body, prescription, problem, insertions, images);
   }
   return parameterize_body_3(body, prescription, problem, images);
@@ -46,7 +46,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
                 "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
   problem.progress.end_numbering();
   std::vector<std::array<double, 3> > targets;
-  const Error_code status = find_targets_3(given(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3()),
+  const Error_code status = find_targets_3(parameter_or(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3()),
                                            body, problem.progress.budget(), targets);
   problem.progress.end_boundary();
   if(status == OK)

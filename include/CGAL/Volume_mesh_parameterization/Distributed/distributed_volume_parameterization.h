@@ -122,11 +122,11 @@ stretch_minimizing_volume_parameterization(
                 "solver_traits must not be passed for a distributed mesh: PETSc's options choose the solver.");
 
   const VMP::internal::MPI_communicator_3 communicator(soup.communicator);
-  const bool is_printing = communicator.rank() == 0 && VMP::internal::given(np, internal_np::verbose, false);
+  const bool is_printing = communicator.rank() == 0 && VMP::internal::parameter_or(np, internal_np::verbose, false);
   return communicator.together([&]() -> Result
   {
     VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");
-    const auto map = VMP::internal::given(np, internal_np::vertex_is_constrained,
+    const auto map = VMP::internal::parameter_or(np, internal_np::vertex_is_constrained,
                                           Static_boolean_property_map<std::size_t, false>());
     return VMP::internal::run_problem<Sequential_tag>(
       np.verbose(is_printing), [&](const VMP::internal::Map_problem_3& problem)

@@ -146,7 +146,7 @@ private:
     std::iota(order.begin(), order.end(), std::size_t(0));
     const auto end_of_free
       = std::stable_partition(order.begin(), order.end(), [&](const std::size_t v) { return is_prescribed[v] == 0; });
-    const std::vector<int> positions = places_in(order);
+    const std::vector<int> positions = inverse_order(order);
     std::vector<bool> is_not_own_free;
     Matrix3Xd source(3, order.size());
     for(const std::size_t v : order)

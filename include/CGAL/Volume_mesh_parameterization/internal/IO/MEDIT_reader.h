@@ -51,7 +51,7 @@ public:
   // Does a number belong to this word?
   static bool is_before_number(const std::string_view word) { return keyword(word) < END; }
 
-  // What this slice has of the elements of the file.
+  // Reads the elements of the file that are in this slice.
   Tetrahedron_soup_3 read() const
   {
     Tetrahedron_soup_3 soup;

@@ -25,7 +25,7 @@ class VTK_cells_reader
 public:
   VTK_cells_reader(Tetrahedron_soup_3& soup, std::vector<Data_array_3> data) : m_soup(soup), m_data(std::move(data))
   {
-    // of this package, meshio, MFEM, SfePy and OpenGeoSys
+    // the names that this package, meshio, MFEM, SfePy and OpenGeoSys use
     for(const char* name : { "reference", "medit:ref", "gmsh:physical", "material", "attribute", "mat_id", "MaterialIDs" })
       for(const Data_array_3& array : m_data)
         if(m_references.empty() && array.name == name && array.number_of_components == 1 && array.has_integers)

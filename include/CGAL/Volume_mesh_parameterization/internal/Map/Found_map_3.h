@@ -39,7 +39,7 @@ struct Found_map_3
   { return is_stuck || status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary); }
 };
 
-// What corners of hexahedra are to become, and how.
+// The aims for the corners of hexahedra, and how they are pursued.
 struct Corner_goals_3
 {
   std::vector<Eigen::Matrix3d> projectors; // of each vertex, onto the directions in which it moves

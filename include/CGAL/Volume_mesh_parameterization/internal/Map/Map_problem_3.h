@@ -26,7 +26,7 @@ struct Map_problem_3;
 
 // Continues from a map that meets the boundary: vertices of planar patches slide, and the distortion of angles is bounded.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 improve_map_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found);
+Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found);
 
 struct Map_options_3
 {
@@ -38,7 +38,7 @@ struct Map_options_3
   double negligible_gain() const { return (std::max)(1e-8, energy_tolerance / 100); } // or one promises this
   double maximal_angle_distortion = std::numeric_limits<double>::infinity();
   bool minimize_maximal_angle_distortion = false;
-  decltype(&improve_map_3) improve = nullptr; // if it is wanted; otherwise it need not be compiled
+  decltype(&slide_and_bound_angles_3) improve = nullptr; // if it is wanted; otherwise it need not be compiled
   bool use_volume_weights = false;
   bool is_parallel = false;
   bool verbose = false;

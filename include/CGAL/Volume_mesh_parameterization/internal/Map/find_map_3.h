@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Boundary_approach_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
@@ -56,7 +56,7 @@ inline Found_map_3 examine_inverted_cells_3(const Numbered_mesh_3& mesh, const M
 {
   Progress_3& progress = problem.progress;
   found.is_stuck = start.may_split_inverted_cells()
-    && found.map.number_of_inverted_cells <= most_exceptions(mesh.global_number_of_cells());
+    && found.map.number_of_inverted_cells <= maximal_number_of_exceptions(mesh.global_number_of_cells());
   if(found.is_stuck)
   {
     progress.begin_stage();
@@ -77,24 +77,24 @@ inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, co
   Found_map_3 found;
   Search_start_3 at_targets;
   {
-    Boundary_approach_3 approach(mesh, problem.energy, problem.solver, problem.options.soft, mesh.constraints, start);
+    Soft_boundary_search_3 search(mesh, problem.energy, problem.solver, problem.options.soft, mesh.constraints, start);
     progress.begin_stage();
     progress.begin_attempt("soft boundary");
     progress.reach_flip_free();
     progress.end_start();
     const auto step = [&]
     {
-      approach.step();
-      return approach.last_step();
+      search.step();
+      return search.last_step();
     };
-    found.status = approach.is_running() ? progress.make_steps(true, step, [&] { return approach.status(); })
-                                         : *approach.status();
-    found.map = approach.map();
-    found.reason = approach.reason();
+    found.status = search.is_running() ? progress.make_steps(true, step, [&] { return search.status(); })
+                                         : *search.status();
+    found.map = search.map();
+    found.reason = search.reason();
     found.untangling_method = "soft boundary";
-    found.number_of_raises = approach.number_of_raises();
-    if(approach.can_snap() && !progress.is_interrupted())
-      at_targets = { Search_start_3::Stage::UNTANGLING, approach.snapped_positions() };
+    found.number_of_raises = search.number_of_raises();
+    if(search.can_snap() && !progress.is_interrupted())
+      at_targets = { Search_start_3::Stage::UNTANGLING, search.snapped_positions() };
   }
   if(at_targets.stage == Search_start_3::Stage::UNTANGLING)
   {

@@ -26,7 +26,7 @@ struct Dominant_cells_3
   double part_of_energy = 0;      // that all of them hold
   double logarithmic_mean = 0;    // of 1 + the energy of all cells, where those far above the median count as not so far
 
-  bool hold_most() const { return part_of_energy > 0.5; }
+  bool hold_majority() const { return part_of_energy > 0.5; }
 };
 
 inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
@@ -119,7 +119,7 @@ public:
   {
     if(m_mesh.is_whole()) // the median of a part is not that of all
       m_dominant = dominant_cells_3(m_mesh, m_energy, image);
-    return m_dominant.hold_most();
+    return m_dominant.hold_majority();
   }
 
 private:
@@ -167,7 +167,7 @@ inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& 
   const double negligible_gain = problem.options.negligible_gain();
   const auto take = [&](const Newton_result_3& result)
   {
-    found.map = judged(mesh, snapped(mesh, result.positions));
+    found.map = evaluated_map(mesh, snapped(mesh, result.positions));
     found.status = result.status;
     found.reason = result.reason;
     progress.end_check();

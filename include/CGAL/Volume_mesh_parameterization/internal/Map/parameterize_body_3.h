@@ -30,18 +30,18 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The seam of the map: all between arrays and the images of points. It knows no complex, an energy only as `Cell_energy_3`, and
 // a solver only as `Linear_solver_3`, so that it can be compiled once.
 
-// From a body to the images of its points.
+// Maps a body: finds the images of its points.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
                                             const Map_problem_3& problem, std::vector<std::array<double, 3> >& images);
 
-// The same, with refinement: the insertions are appended as they are made.
+// Maps a body and refines it; the insertions are appended as they are made.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
                                                        std::vector<std::array<double, 3> >& images);
 
-// The parts of it, for a mesh of which each process has a part.
+// The parts of these functions, for a mesh of which each process has a part.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
                        const Search_start_3& start = Search_start_3());
@@ -83,14 +83,14 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
 
   Limits<NamedParameters> limits(np);
   Map_options_3 options;
-  options.verbose = given(np, internal_np::verbose, false);
+  options.verbose = parameter_or(np, internal_np::verbose, false);
   const auto after_step = [&](const Parameterization_step& step)
   {
     if(options.verbose)
       print(step);
     return limits.visitor().after_step(step);
   };
-  const auto number_of_iterations = given(np, internal_np::number_of_iterations, 1000);
+  const auto number_of_iterations = parameter_or(np, internal_np::number_of_iterations, 1000);
   const double number = static_cast<double>(number_of_iterations);
   require(number >= 0 && std::isfinite(number), "A number of iterations is finite and not negative.");
   constexpr std::size_t largest = (std::numeric_limits<std::size_t>::max)();
@@ -98,20 +98,20 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                       number < static_cast<double>(largest) ? static_cast<std::size_t>(number_of_iterations) : largest,
                       after_step, communicator);
 
-  options.mode = given(np, internal_np::boundary_mode, Boundary_mode::AUTO);
-  options.soft = given(np, internal_np::soft_boundary_parameters,
+  options.mode = parameter_or(np, internal_np::boundary_mode, Boundary_mode::AUTO);
+  options.soft = parameter_or(np, internal_np::soft_boundary_parameters,
     options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
-  options.refinement = given(np, internal_np::refinement_mode, options.refinement);
-  options.do_slide = given(np, internal_np::do_slide_boundary, options.do_slide);
-  options.use_volume_weights = given(np, internal_np::use_volume_weights, options.use_volume_weights);
+  options.refinement = parameter_or(np, internal_np::refinement_mode, options.refinement);
+  options.do_slide = parameter_or(np, internal_np::do_slide_boundary, options.do_slide);
+  options.use_volume_weights = parameter_or(np, internal_np::use_volume_weights, options.use_volume_weights);
   options.is_parallel = is_parallel<ConcurrencyTag>();
-  options.energy_tolerance = given(np, internal_np::energy_tolerance, options.energy_tolerance);
-  options.minimize_maximal_angle_distortion = given(np, internal_np::minimize_maximal_angle_distortion, false);
-  options.maximal_angle_distortion = given(np, internal_np::maximal_angle_distortion, options.maximal_angle_distortion);
+  options.energy_tolerance = parameter_or(np, internal_np::energy_tolerance, options.energy_tolerance);
+  options.minimize_maximal_angle_distortion = parameter_or(np, internal_np::minimize_maximal_angle_distortion, false);
+  options.maximal_angle_distortion = parameter_or(np, internal_np::maximal_angle_distortion, options.maximal_angle_distortion);
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
-    options.improve = &improve_map_3;
+    options.improve = &slide_and_bound_angles_3;
   require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
   require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
   require(options.soft.weight > 0 && std::isfinite(options.soft.weight),

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/find_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/improve_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/slide_and_bound_angles_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/make_result_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/refine_and_find_map_3.h>

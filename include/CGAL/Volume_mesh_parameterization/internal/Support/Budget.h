@@ -60,7 +60,7 @@ using Mutable_parameter = std::conditional_t<
   Reference>;
 
 template <typename Visitor>
-using Goes_on = decltype(std::declval<Visitor&>().goes_on());
+using Answer_between_steps = decltype(std::declval<Visitor&>().goes_on());
 
 // Limits by the named parameters `visitor` and `maximum_running_time`, which end a computation early.
 template <typename NamedParameters>
@@ -69,7 +69,7 @@ class Limits
 public:
   explicit Limits(const NamedParameters& np)
     : m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), m_default)),
-      m_seconds(given(np, internal_np::maximum_running_time, (std::numeric_limits<double>::infinity)()))
+      m_seconds(parameter_or(np, internal_np::maximum_running_time, (std::numeric_limits<double>::infinity)()))
   { require(!std::isnan(m_seconds), "A limit of time is a number."); }
 
   Limits(const Limits&) = delete;
@@ -81,7 +81,7 @@ public:
   // Returns a budget that begins now. A visitor need not have the function `goes_on()`.
   Budget budget()
   {
-    if constexpr(boost::is_detected<Goes_on, Visitor>::value)
+    if constexpr(boost::is_detected<Answer_between_steps, Visitor>::value)
       return Budget(m_seconds, [this] { return m_visitor.goes_on(); });
     else
       return Budget(m_seconds);

@@ -59,7 +59,7 @@ struct Named_parameter
 
 // Returns the named parameter, or the default if none was passed.
 template <typename NamedParameters, typename Tag, typename Otherwise>
-auto given(const NamedParameters& np, const Tag tag, const Otherwise& otherwise)
+auto parameter_or(const NamedParameters& np, const Tag tag, const Otherwise& otherwise)
 { return parameters::choose_parameter(parameters::get_parameter(np, tag), otherwise); }
 
 // Refuses named parameters that a function does not read: all but `Tags` and the limits that all functions read.

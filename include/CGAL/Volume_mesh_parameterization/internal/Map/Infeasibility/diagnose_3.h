@@ -116,12 +116,12 @@ inline std::set<int> blamed_vertices(const Infeasibility_proof_3& proof, const N
 // A sentence for the user about some proofs, at least one.
 inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_3>& proofs, const Numbered_mesh_3& mesh)
 {
-  std::string places;
+  std::string points;
   for(const int v : blamed_vertices(proofs.front(), mesh))
-    places += (places.empty() ? "" : ", ") + describe(mesh.source.col(v));
+    points += (points.empty() ? "" : ", ") + describe(mesh.source.col(v));
   return sentence("No map with this connectivity meets this boundary: some sets of cells cannot all be positive, "
                   "wherever the free vertices are. Number of sets found: ", proofs.size(), "; cells of the first one: ",
-                  proofs.front().cells.size(), ", around the source's vertices at ", places, ".");
+                  proofs.front().cells.size(), ", around the source's vertices at ", points, ".");
 }
 
 // A sentence with the cells, the first ones of many, if there is no proof.

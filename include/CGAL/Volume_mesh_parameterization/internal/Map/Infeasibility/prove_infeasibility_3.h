@@ -198,7 +198,7 @@ inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbe
 // The cells with one or two free vertices, by these: an edge u < v, or the vertex u = v.
 using Cells_of_free_ends = std::map<std::array<int, 2>, std::vector<std::size_t> >;
 
-// Those whose free vertices are among two; that their volumes are positive is linear in these points u and v and in u x v.
+// Returns the cells whose free vertices are among two; that their volumes are positive is linear in these points u and v and in u x v.
 inline std::vector<std::size_t> cells_among(const Cells_of_free_ends& cells_of, const std::array<int, 2>& ends)
 {
   std::vector<std::size_t> result;
@@ -232,11 +232,11 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
     else if(!free.empty())
       cells_of[{ *free.begin(), *free.rbegin() }].push_back(c);
   }
-  std::set<int> unplaceable; // free vertices with a proof of their own
+  std::set<int> infeasible; // free vertices with a proof of their own
   for(const bool is_edge : {false, true})
     for(const auto& [ends, own_cells] : cells_of)
     {
-      if((ends[0] != ends[1]) != is_edge || unplaceable.count(ends[0]) != 0 || unplaceable.count(ends[1]) != 0
+      if((ends[0] != ends[1]) != is_edge || infeasible.count(ends[0]) != 0 || infeasible.count(ends[1]) != 0
          || budget.is_exhausted())
         continue;
       const std::vector<std::size_t> cells = cells_among(cells_of, ends);
@@ -247,7 +247,7 @@ inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_m
         continue;
       proofs.push_back(*proof);
       if(!is_edge)
-        unplaceable.insert(ends[0]);
+        infeasible.insert(ends[0]);
     }
   return proofs;
 }

@@ -82,7 +82,7 @@ using If_soup = std::enable_if_t<is_soup<Soup> >;
 template <typename PointRange, typename CellRange>
 Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_of(soup_of(points, cells)); }
 
-// That of a complex, with references 0, and the way back.
+// The body of a complex, with references 0, and the way back.
 template <typename C3t3>
 struct Body_of_complex_3 : Body_3
 {
@@ -118,7 +118,7 @@ struct Body_of_complex_3 : Body_3
   }
 };
 
-// What the user tells of the points of a body. Without a target or an initial image, a point has coordinates that are not
+// Tells what the user wants of the points of a body. Without a target or an initial image, a point has coordinates that are not
 // numbers.
 struct Prescription_3
 {
@@ -143,8 +143,8 @@ template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typ
 Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
                               const VertexOfPoint& vertex)
 {
-  const auto is_constrained = given(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
-  const auto constraints = given(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
+  const auto is_constrained = parameter_or(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
+  const auto constraints = parameter_or(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
   const std::size_t number_of_points = body.soup.points.size();
   const std::vector<bool> is_on_boundary = prescribed_points(body);
   const std::vector<bool> has_cell = used_points(body.soup.cells, number_of_points);

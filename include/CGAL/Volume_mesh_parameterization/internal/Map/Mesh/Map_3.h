@@ -42,8 +42,8 @@ struct Map_3
   bool is_solution() const { return is_valid() && meets_boundary; }
 };
 
-// With the prescribed vertices to be on their targets.
-inline Map_3 judged(const Numbered_mesh_3& mesh, Matrix3Xd positions)
+// Evaluates positions that are to have the prescribed vertices on their targets.
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 {
   const int n = mesh.number_of_prescribed_vertices();
   Found_cells inverted = inverted_cells(mesh, positions);

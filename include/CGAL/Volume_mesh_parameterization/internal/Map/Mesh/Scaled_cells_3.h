@@ -47,7 +47,7 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
-// The same, with regular cells of one size in place of the source: where only some map without inverted cells is looked
+// Returns regular cells of one size instead of those of the source: where only some map without inverted cells is looked
 // for, slivers of the source must not stiffen it.
 inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {

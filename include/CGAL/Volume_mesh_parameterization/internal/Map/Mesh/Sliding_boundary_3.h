@@ -144,7 +144,7 @@ public:
                          [](const Eigen::Matrix3d& projector) { return !projector.isZero(0); });
   }
 
-  // Of each vertex, onto the directions in which it may move: all for a free one, none for one that stays.
+  // Returns the projector of each vertex onto the directions in which it may move: all for a free one, none for one that stays.
   const std::vector<Eigen::Matrix3d>& projectors() const { return m_projectors; }
 
   // The positions with the vertices of the boundary moved back to where they belong, which rounding or scaling made
@@ -209,7 +209,7 @@ private:
     return Eigen::Matrix3d::Zero();
   }
 
-  // from where it may be
+  // The vector from the nearest point where a vertex may be.
   Eigen::Vector3d offset(const Matrix3Xd& positions, const int v) const
   { return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v)); }
 
@@ -233,10 +233,10 @@ private:
   std::vector<Eigen::Matrix3d> m_projectors;
 };
 
-// With prescribed vertices that may slide.
-inline Map_3 judged(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Matrix3Xd positions)
+// Evaluates positions whose prescribed vertices may slide.
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Matrix3Xd positions)
 {
-  Map_3 map = judged(mesh, std::move(positions));
+  Map_3 map = evaluated_map(mesh, std::move(positions));
   map.distance_to_boundary = boundary.residual(map.positions);
   map.meets_boundary = map.distance_to_boundary == 0 && boundary.has_same_orientations(map.positions);
   return map;

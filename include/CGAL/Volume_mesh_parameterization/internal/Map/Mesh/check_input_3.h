@@ -20,7 +20,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What is wrong with the input, with the data that make it concrete.
+// Tells whether something is wrong with the input, with the data that make it concrete.
 struct Input_check_3
 {
   Error_code status = OK;

@@ -129,7 +129,7 @@ public:
     }
   }
 
-  // the same facet seen from the other cell, or `none` on the boundary
+  // The facet seen from the other cell, or `none` on the boundary.
   std::size_t mirror(std::size_t facet) const { return m_mirrors[facet]; }
 
   // the facets of one cell only
@@ -166,7 +166,7 @@ private:
     [&](const auto begin, const auto end) { match_facet(begin, end); }, is_parallel);
   }
 
-  // Those of cells come before the marks.
+  // Matches the sides of one facet: those of cells come before the marks.
   template <typename Iterator>
   void match_facet(const Iterator begin, const Iterator end)
   {

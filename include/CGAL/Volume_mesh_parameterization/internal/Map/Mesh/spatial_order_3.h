@@ -55,31 +55,31 @@ inline std::vector<std::size_t> spatial_order_3(const Matrix3Xd& source, const s
   return order;
 }
 
-// The place of each vertex in an order.
-inline std::vector<int> places_in(const std::vector<std::size_t>& order)
+// Returns the index of each vertex in an order.
+inline std::vector<int> inverse_order(const std::vector<std::size_t>& order)
 {
-  std::vector<int> places(order.size());
+  std::vector<int> indices(order.size());
   for(std::size_t i = 0; i < order.size(); ++i)
-    places[order[i]] = static_cast<int>(i);
-  return places;
+    indices[order[i]] = static_cast<int>(i);
+  return indices;
 }
 
-// The cells with their vertices renumbered, in the order of their first vertices; `user_numbers` receives their old places.
+// The cells with their vertices renumbered, in the order of their first vertices; `user_numbers` receives their old indices.
 inline std::vector<std::array<int, 4> > renumbered_cells(const std::vector<std::array<int, 4> >& cells,
-                                                         const std::vector<int>& places,
+                                                         const std::vector<int>& new_numbers,
                                                          std::vector<std::size_t>& user_numbers, const bool is_parallel)
 {
-  const Compressed_rows<std::size_t> rows(places.size(), cells.size(), [&](const std::size_t c, const auto& f)
+  const Compressed_rows<std::size_t> rows(new_numbers.size(), cells.size(), [&](const std::size_t c, const auto& f)
   {
     const auto& [i, j, k, l] = cells[c];
-    f((std::min)({ places[i], places[j], places[k], places[l] }));
+    f((std::min)({ new_numbers[i], new_numbers[j], new_numbers[k], new_numbers[l] }));
   }, is_parallel);
   user_numbers = values_of_indices(is_parallel, cells.size(), [&](const std::size_t i) { return rows.items[i]; });
   return values_of_indices(is_parallel, cells.size(), [&](const std::size_t i)
   {
     std::array<int, 4> cell = cells[user_numbers[i]];
     for(int& v : cell)
-      v = places[v];
+      v = new_numbers[v];
     return cell;
   });
 }
@@ -91,7 +91,7 @@ inline std::vector<std::size_t> set_numbered_mesh(const std::vector<std::array<i
 {
   const std::vector<std::size_t> order = spatial_order_3(points, is_prescribed, mesh.is_parallel);
   mesh.number_of_free_vertices = static_cast<int>(std::count(is_prescribed.begin(), is_prescribed.end(), false));
-  mesh.cells = renumbered_cells(cells, places_in(order), mesh.user_numbers, mesh.is_parallel);
+  mesh.cells = renumbered_cells(cells, inverse_order(order), mesh.user_numbers, mesh.is_parallel);
   mesh.source.resize(3, points.cols());
   constexpr int vertices_per_range = 4096;
   for_each_in_ranges(mesh.is_parallel, order.size(), vertices_per_range,

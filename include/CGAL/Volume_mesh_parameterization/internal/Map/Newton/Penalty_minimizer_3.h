@@ -22,7 +22,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // by the three criteria of Jin et al., section 4.2: energy, positions or gradient have become stationary.
 //
 // With their relaxation, a step must decrease the energy and the norm of its gradient. Where none does, the vertices are
-// relaxed: for some steps, the current positions take the place of the target. If it fails again after that, a decrease of
+// relaxed: for some steps, the current positions replace the target. If it fails again after that, a decrease of
 // the energy suffices.
 class Penalty_minimizer_3
 {
@@ -118,7 +118,7 @@ private:
   // the energy without the penalty
   double distortion() const { return m_iterate.evaluation.energy - m_penalty.value(m_iterate.u); }
 
-  // What remains of the residual is small against the distortion, even where the penalty is much larger.
+  // Asks for a residual that is small against the distortion, even where the penalty is much larger.
   double solver_tolerance() const { return 1e-2 * std::sqrt(distortion() / m_iterate.evaluation.energy); }
 
   bool is_converged()

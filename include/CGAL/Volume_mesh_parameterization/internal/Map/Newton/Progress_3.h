@@ -20,8 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// What the loops of a computation ask before each step and tell after it: may they go on, for the clock, the user and the
-// number of steps? Where several processes share a mesh, all ask and tell together, and are given one answer.
+// Tells the loops of a computation before each step whether they may continue, for the clock, the user and the number of
+// steps, and is told of it after it. Where several processes share a mesh, all ask and tell together, and are given one answer.
 class Progress_3
 {
 public:
@@ -52,9 +52,9 @@ public:
   // Has is_interrupted() been true for someone who asked?
   bool was_interrupted() const { return m_is_interrupted; }
 
-  bool goes_on() { return m_number_of_steps < m_limit && !is_interrupted(); }
+  bool may_continue() { return m_number_of_steps < m_limit && !is_interrupted(); }
 
-  // How a loop ends that does not go on.
+  // Returns how a loop ends that may not continue.
   Error_code status_of_end(const bool is_flip_free) const
   { return m_is_interrupted ? ERROR_INTERRUPTED : is_flip_free ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE; }
 
@@ -62,7 +62,7 @@ public:
   template <typename Step, typename Status>
   Error_code make_steps(const bool is_flip_free, const Step& step, const Status& status)
   {
-    while(goes_on())
+    while(may_continue())
     {
       after_step(step());
       if(const std::optional<Error_code> end = status())
@@ -95,7 +95,7 @@ public:
   void end_start() { add_lap(m_effort.seconds_start); }
   void end_check() { m_lap = seconds(); }
 
-  // From now on, or from the next step that untangles on, no cell is inverted.
+  // Notes that no cell is inverted from now on, or from the next step that untangles on.
   void reach_flip_free() { m_effort.seconds_to_flip_free = seconds(); }
 
 private:

@@ -65,7 +65,7 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
   }
 }
 
-// The same, and beyond a full step where that has gained more than the Hessian promised.
+// Searches as above, and beyond a full step where that has gained more than the Hessian promised.
 inline Line_search_step_3 far_line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
                                             const Newton_iterate_3& iterate)
 {

@@ -96,9 +96,9 @@ private:
 };
 
 // The unknowns that hold most of what a step gains, with rings of others that make room for them, if they are few.
-inline std::optional<Unknowns_3> few_with_most_of_slope_3(const Newton_system_3& system, const Newton_direction_3& direction)
+inline std::optional<Unknowns_3> steepest_unknowns_3(const Newton_system_3& system, const Newton_direction_3& direction)
 {
-  constexpr double most = 0.9, very_few = 0.01, few = 0.1;
+  constexpr double large_part = 0.9, very_few = 0.01, few = 0.1;
   constexpr int number_of_rings = 5;
   const Unknowns_3& unknowns = system.unknowns();
   std::vector<int> rows(unknowns.size());
@@ -108,13 +108,13 @@ inline std::optional<Unknowns_3> few_with_most_of_slope_3(const Newton_system_3&
   { return std::make_pair(direction.slopes[a], a) < std::make_pair(direction.slopes[b], b); });
   double slope = 0;
   std::vector<bool> is_near(unknowns.number_of_vertices());
-  for(auto row = rows.begin(); row != end && slope > most * direction.slope; ++row)
+  for(auto row = rows.begin(); row != end && slope > large_part * direction.slope; ++row)
   {
     slope += direction.slopes[*row];
     is_near[unknowns.vertex(*row)] = true;
   }
   std::optional<Unknowns_3> result;
-  for(int ring = 0; ring < number_of_rings && slope <= most * direction.slope; ++ring)
+  for(int ring = 0; ring < number_of_rings && slope <= large_part * direction.slope; ++ring)
   {
     const std::vector<bool> was_near = is_near;
     for(const std::array<int, 4>& cell : system.mesh().cells)
@@ -131,28 +131,28 @@ inline std::optional<Unknowns_3> few_with_most_of_slope_3(const Newton_system_3&
 
 // Where few unknowns hold most of what a step gains, they move alone until they hold a tenth of it, or have taken about as
 // long as the step: cells that are nearly flat need many steps, over the whole mesh, too, but steps of few cost little.
-inline void minimize_few_3(Newton_system_3& system, const Cell_energy_3& energy, Minimizer_3& minimizer, const Budget& budget)
+inline void minimize_steepest_3(Newton_system_3& system, const Cell_energy_3& energy, Minimizer_3& minimizer, const Budget& budget)
 {
-  constexpr int most_steps = 30;
-  constexpr double enough = 0.1;
-  std::optional<Unknowns_3> few = few_with_most_of_slope_3(system, minimizer.iterate().direction);
-  if(!few)
+  constexpr int maximal_number_of_steps = 30;
+  constexpr double sufficient_part = 0.1;
+  std::optional<Unknowns_3> steepest = steepest_unknowns_3(system, minimizer.iterate().direction);
+  if(!steepest)
     return;
-  const int number_of_steps = (std::min)(most_steps, system.unknowns().size() / few->size());
+  const int number_of_steps = (std::min)(maximal_number_of_steps, system.unknowns().size() / steepest->size());
   Conjugate_gradient_solver_traits_3<Sequential_tag, double> traits;
   Linear_solver_of solver(traits);
-  Newton_system_3 part(system, std::move(*few), solver);
+  Newton_system_3 part(system, std::move(*steepest), solver);
   Minimizer_3 moves(part, energy, minimizer.iterate().positions(), Negative_curvature());
   for(int step = 0; step < number_of_steps && !budget.is_exhausted(); ++step)
   {
     moves.step(budget);
-    if(moves.iterate().step_length == 0 || moves.slope() > enough * minimizer.slope())
+    if(moves.iterate().step_length == 0 || moves.slope() > sufficient_part * minimizer.slope())
       break;
   }
   minimizer.take(moves.iterate());
 }
 
-// With what status is it to end after this step, although it is no minimum?
+// Returns the status with which to end after a step, although it is no minimum, or none to continue.
 using Ends_here = std::function<std::optional<Error_code>(const Newton_iterate_3&)>;
 
 // Minimizes from images on that invert no cell; vertices that are not unknown stay where they are. The first step that
@@ -180,7 +180,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
     if(iterate.step_length == 0)
       return ERROR_NOT_CONVERGED;
     if(system.mesh().is_whole() && !system.has_penalty())
-      minimize_few_3(system, energy, minimizer, progress.budget());
+      minimize_steepest_3(system, energy, minimizer, progress.budget());
     return ends_here ? ends_here(iterate) : std::nullopt;
   };
   const Error_code end = progress.make_steps(true, step, status);

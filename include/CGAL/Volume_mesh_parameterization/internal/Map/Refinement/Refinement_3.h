@@ -57,7 +57,7 @@ public:
         m_incident[v].push_back(s);
   }
 
-  // Those that contain a simplex.
+  // Returns the simplices that contain a face.
   std::vector<std::size_t> around(const Simplex_3& face) const
   {
     std::vector<std::size_t> result;
@@ -68,7 +68,7 @@ public:
   }
 
   // Makes a new point, the next one, a vertex of a simplex. Of each simplex around there is one for each of these vertices,
-  // with the new point in its place: the first takes the place of the old simplex, the others come behind all.
+  // replaced by the new point: the first replaces the old simplex, the others come behind all.
   void insert(const Simplex_3& face)
   {
     const std::size_t v = m_incident.size();

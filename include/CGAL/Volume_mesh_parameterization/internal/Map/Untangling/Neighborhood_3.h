@@ -35,7 +35,7 @@ std::set<std::array<double, n> > rows_of_all(const Communicator_3& communicator,
   return result;
 }
 
-// What patches of a mesh see of it. With one process, that is the whole mesh. Otherwise it is the cells around chosen
+// The part of a mesh that its patches see. With one process, that is the whole mesh. Otherwise it is the cells around chosen
 // ones, gathered from all processes as a mesh of a single one; all have the same, in the order of its numbers.
 class Neighborhood_3
 {
@@ -65,7 +65,7 @@ public:
     return result;
   }
 
-  // What the first process finds, with its rounding: that of others may differ, if their processors do.
+  // Returns what the first process finds, with its rounding: that of others may differ, if their processors do.
   template <typename Find>
   Matrix3Xd found_by_first(const Find& find) const
   {

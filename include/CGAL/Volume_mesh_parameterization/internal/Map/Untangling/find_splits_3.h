@@ -161,21 +161,21 @@ template <typename After_attempt>
 std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solver_3& solver, const bool must_untangle,
                                          const Budget& budget, const After_attempt& after_attempt)
 {
-  bool goes_on = true;
+  bool may_continue = true;
   const auto inverted_cells_after = [&](const Edges_3& edges, const Untangling_attempt_3& attempt)
   {
     Patch_mesh_3 split = patch;
     split_patch_edges_3(split.mesh, split.positions, edges);
     Newton_system_3 system(split.mesh, free_vertices(split.mesh), solver);
     const Matrix3Xd found = untangle_patch_with_3(attempt, system, split.positions, budget);
-    goes_on = after_attempt();
+    may_continue = after_attempt();
     return inverted_cells(split.mesh, found).number;
   };
   const std::vector<Untangling_attempt_3> attempts = patch_attempts();
   const Edges_3 all_edges = edges_around_inverted_cells(patch.mesh, patch.positions);
   std::size_t fewest = must_untangle ? 1 : inverted_cells(patch.mesh, patch.positions).number;
   std::optional<Untangling_attempt_3> best;
-  for(auto attempt = attempts.begin(); attempt != attempts.end() && fewest > 0 && goes_on; ++attempt)
+  for(auto attempt = attempts.begin(); attempt != attempts.end() && fewest > 0 && may_continue; ++attempt)
     if(const std::size_t number = inverted_cells_after(all_edges, *attempt); number < fewest)
     {
       fewest = number;
@@ -184,7 +184,7 @@ std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solve
   if(!best)
     return std::nullopt;
   const auto suffice = [&](const Edges_3& edges, const Untangling_attempt_3& attempt)
-  { return goes_on && inverted_cells_after(edges, attempt) <= fewest; };
+  { return may_continue && inverted_cells_after(edges, attempt) <= fewest; };
   const Edges_3 edges = minimal_subset(all_edges, [&](const Edges_3& some) { return suffice(some, *best); });
   return minimal_subset(edges, [&](const Edges_3& some)
   {
@@ -208,7 +208,7 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
   const auto after_attempt = [&]
   {
     progress.after_step(step);
-    return progress.goes_on();
+    return progress.may_continue();
   };
   Edges_3 result;
   std::vector<bool> is_solved(mesh.number_of_vertices(), false); // the vertices that move in a patch
@@ -219,7 +219,7 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
   for(const Level level : { Level{1, true}, Level{2, true}, Level{2, false} })
   {
     std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, level.number_of_rings);
-    for(; !patches.empty() && progress.goes_on(); patches.pop_back())
+    for(; !patches.empty() && progress.may_continue(); patches.pop_back())
     {
       const Patch_mesh_3 patch(mesh, map.positions,
                                with_cells_around_prescribed_edges(mesh, map, std::move(patches.back())));

@@ -30,7 +30,7 @@ struct Patch_3
 };
 
 // So many inverted cells of a mesh are exceptions, which patches can mend.
-inline std::size_t most_exceptions(const double number_of_cells)
+inline std::size_t maximal_number_of_exceptions(const double number_of_cells)
 { return static_cast<std::size_t>((std::max)(100., number_of_cells / 100)); }
 
 // The free vertices of those cells for which `is_chosen` is true, which may be with another process.
@@ -56,7 +56,7 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
   return result;
 }
 
-// Those of rings of cells around them, too.
+// The free vertices of chosen cells and of rings of cells around them.
 template <typename Condition>
 std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
                                        const Condition& is_chosen, const int number_of_rings)

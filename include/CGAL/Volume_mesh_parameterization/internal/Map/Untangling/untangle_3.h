@@ -43,7 +43,7 @@ public:
     if(is_unsolved() && m_best.map.is_valid())
       m_best.status = OK;
     if(m_best.status == OK && m_progress.number_of_steps() > 0)
-      m_best.map = judged(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
+      m_best.map = evaluated_map(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
                                                        m_progress.budget()));
     return m_best;
   }
@@ -60,7 +60,7 @@ public:
   // Unless so many cells are inverted that they are no exceptions.
   void untangle_patches(const Matrix3Xd& start, const std::string& method)
   {
-    if(inverted_cells(m_mesh, start).number <= most_exceptions(m_mesh.global_number_of_cells()))
+    if(inverted_cells(m_mesh, start).number <= maximal_number_of_exceptions(m_mesh.global_number_of_cells()))
       keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress); });
   }
 
@@ -88,7 +88,7 @@ private:
     const std::size_t steps_before = m_progress.number_of_steps();
     const Newton_result_3 result = find();
     const bool has_moved = m_progress.number_of_steps() > steps_before;
-    Map_3 map = judged(m_mesh, result.positions);
+    Map_3 map = evaluated_map(m_mesh, result.positions);
     m_best.status = result.status == OK && !map.is_valid() ? ERROR_NOT_FLIP_FREE : result.status;
     m_best.reason = result.reason;
     if(map.number_of_inverted_cells < m_best.map.number_of_inverted_cells || (map.is_valid() && has_moved))
@@ -131,7 +131,7 @@ inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, c
 // Continues from images that an earlier search has left with few inverted cells, or none.
 inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, Progress_3& progress)
 {
-  Untangling_search_3 search(system, judged(system.mesh(), start), progress);
+  Untangling_search_3 search(system, evaluated_map(system.mesh(), start), progress);
   search.untangle_patches(start, "patches");
   if(search.is_unsolved())
     search.untangle(untangling_attempts[0], search.best().map.positions);
@@ -168,7 +168,7 @@ inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& ini
   Matrix3Xd displacements = snapped(mesh, initial) - initial;
   const auto image = [&]() -> Matrix3Xd { return snapped(mesh, initial + displacements); };
   Newton_direction_3 direction = harmonic_map_3(system, displacements, progress, energy_tolerance);
-  const Map_3 start = judged(mesh, image());
+  const Map_3 start = evaluated_map(mesh, image());
   if(direction.is_usable() && !start.is_valid() && !progress.is_interrupted())
     direction = harmonic_map_3(system, displacements, progress, energy_tolerance, Reference_cells::REGULAR);
   progress.reach_flip_free();

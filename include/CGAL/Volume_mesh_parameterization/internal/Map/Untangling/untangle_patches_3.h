@@ -123,7 +123,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
   std::size_t number = inverted_cells(mesh, start).number;
   if(number == 0)
     return { start, 0, OK };
-  // of what becomes inverted, too
+  // has room for cells that become inverted, too
   const Neighborhood_3 neighborhood(mesh, start, is_inverted, maximal_number_of_rings + 1);
   Matrix3Xd positions = neighborhood.positions();
   const auto untangle = [&](const Patch_3& patch)
@@ -142,7 +142,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
   for(int rings = 1; rings <= maximal_number_of_rings && number > 0; ++rings)
   {
     const std::vector<Patch_3> patches = patches_3(neighborhood.mesh(), positions, is_inverted, rings);
-    for(auto patch = patches.rbegin(); patch != patches.rend() && progress.goes_on(); ++patch)
+    for(auto patch = patches.rbegin(); patch != patches.rend() && progress.may_continue(); ++patch)
     {
       untangle(*patch);
       Parameterization_step step;

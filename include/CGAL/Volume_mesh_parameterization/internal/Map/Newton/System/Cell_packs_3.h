@@ -56,18 +56,18 @@ public:
     distribute_to_rounds(unknowns.size());
   }
 
-  // Those of the cells of others that an unknown vertex belongs to, with their reference cells and weights; they are few.
+  // Packs those cells of `whole` that an unknown vertex belongs to, with their reference cells and weights; they are few.
   Cell_packs_3(const Cell_packs_3& whole, const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
     : m_is_parallel(false)
   {
-    std::vector<std::size_t> places; // in the whole
+    std::vector<std::size_t> indices; // in the whole
     for(std::size_t i = 0; i < whole.m_cells.size(); ++i)
     {
       const std::array<int, 4> cell = whole.m_packs[i / cells_per_pack].cell(i % cells_per_pack);
       if(is_padding(whole.m_cells[i])
          || std::none_of(cell.begin(), cell.end(), [&](const int v) { return unknowns.contains(v); }))
         continue;
-      places.push_back(i);
+      indices.push_back(i);
       m_cells.push_back(whole.m_cells[i]);
     }
     append_padding(cells_per_pack, m_cells);
@@ -75,13 +75,13 @@ public:
     m_packs.resize(m_number_of_own_packs);
     for(std::size_t i = 0; i < m_cells.size(); ++i)
     {
-      const std::size_t place = places[(std::min)(i, places.size() - 1)], lane = i % cells_per_pack;
-      const Cell_pack_3& from = whole.m_packs[place / cells_per_pack];
+      const std::size_t index = indices[(std::min)(i, indices.size() - 1)], lane = i % cells_per_pack;
+      const Cell_pack_3& from = whole.m_packs[index / cells_per_pack];
       Cell_pack_3& pack = m_packs[i / cells_per_pack];
-      set_cell(pack, lane, from.cell(place % cells_per_pack), is_padding(m_cells[i]), unknowns, pattern);
-      pack.weight[lane] = is_padding(m_cells[i]) ? 0 : from.weight[place % cells_per_pack];
+      set_cell(pack, lane, from.cell(index % cells_per_pack), is_padding(m_cells[i]), unknowns, pattern);
+      pack.weight[lane] = is_padding(m_cells[i]) ? 0 : from.weight[index % cells_per_pack];
       for(int k = 0; k < 9; ++k)
-        pack.inverse_source[k][lane] = from.inverse_source[k][place % cells_per_pack];
+        pack.inverse_source[k][lane] = from.inverse_source[k][index % cells_per_pack];
     }
     distribute_to_rounds(unknowns.size());
   }
@@ -111,8 +111,8 @@ public:
   std::size_t chunk_of_round(const std::size_t i) const { return m_chunks[i]; }
 
 private:
-  static constexpr int places_per_range = 512; // of packs
-  static constexpr std::size_t packs_per_chunk = places_per_range / cells_per_pack;
+  static constexpr int lanes_per_range = 512; // of packs
+  static constexpr std::size_t packs_per_chunk = lanes_per_range / cells_per_pack;
 
   // The unknown vertices in the order of their rows, and the others behind them.
   static int order(const Unknowns_3& unknowns, const int v)
@@ -133,7 +133,7 @@ private:
                                          const Unknowns_3& unknowns, const Sparsity_pattern_3& pattern)
   {
     std::vector<Cell_pack_3> packs(cells.size() / cells_per_pack);
-    for_each_in_ranges(mesh.is_parallel, cells.size(), places_per_range, [&](const std::size_t i)
+    for_each_in_ranges(mesh.is_parallel, cells.size(), lanes_per_range, [&](const std::size_t i)
     {
       std::array<int, 4> cell = mesh.cells[cell_of(cells[i])];
       std::sort(cell.begin(), cell.end(), [&](const int v, const int w) { return order(unknowns, v) < order(unknowns, w); });
@@ -160,7 +160,7 @@ private:
   static void set_references(const std::vector<int>& cells, const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled,
                              std::vector<Cell_pack_3>& packs)
   {
-    for_each_in_ranges(mesh.is_parallel, cells.size(), places_per_range, [&](const std::size_t i)
+    for_each_in_ranges(mesh.is_parallel, cells.size(), lanes_per_range, [&](const std::size_t i)
     {
       Cell_pack_3& pack = packs[i / cells_per_pack];
       const int lane = static_cast<int>(i % cells_per_pack);

@@ -87,7 +87,7 @@ class Newton_system_3
 public:
   using Positions = Matrix3Xd;
 
-  // With the cells of the source as reference.
+  // Takes the cells of the source as reference.
   Newton_system_3(const Numbered_mesh_3& mesh, Unknowns_3 unknowns, Linear_solver_3& solver)
     : Newton_system_3(mesh, cells_scaled_to_target(mesh), std::move(unknowns), solver)
   {}
@@ -180,7 +180,7 @@ public:
     }, m_system->matrix());
   }
 
-  // The same with the matrix of the last direction, which a convex quadratic energy has everywhere.
+  // Returns a direction by the matrix of the last one, which a convex quadratic energy has everywhere.
   Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance,
                                     const Budget& budget)
   {
@@ -234,7 +234,7 @@ private:
     return result;
   }
 
-  // of all rows, each counted by the process that owns it
+  // Sums over all rows, each counted by the process that owns it.
   template <typename A, typename B>
   double dot(const A& a, const B& b) const
   {

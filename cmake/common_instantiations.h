@@ -1,6 +1,7 @@
-// What most programs of this project include and instantiate, for compilers that keep instantiations with precompiled headers.
-#ifndef WHAT_MOST_PROGRAMS_INSTANTIATE_H
-#define WHAT_MOST_PROGRAMS_INSTANTIATE_H
+// Includes and instantiates what many programs of this project need, for compilers that keep instantiations with
+// precompiled headers.
+#ifndef COMMON_INSTANTIATIONS_H
+#define COMMON_INSTANTIATIONS_H
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
@@ -49,7 +50,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace what_most_programs_instantiate
+namespace common_instantiations
 {
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
@@ -92,6 +93,6 @@ inline void map_bodies()
   std::vector<std::array<std::size_t, 4> > indices;
   CGAL::stretch_minimizing_volume_parameterization(points, indices, points, images);
 }
-} // namespace what_most_programs_instantiate
+} // namespace common_instantiations
 
-#endif // WHAT_MOST_PROGRAMS_INSTANTIATE_H
+#endif // COMMON_INSTANTIATIONS_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_IMPROVE_MAP_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_IMPROVE_MAP_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SLIDE_AND_BOUND_ANGLES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SLIDE_AND_BOUND_ANGLES_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -87,7 +87,7 @@ Found_map_3 minimize_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_p
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 improve_map_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found)
+Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found)
 {
   const Map_options_3& options = problem.options;
   Progress_3& progress = problem.progress;
@@ -108,8 +108,8 @@ Found_map_3 improve_map_3(const Numbered_mesh_3& mesh, const Map_problem_3& prob
     progress.begin_stage();
     const Newton_result_3 result = minimize_energy_3(system, psi, from.map.positions, progress, Negative_curvature(),
                                                      ends_here, options.negligible_gain());
-    from.map = sliding ? judged(mesh, *sliding, sliding->restored(result.positions))
-                       : judged(mesh, snapped(mesh, result.positions));
+    from.map = sliding ? evaluated_map(mesh, *sliding, sliding->restored(result.positions))
+                       : evaluated_map(mesh, snapped(mesh, result.positions));
     from.status = result.status;
     from.reason = result.reason;
     progress.end_check();
@@ -127,4 +127,4 @@ Found_map_3 improve_map_3(const Numbered_mesh_3& mesh, const Map_problem_3& prob
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_IMPROVE_MAP_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SLIDE_AND_BOUND_ANGLES_3_H

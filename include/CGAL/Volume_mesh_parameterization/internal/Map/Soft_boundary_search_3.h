@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_BOUNDARY_APPROACH_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_BOUNDARY_APPROACH_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SOFT_BOUNDARY_SEARCH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SOFT_BOUNDARY_SEARCH_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -52,12 +52,12 @@ inline Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
 // The map with soft boundary (Jin et al., section 4): starts from the source aligned to the target,
 // and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
 // inverted at any time; the targets may be missed. Further constraints may be given, on any vertices.
-class Boundary_approach_3
+class Soft_boundary_search_3
 {
 public:
   using Constraints = std::vector<Linear_constraint_3<int> >;
 
-  Boundary_approach_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
+  Soft_boundary_search_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, Linear_solver_3& solver,
                       const Soft_boundary_parameters& parameters = Soft_boundary_parameters(),
                       const Constraints& constraints = Constraints(), const Search_start_3& start = Search_start_3())
     : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
@@ -101,17 +101,16 @@ public:
 
   // The images of all vertices; those of the prescribed ones are near their targets.
   Matrix3Xd positions() const { return m_minimizer->iterate().positions(); }
-  Map_3 map() const { return judged(m_mesh, positions()); }
+  Map_3 map() const { return evaluated_map(m_mesh, positions()); }
 
-  // The same with the prescribed vertices on their targets.
+  // The positions with the prescribed vertices on their targets.
   Matrix3Xd snapped_positions() const { return snapped(m_mesh, positions()); }
 
   // May the minimization with fixed boundary take over from there?
   bool can_snap() const
   { return m_parameters.do_snap && !m_has_constraints && inverted_cells(m_mesh, snapped_positions()).number == 0; }
 
-  // of the energy with the penalty
-  double energy() const { return m_minimizer->iterate().evaluation.energy; }
+  double energy() const { return m_minimizer->iterate().evaluation.energy; } // with the penalty
 
   // |P(u)|_2, where the target has volume 1
   double residual() const { return m_penalty.residual(m_minimizer->iterate().u) / (m_scaled.unit * m_length); }
@@ -141,7 +140,7 @@ private:
   // A weight is meant for lengths where the target has volume 1.
   double penalty_factor(const double weight) const { return weight / std::pow(m_scaled.unit * m_length, 2); }
 
-  // of the bounding box of the source, where that has volume 1
+  // Returns the diameter of the bounding box of the source, where that has volume 1.
   double diameter() const
   {
     const Eigen::Vector3d box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
@@ -198,4 +197,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_BOUNDARY_APPROACH_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_SOFT_BOUNDARY_SEARCH_3_H
