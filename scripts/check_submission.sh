@@ -14,8 +14,8 @@ status=0
 # Complains about each line of the standard input: FILE, or FILE:LINE and what is there.
 forbid()
 {
-  while read -r place; do
-    echo "$place: $1"
+  while read -r line; do
+    echo "$line: $1"
     status=1
   done
 }
@@ -96,4 +96,20 @@ find_lines 'Eigen::(Matrix|Vector|Array)([23]?X|[24])' | { grep '^include' || tr
   forbid "its memory or alignment depends on the flags of a unit: see internal/Support/Dynamic_matrix.h"
 find_lines '\t| +$' | forbid "a tab, or blanks at the end of a line"
 find_lines '[^\x00-\x7F]' | forbid "not ASCII"
+
+# 6. Words. A comment begins with a verb in the third person or with the noun that is declared, and names have terms of the
+# field. `goes_on()` is a function of visitors; strings and comments may have all words.
+list include examples test benchmark scripts cmake | { grep -E '\.(h|inc|cpp|py|sh|cmake|txt)$' || true; } | xargs perl -ne '
+  $mark = $ARGV =~ /\.(py|sh|cmake|txt)$/ ? qr/#/ : qr{//|/\*};
+  if(!$is_block && !m{^\s*$mark}) { $has_begun = 0 }
+  elsif(m{^\s*(?:$mark)?[/*!]*\s*([^\s\\/].*)} && !$has_begun++)
+  { print "$ARGV:$.:$_" if $1 =~ /^(What|That|Those|(The )?same|From|Of|With|\.\.\.)(?!\w)/i }
+  $is_block = ($is_block || m{^\s*/\*}) && !m{\*/} if $mark !~ /#/;
+  close ARGV, $has_begun = $is_block = 0 if eof' | forbid "a comment begins with a verb or the noun that is declared"
+perl -0777 -ne '
+  s{R"\((.*?)\)"|"(?:\\.|[^"\\\n])*"|\x27(?:\\.|[^\x27\\\n])\x27|//[^\n]*|/\*.*?\*/}{$& =~ s/[^\n]//gr}gse;
+  my $line = 0;
+  for(split /\n/)
+  { ++$line; print "$ARGV:$line:$_\n" if /most_|_most\b|\bgoes_on\b(?!\(\))|judged|(?<![a-z])(?<!in_)places?(?![a-z])/i }' \
+  "${sources[@]}" | forbid "a name says index, point or position, maximal_, evaluated or may_continue"
 exit $status
