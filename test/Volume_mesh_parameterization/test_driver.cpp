@@ -263,7 +263,7 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "landmarks", "merge_points", "separate", "displacements", "others", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
+  "options", "source", "target", "to", "landmarks", "merge_points", "separate", "displacements", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
   "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
@@ -273,7 +273,7 @@ const std::vector<std::string> report_keys = {
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max", "boundary_distortion",
   "unavoidable_angle_distortion", "missed_angle_distortion",
-  "coinciding_points", "merged_points", "turned_cells", "separated_vertices", "targets_inside",
+  "coinciding_points", "merged_points", "turned_cells", "separated_vertices", "targets_inside", "free_targets",
   "seconds_reading", "seconds_boundary", "seconds_hexahedra",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
@@ -879,7 +879,10 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   }
   folder.write("source.mesh", source);
   folder.write("target.mesh", target);
-  const std::string command = "source.mesh target.mesh --quiet --output map.mesh --report report.json --boundary ";
+  CHECK(folder.run("source.mesh target.mesh --boundary fixed") == 2); // the vertex inside has several references
+  CHECK(folder.text("stderr").find("Targets of vertices inside are asked for, too; --inside free does without.")
+        != std::string::npos);
+  const std::string command = "source.mesh target.mesh --inside free --quiet --output map.mesh --report report.json --boundary ";
   CHECK(folder.run(command + "fixed") == 3);
   CHECK(folder.text("stderr") != "");
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "report.json"});
@@ -933,7 +936,7 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   for(const auto& [i, j, k] : refined.facets)
     CHECK(facets.count({ i, j, k }) == 1);
   CHECK(refined.facets.size() > source.facets.size());
-  CHECK(folder.run("source.mesh target.mesh --quiet --refine --output map.vtu") == 0);
+  CHECK(folder.run("source.mesh target.mesh --inside free --quiet --refine --output map.vtu") == 0);
   std::vector<int> references = refined.cell_references;
   references.insert(references.end(), refined.facet_references.begin(), refined.facet_references.end());
   CHECK(array_of<std::int32_t>(folder.text("map.vtu"), "reference", "Int32") == references);
@@ -1421,6 +1424,48 @@ TEST_CASE("Targets of vertices inside are met")
   CHECK(folder.soup("map.mesh").points[inside] == Point{2.25, 2, 2});
   CHECK(number(folder.text("report.json"), "targets_inside") == 1);
   CHECK(folder.text("stdout").find("1 targets of vertices inside are met\n") != std::string::npos);
+}
+
+TEST_CASE("Of a copy of the mesh, vertices at interfaces are met if they have moved")
+{
+  const Folder folder;
+  Soup source = cube(4), target = source;
+  const auto is_of_inclusion = [](const Point& p)
+  { return std::all_of(p.begin(), p.end(), [](const double x) { return x >= 1 && x <= 3; }); };
+  for(Point& p : target.points)
+    p[0] += is_of_inclusion(p) ? 0.25 : 0;
+  folder.write("one_material.mesh", source);
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+    source.cell_references[c] = std::all_of(source.cells[c].begin(), source.cells[c].end(), [&](const std::size_t v)
+                                            { return is_of_inclusion(source.points[v]); }) ? 2 : 1;
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", target);
+  const auto check = [&](const std::string& arguments, const std::size_t met, const std::size_t free)
+  {
+    CAPTURE(arguments);
+    REQUIRE(folder.run(arguments + " -o map.mesh --report report.json") == 0);
+    CHECK(number(folder.text("report.json"), "targets_inside") == met);
+    CHECK(number(folder.text("report.json"), "free_targets") == free);
+    CHECK((folder.text("stdout").find(std::to_string(free) + " targets of vertices inside are not asked for; --inside met asks")
+           != std::string::npos) == (free > 0));
+  };
+  check("source.mesh target.mesh --energy symmetric_dirichlet", 26, 1);
+  const std::vector<Point> map = folder.soup("map.mesh").points;
+  for(std::size_t v = 0; v < map.size(); ++v)
+    if(source.points[v] != Point{2, 2, 2})
+      CHECK(map[v] == target.points[v]);
+  check("source.mesh target.mesh --inside met", 27, 0);
+  CHECK(folder.soup("map.mesh").points == target.points);
+  check("source.mesh target.mesh --inside free", 0, 27);
+  check("one_material.mesh target.mesh", 0, 27);
+
+  for(std::size_t v = 0; v < source.points.size(); ++v) // only the boundary moves, along x
+    target.points[v] = {source.points[v][0] * (is_on_boundary(source.points[v], 4) ? 4 : 1), source.points[v][1], source.points[v][2]};
+  folder.write("target.mesh", target);
+  REQUIRE(folder.run("source.mesh target.mesh --report report.json") == 0);
+  CHECK(number(folder.text("report.json"), "targets_inside") == 0);
+  CHECK(number(folder.text("report.json"), "free_targets") == 27);
+  CHECK(folder.run("source.mesh --to ball --inside met") == 2);
 }
 
 TEST_CASE("Only the part that moves needs targets, which may be displacements")

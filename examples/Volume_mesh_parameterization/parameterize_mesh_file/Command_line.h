@@ -17,7 +17,7 @@
 
 struct Options
 {
-  std::string source, target, domain, landmarks, others, initial, output, refined_source, report, energy, solver, boundary, refinement;
+  std::string source, target, domain, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
@@ -44,7 +44,7 @@ tells; the vertices inside are placed such that no cell is inverted or flat, and
                meshio makes a file *.vtu: meshio convert a.inp a.vtu
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
                the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates.
-               Lines may tell vertices inside as well, which are met
+               Vertices inside may be told as well: see --inside
 Each file may be a pipe, or - for the standard input or output; then the summary goes to the standard error.
 )";
 
@@ -136,6 +136,9 @@ inline Command_line command_line(Options& options)
     ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
      "what vertices of the boundary without a target do: missing: there is no map; stay: they stay where they are; slide: they "
      "move in the planes and along the straight edges of the boundary, and those with a target do not")
+    ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
+     "what vertices inside with a target do: met: they meet it; free: they do not; auto: they meet it if others have none, and "
+     "where all have one, as in a copy of SOURCE.mesh, those between cells of different references do, if one of them has moved")
     ("initial", po::value(&options.initial)->value_name("FILE"),
      "a map nearby to start from, a file as TARGET: what --output has written for other targets")
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),

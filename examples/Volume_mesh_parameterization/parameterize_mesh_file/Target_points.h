@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,49 +23,113 @@ inline Others named_others(const std::string& name)
                            { {"missing", Others::MISSING}, {"stay", Others::STAY}, {"slide", Others::SLIDE} });
 }
 
+// Which vertices inside meet their targets.
+enum class Inside { AUTO, FREE, MET };
+
+inline Inside named_inside(const std::string& name)
+{
+  return find_name<Inside>("way for vertices inside", name,
+                           { {"auto", Inside::AUTO}, {"free", Inside::FREE}, {"met", Inside::MET} });
+}
+
 struct Target_points
 {
   Points points;                    // not numbers for a vertex without a target
-  std::vector<char> is_constrained; // vertices inside that have one, and those of the boundary that must not slide
+  std::vector<char> is_constrained; // vertices inside that meet theirs, and those of the boundary that must not slide
   std::size_t number_inside = 0;    // number of targets inside that are met
 };
 
 inline bool has_target(const Points& points, const std::size_t v) { return !std::isnan(points[v][0]); }
 
-// Completes the targets of a file. If all vertices have one, as in a copy of the mesh, targets inside are not asked for.
+// Adds the points of the source to displacements.
+inline void displace(const Points& points, Points& displacements)
+{
+  for(std::size_t v = 0; v < points.size(); ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      displacements[v][i] += points[v][i];
+}
+
+// Vertices whose cells have several references, as those between two materials.
+inline std::vector<char> vertices_of_interfaces(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  std::vector<std::size_t> first_cells(soup.points.size(), none);
+  std::vector<char> result(soup.points.size(), false);
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    for(const std::size_t v : soup.cells[c])
+    {
+      if(first_cells[v] == none)
+        first_cells[v] = c;
+      result[v] = result[v] || soup.cell_references[first_cells[v]] != soup.cell_references[c];
+    }
+  return result;
+}
+
+// Tells whether each vertex of a cell has a target, as in a copy of the mesh.
+inline bool are_all_told(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Points& targets)
+{
+  return std::all_of(soup.cells.begin(), soup.cells.end(), [&](const auto& cell)
+  { return std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) { return has_target(targets, v); }); });
+}
+
+// Returns the vertices that meet their targets if they are inside.
+inline std::vector<char> vertices_to_meet(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
+                                          const Points& targets, const bool are_interfaces_alone)
+{
+  if(are_interfaces_alone)
+    return vertices_of_interfaces(soup);
+  std::vector<char> result(soup.points.size(), false);
+  for(const auto& cell : soup.cells)
+    for(const std::size_t v : cell)
+      result[v] = has_target(targets, v);
+  return result;
+}
+
+// Completes the targets on the boundary. There, vertices need not be met.
+inline void complete_boundary(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Others others,
+                              Target_points& target, std::vector<char>& is_met)
+{
+  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+  {
+    is_met[v] = false;
+    target.is_constrained[v] = others == Others::SLIDE && has_target(target.points, v);
+    if(others != Others::MISSING && !has_target(target.points, v))
+      target.points[v] = soup.points[v];
+  }
+}
+
+// Completes the targets of a file. Of a copy of the mesh, vertices at interfaces are met if one of them has moved inside:
+// otherwise only the boundary of the copy was moved.
 inline Target_points target_points(const Source& source, Points points, const Options& options)
 {
   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup = source.soup;
-  const Others others = named_others(options.others);
   Target_points result = { std::move(points), std::vector<char>(soup.points.size(), false) };
   if(options.are_displacements)
-    for(std::size_t v = 0; v < soup.points.size(); ++v)
-      for(std::size_t i = 0; i < 3; ++i)
-        result.points[v][i] += soup.points[v][i];
-
-  bool are_all_told = true;
-  std::vector<char> is_inside(soup.points.size(), false);
-  for(const auto& cell : soup.cells)
-    for(const std::size_t v : cell)
-    {
-      is_inside[v] = true;
-      are_all_told = are_all_told && has_target(result.points, v);
-    }
-  if(are_all_told)
-    return result;
-  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
-  {
-    is_inside[v] = false;
-    result.is_constrained[v] = others == Others::SLIDE && has_target(result.points, v);
-    if(others != Others::MISSING && !has_target(result.points, v))
-      result.points[v] = soup.points[v];
-  }
+    displace(soup.points, result.points);
+  const Inside inside = named_inside(options.inside);
+  const bool are_interfaces_alone = inside == Inside::AUTO && are_all_told(soup, result.points);
+  std::vector<char> is_met = vertices_to_meet(soup, result.points, are_interfaces_alone);
+  complete_boundary(soup, named_others(options.others), result, is_met);
+  bool has_moved = false;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(is_inside[v] && has_target(result.points, v))
+    has_moved = has_moved || (is_met[v] && result.points[v] != soup.points[v]);
+  if(inside == Inside::FREE || (are_interfaces_alone && !has_moved))
+    return result;
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(is_met[v])
     {
       result.is_constrained[v] = true;
       ++result.number_inside;
     }
+  return result;
+}
+
+// Counts the targets that a map meets nowhere: those inside that are not asked for, if it meets the boundary.
+inline std::size_t number_of_free_targets(const Target_points& target, const Points& images)
+{
+  std::size_t result = 0;
+  for(std::size_t v = 0; v < target.points.size(); ++v)
+    result += has_target(target.points, v) && target.points[v] != images[v];
   return result;
 }
 

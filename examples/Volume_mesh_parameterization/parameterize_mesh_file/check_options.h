@@ -73,6 +73,8 @@ inline void check(const Options& options)
     throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
   if(named_others(options.others) != Others::MISSING && options.target.empty())
     throw std::runtime_error("other vertices than those of TARGET are told by --others, and --to has none");
+  if(named_inside(options.inside) != Inside::AUTO && options.target.empty())
+    throw std::runtime_error("vertices inside with a target are told by --inside, and --to has none");
   if(options.are_displacements && options.target.empty())
     throw std::runtime_error("displacements are those of TARGET, and --to has none");
   if(options.number_of_iterations < 0)

@@ -79,6 +79,8 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, 
   result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
     result.message += " If TARGET has displacements, --displacements tells this.";
+  if(!result.has_valid_map && target.number_inside > 0 && result.status != VMP::ERROR_INTERRUPTED)
+    result.message += " Targets of vertices inside are asked for, too; --inside free does without.";
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(progress.reason()) + (result.has_valid_map
       ? " The map is valid, but the energy is not minimal yet." : " There is no map without inverted cells yet.");
@@ -239,6 +241,8 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.number_of_targets_inside = target.number_inside;
   if(!result.has_valid_map)
     return outcome;
+  if(has_file && outcome.exit_code == SUCCESS && !options.do_slide && named_others(options.others) != Others::SLIDE)
+    outcome.number_of_free_targets = number_of_free_targets(target, uvw);
   source.complete_images(uvw);
   progress.show("writing"); // also if the computation was interrupted
   write_files(options, source, uvw, progress, outcome);
@@ -299,6 +303,8 @@ int main(int argc, char* argv[])
       print(result);
       if(outcome.number_of_targets_inside > 0)
         std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
+      if(outcome.number_of_free_targets > 0)
+        std::cout << outcome.number_of_free_targets << " targets of vertices inside are not asked for; --inside met asks for them\n";
       if(outcome.hexahedra && outcome.hexahedra->status == VMP::OK)
         print(*outcome.hexahedra);
     }
