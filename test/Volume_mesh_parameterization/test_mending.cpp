@@ -69,6 +69,9 @@ TEST_CASE("A body that touches itself gets a vertex for each fan")
   soup.cell_references = {1, 2, 3};
   soup.facets = {{1, 0, 5}, {0, 1, 2}, {7, 6, 1}};
   soup.facet_references = {4, 5, 6};
+  soup.edges = {{1, 0}, {3, 2}, {4, 1}, {8, 1}}; // the first one is in two of the parts
+  soup.edge_references = {7, 8, 9, 10};
+  soup.edge_data = {{"length", 1, false, {1, 2, 3, 4}}};
   CHECK(VMP::non_manifold_boundary_vertices(soup.points, soup.cells).size() == 2);
   const Soup before = soup;
   CHECK(VMP::separate_pinched_vertices(soup) == std::vector<std::size_t>{0, 1, 1});
@@ -79,6 +82,9 @@ TEST_CASE("A body that touches itself gets a vertex for each fan")
   for(std::size_t f = 0; f < 3; ++f)
     std::sort(soup.facets[f].begin(), soup.facets[f].end());
   CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{5, 9, 10}, {0, 1, 2}, {6, 7, 11}});
+  CHECK(soup.edges == std::vector<std::array<std::size_t, 2> >{{1, 0}, {3, 2}, {4, 10}, {8, 11}, {9, 10}});
+  CHECK(soup.edge_references == std::vector<int>{7, 8, 9, 10, 7});
+  CHECK(soup.edge_data[0].values == std::vector<double>{1, 2, 3, 4, 1});
   CHECK(VMP::non_manifold_boundary_vertices(soup.points, soup.cells).empty());
   CHECK(VMP::separate_pinched_vertices(soup).empty());
 

@@ -16,7 +16,9 @@
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
+#include <iterator>
 #include <map>
+#include <set>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
@@ -51,6 +53,43 @@ inline void renumber_facets(const std::vector<std::array<std::size_t, 4> >& befo
   }
 }
 
+// Appends a copy of an element to its data.
+inline void copy_data(const std::size_t element, std::vector<Data_array_3>& arrays)
+{
+  for(Data_array_3& array : arrays)
+    for(std::size_t i = 0; i < array.number_of_components; ++i)
+      array.values.push_back(double(array.values[element * array.number_of_components + i]));
+}
+
+// Lets the marked edges follow the cells, which had the vertices `before`. An edge in several fans is appended for each of
+// the others.
+inline void renumber_edges(const std::vector<std::array<std::size_t, 4> >& before, Tetrahedron_soup_3& soup)
+{
+  using Edge = std::array<std::size_t, 2>;
+  std::map<Edge, std::set<Edge> > edges_of_fans;
+  for(const Edge& edge : soup.edges)
+    edges_of_fans[sorted(edge)];
+  for(std::size_t c = 0; c < before.size(); ++c)
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < i; ++j)
+        if(const auto found = edges_of_fans.find(sorted(Edge{ before[c][i], before[c][j] })); found != edges_of_fans.end())
+          found->second.insert(sorted(Edge{ soup.cells[c][i], soup.cells[c][j] }));
+  for(std::size_t e = 0, n = soup.edges.size(); e < n; ++e)
+  {
+    const std::set<Edge>& edges = edges_of_fans[sorted(soup.edges[e])];
+    if(edges.empty())
+      continue;
+    if(sorted(soup.edges[e]) != *edges.begin())
+      soup.edges[e] = *edges.begin();
+    for(auto edge = std::next(edges.begin()); edge != edges.end(); ++edge)
+    {
+      soup.edges.push_back(*edge);
+      soup.edge_references.push_back(int(soup.edge_references[e]));
+      copy_data(e, soup.edge_data);
+    }
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgVolumeMeshParameterizationIO
@@ -60,7 +99,8 @@ inline void renumber_facets(const std::vector<std::array<std::size_t, 4> >& befo
 /// number of cells, but for those at such vertices.
 ///
 /// \param soup the mesh, whose cells are all positive or all negative. The first fan keeps its vertex; points at the same
-///        place for the other ones are appended, with the same data. Marked facets follow their cells.
+///        place for the other ones are appended, with the same data. Marked facets and edges follow their cells; an
+///        edge in several fans becomes one for each.
 ///
 /// \return for each appended point, the vertex that it was
 ///
@@ -85,13 +125,13 @@ inline std::vector<std::size_t> separate_pinched_vertices(Tetrahedron_soup_3& so
     {
       origins.push_back(v);
       soup.points.push_back(std::array<double, 3>(soup.points[v]));
-      for(Data_array_3& array : soup.point_data)
-        for(std::size_t i = 0; i < array.number_of_components; ++i)
-          array.values.push_back(array.values[v * array.number_of_components + i]);
+      internal::copy_data(v, soup.point_data);
     }
     soup.cells[corner / 4][corner % 4] = entry->second;
   }
   internal::renumber_facets(before, soup);
+  if(!origins.empty())
+    internal::renumber_edges(before, soup);
   return origins;
 }
 
