@@ -27,7 +27,7 @@ LARGEST = 10  # largest distortion that colors tell apart
 DPI = 200  # pictures are shown at half their size, on screens with small pixels at all of it
 render.SIZE = 1040  # pixels of a picture
 
-# name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts the image
+# name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts
 VIEWS = {
     "twisted": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
     "elephant_to_ball": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
@@ -48,6 +48,8 @@ def line_actor(data, color, width):
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-6, -6)
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(*color)
@@ -56,27 +58,14 @@ def line_actor(data, color, width):
     return actor
 
 
-def edges_of_domain(grid):
-    """Where faces of the domain meet: without them, faces behind each other look like one with teeth."""
-    surface = surface_of(grid)
-    positions = surface.GetPoints().GetData()
-    positions.SetName("position")
-    surface.GetPointData().AddArray(positions)
-    points = vtk.vtkPoints()
-    points.SetData(surface.GetPointData().GetArray("uvw"))
-    domain = vtk.vtkPolyData()
-    domain.ShallowCopy(surface)
-    domain.SetPoints(points)
+def sharp_edges(grid):
+    """Where faces meet: without them, faces behind each other look like one with teeth."""
     edges = vtk.vtkFeatureEdges()
-    edges.SetInputData(domain)
+    edges.SetInputData(surface_of(grid))
     edges.BoundaryEdgesOff()
     edges.NonManifoldEdgesOff()
     edges.Update()
-    lines = edges.GetOutput()
-    points = vtk.vtkPoints()
-    points.SetData(lines.GetPointData().GetArray("position"))
-    lines.SetPoints(points)
-    return line_actor(lines, (0, 0, 0), 6)
+    return line_actor(edges.GetOutput(), (0, 0, 0), 6)
 
 
 def grid_lines(grid, number=16):
@@ -104,14 +93,14 @@ def grid_lines(grid, number=16):
 
 
 def colors_of_positions(grid):
-    """A colour for each position in the domain: red, green and blue grow with the coordinates."""
+    """A color for each position in the domain: red, green and blue grow with the coordinates."""
     uvw = vtk_to_numpy(grid.GetPointData().GetArray("uvw"))
     low, high = uvw.min(axis=0), uvw.max(axis=0)
     return (60 + 190 * (uvw - low) / (high - low)).astype(numpy.uint8)
 
 
 def painted_surface(grid, colors):
-    """The surface with a colour for each vertex."""
+    """The surface with a color for each vertex."""
     painted = vtk.vtkUnstructuredGrid()
     painted.ShallowCopy(grid)
     array = numpy_to_vtk(colors, deep=True, array_type=vtk.VTK_UNSIGNED_CHAR)
@@ -124,67 +113,6 @@ def painted_surface(grid, colors):
     actor.GetProperty().SetAmbient(0.7)
     actor.GetProperty().SetDiffuse(0.3)
     return actor
-
-
-def opened(grid, array, normal, up):
-    """Both halves of a body, opened like a book: one sees the planar cut of each."""
-    right = numpy.cross(up, normal)
-    bounds = numpy.array(grid.GetBounds()).reshape(3, 2)
-    width = abs(right) @ (bounds[:, 1] - bounds[:, 0])
-    turn = vtk.vtkTransform()
-    turn.Translate(*(1.08 * width * right))
-    turn.Translate(*bounds.mean(axis=1))
-    turn.RotateWXYZ(180, *up)
-    turn.Translate(*(-bounds.mean(axis=1)))
-    halves = [render.colored_surface(render.cut(grid, n), array, LARGEST)
-              for n in (normal, tuple(-x for x in normal))]
-    turned = vtk.vtkTransformPolyDataFilter()
-    surface = halves[1].GetMapper().GetInputConnection(0, 0)
-    turned.SetInputConnection(surface)
-    turned.SetTransform(turn)
-    halves[1].GetMapper().SetInputConnection(turned.GetOutputPort())
-    for half in halves:
-        half.GetProperty().SetAmbient(0.85)  # so that colours are those of the scale
-        half.GetProperty().SetDiffuse(0.15)
-    return halves
-
-
-def volumes(grid):
-    cells = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
-    points = vtk_to_numpy(grid.GetPoints().GetData())[cells].astype(float)
-    return numpy.linalg.det(points[:, 1:] - points[:, :1]) / 6
-
-
-def scale_to_source_volume(grid):
-    """Lets the distortions of volumes be those of the map scaled to the volume of the source."""
-    volume = volumes(grid)
-    determinant = vtk_to_numpy(grid.GetCellData().GetArray("det_J"))
-    determinant = determinant * volume.sum() / (determinant * volume).sum()
-    array = numpy_to_vtk(determinant + 1 / determinant, deep=True)
-    array.SetName("volume_distortion")
-    grid.GetCellData().AddArray(array)
-
-
-def draw_histogram(axes, grid):
-    """Which share of the volume of the source has which distortion."""
-    volume = volumes(grid)
-    for array, name, color in (("angle_distortion", "angles", "tab:blue"),
-                               ("volume_distortion", "volumes", "tab:orange")):
-        values = vtk_to_numpy(grid.GetCellData().GetArray(array))
-        order = numpy.argsort(values)
-        share = volume[order].cumsum() / volume.sum()
-        percentiles = [values[order][min(numpy.searchsorted(share, p), len(order) - 1)] for p in (0.5, 0.95, 0.99)]
-        label = f"{name}: " + ", ".join(f"{x:.3g}" for x in [*percentiles, values.max()])
-        axes.hist(values.clip(max=2 * LARGEST), numpy.geomspace(2, 2 * LARGEST, 33), histtype="step", color=color,
-                  weights=100 * volume / volume.sum(), label=label)
-    axes.set_xscale("log")
-    axes.set_xlim(2, 2 * LARGEST)
-    axes.set_xticks([2, 3, 5, 10, 20], ["2", "3", "5", "10", "20+"])
-    axes.minorticks_off()
-    axes.set_xlabel("distortion")
-    axes.set_ylabel("% of the volume")
-    axes.legend(frameon=False, title="median, 95 %, 99 %, max", fontsize=7.5, title_fontsize=7.5, handlelength=1,
-                loc="upper right")
 
 
 def show(axes, picture, title):
@@ -208,7 +136,7 @@ def save(figure, output):
 
 def draw_row(bodies, output, bar=None):
     """Bodies side by side, each a list of actors with its direction to the eye, direction upwards and title. The bar is
-    colours, the values at its ends and what it shows."""
+    colors, their scale and what it shows."""
     figure, axes = pyplot.subplots(1, len(bodies), figsize=(10.8, 10.8 / len(bodies)), constrained_layout=True)
     with tempfile.TemporaryDirectory() as name:
         panel = Path(name) / "panel.png"
@@ -216,55 +144,53 @@ def draw_row(bodies, output, bar=None):
             render.picture(panel, actors, direction, up)
             show(panel_axes, panel, title)
     if bar:
-        colors, (low, high), title = bar
-        scale = matplotlib.cm.ScalarMappable(Normalize(low, high), ListedColormap(colors))
-        figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=40, label=title)
+        colors, norm, title = bar
+        scale = matplotlib.cm.ScalarMappable(norm, ListedColormap(colors))
+        drawn = figure.colorbar(scale, ax=axes, orientation="horizontal", shrink=0.4, aspect=40, label=title)
+        if isinstance(norm, LogNorm):
+            drawn.ax.minorticks_off()
+            drawn.set_ticks([2, 3, 4, 6, 8, LARGEST], labels=["2", "3", "4", "6", "8", f"{LARGEST} and more"])
     save(figure, output)
 
 
 def colors_of(actor):
-    """The colours of its lookup table."""
+    """The colors of its lookup table."""
     table = actor.GetMapper().GetLookupTable()
     return [table.GetTableValue(i)[:3] for i in range(table.GetNumberOfTableValues())]
 
 
+def section(grid, direction):
+    """The half of a body behind a plane, whose section has the colors of the distortion of angles."""
+    actor = render.colored_surface(render.cut(grid, direction), "angle_distortion", LARGEST)
+    actor.GetProperty().SetAmbient(0.85)  # so that colors are those of the scale
+    actor.GetProperty().SetDiffuse(0.15)
+    return actor
+
+
+DISTORTION = (render.color_scale(), LogNorm(2, LARGEST), "distortion of angles (2: none), on a logarithmic scale")
+
+
 def draw_map(vtu, output):
-    """Source and image with the same colours; both distortions in both halves of the image, and their histograms.
-    Where the boundary slides, the targets are beside the points that the vertices have slid to."""
+    """Source and image with the same colors, and a section of the image with its distortion."""
     direction, up, normal = VIEWS[vtu.stem]
     source = render.read(str(vtu))
-    scale_to_source_volume(source)
     image = render.image_of(source)
     colors = colors_of_positions(source)
-    bodies = [(source, "source"), (image, "image; equal colors: equal points")]
-    fixed = vtu.with_name(vtu.stem.replace("sliding", "fixed") + ".vtu")
-    if fixed != vtu:
-        targets = render.read(str(fixed))
-        colors = colors_of_positions(targets)
-        bodies = [(source, "source"), (render.image_of(targets), "targets; equal colors: equal points"),
-                  (image, "where the vertices have slid to")]
+    draw_row([([painted_surface(source, colors)], direction, up, "mesh"),
+              ([painted_surface(image, colors)], direction, up, "image; equal colors: equal points"),
+              ([section(image, normal)], normal, up, "section of the image")], output, DISTORTION)
 
-    figure = pyplot.figure(figsize=(10.8, 6.8))
-    rows = figure.add_gridspec(2, 1, height_ratios=(1.25, 1), left=0.01, right=0.99, bottom=0.11, top=0.96, hspace=0.16)
-    with tempfile.TemporaryDirectory() as name:
-        panel = Path(name) / "panel.png"
-        for axes, (grid, title) in zip(rows[0].subgridspec(1, len(bodies), wspace=0.02).subplots(), bodies):
-            render.picture(panel, [painted_surface(grid, colors)], direction, up)
-            show(axes, panel, title)
-        below = rows[1].subgridspec(1, 3, width_ratios=(2, 2, 1.4), wspace=0.1).subplots()
-        for axes, quantity in zip(below, ("angle", "volume")):
-            render.picture(panel, opened(image, f"{quantity}_distortion", normal, up), normal, up, aspect=2)
-            show(axes, panel, f"distortion of {quantity}s in both halves")
-    draw_histogram(below[2], source)
-    box = below[2].get_position()
-    below[2].set_position((box.x0 + 0.02, box.y0, box.width - 0.03, box.height))
-    scale = figure.add_axes((0.16, 0.075, 0.4, 0.02))
-    colors = matplotlib.cm.ScalarMappable(LogNorm(2, LARGEST), ListedColormap(render.color_scale()))
-    bar = figure.colorbar(colors, scale, orientation="horizontal", ticks=[2, 3, 4, 5, 6, 8, 10])
-    bar.ax.minorticks_off()
-    bar.ax.set_xticklabels(["2", "3", "4", "5", "6", "8", "10 and more"])
-    bar.set_label("distortion (2: none), on a logarithmic scale that ends at 10")
-    save(figure, output)
+
+def draw_sliding(folder, output):
+    """The source, and the distortion on the surface of its image with a boundary that is fixed and one that slides."""
+    direction, up, _ = VIEWS["sliding_boundary"]
+    grids = [render.read(str(folder / f"{name}_boundary.vtu")) for name in ("fixed", "sliding")]
+    bodies = [([render.surface(grids[0])], direction, up, "mesh")]
+    for grid, title in zip(grids, ("fixed boundary", "vertices have slid in faces and along edges")):
+        distortion = render.colored_surface(render.image_of(grid), "angle_distortion", LARGEST)
+        distortion.GetProperty().SetEdgeVisibility(True)
+        bodies.append(([distortion], direction, up, title))
+    draw_row(bodies, output, DISTORTION)
 
 
 def draw_convergence(report, output):
@@ -287,35 +213,69 @@ def draw_convergence(report, output):
     save(figure, output)
 
 
-def draw_grid(vtu, output, icon):
-    """A regular grid in the parameter domain, and what it becomes in the source; the latter also as a small picture."""
+def body_with_grid(grid):
+    return [render.surface(grid, edges=False), grid_lines(grid), sharp_edges(grid)]
+
+
+def draw_grid(vtu, output):
+    """A regular grid in the parameter domain, and what it becomes in the source."""
     direction, up, _ = VIEWS[vtu.stem]
     source = render.read(str(vtu))
-    bodies = [[render.surface(grid, edges=False), grid_lines(grid), edges_of_domain(grid)]
-              for grid in (render.image_of(source), source)]
-    draw_row([(bodies[0], direction, up, "polycube with a regular grid"), (bodies[1], direction, up, "part with the same grid")],
-             output)
-    render.picture(icon, bodies[1], direction, up)
+    draw_row([(body_with_grid(render.image_of(source)), direction, up, "polycube with a regular grid"),
+              (body_with_grid(source), direction, up, "part with the same grid")], output)
+
+
+def draw_overview(folder, output, icon):
+    """A part, its polycube and hexahedra; the last one also as a small picture."""
+    direction, up, _ = VIEWS["polycube"]
+    source = render.read(str(folder / "polycube.vtu"))
+    colors = colors_of_positions(source)
+    hexahedra = [render.surface(render.read(str(folder / "hexahedra.vtu")))]
+    draw_row([([painted_surface(source, colors)], direction, up, "tetrahedra"),
+              ([painted_surface(render.image_of(source), colors)], direction, up, "their map to a polycube"),
+              (hexahedra, direction, up, "hexahedra by the inverse map")], output)
+    render.picture(icon, hexahedra, direction, up)
     picture = Image.open(icon).convert("RGB").resize((320, 320), Image.LANCZOS)
     picture.quantize(256).save(icon, optimize=True)
 
 
-def surface_with_field(grid):
-    """Coloured by the references of the cells, from 0, orange, to 100, blue."""
+def surface_with_field(grid, largest):
+    """Colored by a field of the vertices, from 0, orange, to the largest value, blue."""
     table = vtk.vtkLookupTable()
     table.SetHueRange(0.08, 0.6)
     table.SetSaturationRange(0.6, 0.6)
-    table.SetTableRange(0, 100)
-    return render.surface_by_table(grid, "reference", table)
+    table.SetTableRange(0, largest)
+    table.Build()
+    actor = render.surface(grid, edges=False)
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray("field")
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    return actor
+
+
+def landmarks(grid):
+    """A ball at each marked vertex."""
+    marks = vtk_to_numpy(grid.GetPointData().GetArray("landmark"))
+    for position in vtk_to_numpy(grid.GetPoints().GetData())[marks > 0]:
+        ball = vtk.vtkSphereSource()
+        ball.SetCenter(*position)
+        ball.SetRadius(0.025 * grid.GetLength())
+        ball.Update()
+        actor = line_actor(ball.GetOutput(), (0.75, 0.05, 0.1), 1)
+        actor.GetProperty().LightingOn()
+        yield actor
 
 
 def draw_carried(folder, output):
-    """A field and a regular grid of the elephant, and what becomes of them on the bull."""
-    bodies = []
-    for name, direction in (("elephant", (2, 1, 3)), ("bull", (-2, 1, 3))):
-        grid = render.read(str(folder / f"{name}.vtu"))
-        bodies.append(([surface_with_field(grid), grid_lines(grid)], direction, (0, 1, 0), name))
-    draw_row(bodies, output, (colors_of(bodies[0][0][0]), (0, 100), "distance from the tip of the trunk, in % of the largest one"))
+    """A field, a regular grid and the landmarks of the elephant, and what becomes of them on the bull."""
+    grids = [render.read(str(folder / f"{name}.vtu")) for name in ("elephant", "bull")]
+    largest = grids[0].GetPointData().GetArray("field").GetRange()[1]
+    bodies = [([surface_with_field(grid, largest), grid_lines(grid), *landmarks(grid)], direction, (0, 1, 0), title)
+              for grid, direction, title in zip(grids, ((2, 1, 3), (-2, 1, 3)), ("elephant", "bull"))]
+    draw_row(bodies, output, (colors_of(bodies[0][0][0]), Normalize(0, 100), "distance from the tip of the trunk, in % of the largest one"))
 
 
 def draw_moving(folder, output):
@@ -332,16 +292,18 @@ def draw_hexahedra(vtu, output):
     mesh = render.read(str(vtu))
     quality = render.quality_surface(render.whole_cells_behind(mesh, normal), "scaled_jacobian")
     draw_row([([render.surface(mesh)], direction, up, "hexahedra"), ([quality], direction, up, "those of one half")], output,
-             (colors_of(quality), (0, 1), "scaled Jacobian (right angles: 1)"))
+             (colors_of(quality), Normalize(0, 1), "scaled Jacobian (right angles: 1)"))
 
 
 def main(folder, output_folder):
     draw_carried(folder, output_folder / "body_to_body.png")
-    for name in VIEWS:
+    for name in ("twisted", "elephant_to_ball", "elephant_to_cube", "polycube"):
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
+    draw_sliding(folder, output_folder / "sliding_boundary.png")
     if (folder / "convergence.json").exists():
         draw_convergence(folder / "convergence.json", output_folder / "convergence.png")
-    draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png", output_folder / "icon.png")
+    draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
+    draw_overview(folder, output_folder / "overview.png", output_folder / "icon.png")
     draw_moving(folder, output_folder / "moving_boundary.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
 

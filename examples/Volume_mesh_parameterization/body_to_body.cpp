@@ -68,18 +68,21 @@ struct Body
   VMP::Volume_map_3 map() const { return VMP::Volume_map_3(mesh.points, mesh.cells, in_ball); }
 };
 
-// Writes the mesh with the points from which it has its texture, and with the field in hundredths, as references of the
-// cells.
-bool write(VMP::Tetrahedron_soup_3 mesh, const Points& texture, const std::vector<double>& field,
-           const std::string& filename)
+// Writes the mesh with the points from which it has its texture, and with a field; the vertices nearest to the landmarks are
+// marked by 1, 2, ..., the others by 0.
+bool write(const std::string& filename, VMP::Tetrahedron_soup_3 mesh, const Points& texture, const std::vector<double>& field,
+           const std::vector<Point_3>& landmarks)
 {
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  std::vector<double> marks(mesh.points.size());
+  for(std::size_t i = 0; i < landmarks.size(); ++i)
   {
-    double sum = 0;
-    for(const std::size_t v : mesh.cells[c])
-      sum += field[v];
-    mesh.cell_references[c] = static_cast<int>(100 * sum / 4);
+    const auto distance = [&](const std::array<double, 3>& p)
+    { return CGAL::squared_distance(landmarks[i], Point_3(p[0], p[1], p[2])); };
+    const auto nearest = std::min_element(mesh.points.begin(), mesh.points.end(), [&](const auto& p, const auto& q)
+    { return distance(p) < distance(q); });
+    marks[static_cast<std::size_t>(nearest - mesh.points.begin())] = static_cast<double>(i + 1);
   }
+  mesh.point_data = { { "field", 1, false, field }, { "landmark", 1, true, marks } };
   return VMP::IO::write_VTU(filename, mesh, texture);
 }
 
@@ -112,14 +115,11 @@ try
   for(const std::array<double, 3>& q : bull.in_ball)
   {
     const auto preimage = *elephant_to_ball.nearest_preimage(Point_3(q[0], q[1], q[2]));
-    double value = 0;
-    for(std::size_t i = 0; i < 4; ++i)
-      value += preimage.barycentric_coordinates[i] * field[elephant.mesh.cells[preimage.cell][i]];
     carried.push_back({ preimage.point.x(), preimage.point.y(), preimage.point.z() });
-    carried_field.push_back(value);
+    carried_field.push_back(elephant_to_ball.interpolate(preimage, field));
   }
-  const bool is_written = write(elephant.mesh, elephant.mesh.points, field, "elephant.vtu")
-                          && write(bull.mesh, carried, carried_field, "bull.vtu");
+  const bool is_written = write("elephant.vtu", elephant.mesh, elephant.mesh.points, field, of_elephant)
+                          && write("bull.vtu", bull.mesh, carried, carried_field, of_bull);
   return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 catch(const std::exception& error)

@@ -21,9 +21,9 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/joint.off");
   const std::string output_filename = (argc > 2) ? argv[2] : "hexahedra.vtu";
-  const double number = (argc > 3) ? std::atof(argv[3]) : 15; // number of hexahedra along the longest side
+  const double number = (argc > 3) ? std::atof(argv[3]) : 20; // number of hexahedra along the longest side
 
   Surface_mesh surface;
   if(!CGAL::IO::read_polygon_mesh(filename, surface) || !(number > 0))

@@ -16,7 +16,7 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/fandisk.off");
+  const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/joint.off");
   const std::string output_filename = (argc > 2) ? argv[2] : "polycube.vtu";
 
   Surface_mesh surface;

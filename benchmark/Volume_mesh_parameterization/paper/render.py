@@ -118,6 +118,8 @@ def actor(grid, edges, paint):
     actor.GetProperty().SetEdgeVisibility(edges)
     actor.GetProperty().SetEdgeColor(0.35, 0.38, 0.42)
     actor.GetProperty().SetLineWidth(0.6)
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()  # lines on the surface are before it
+    mapper.SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 2)
     actor.GetProperty().SetAmbient(0.4)
     actor.GetProperty().SetDiffuse(0.6)
     paint(mapper, actor.GetProperty())
