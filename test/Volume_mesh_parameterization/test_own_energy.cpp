@@ -16,6 +16,9 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -216,4 +219,32 @@ TEST_CASE("The last step that a visitor sees has the energy of the result")
   check(twisted_cube(4, 0.1), Own_energy());
   check(ring(5), VMP::Stretch_energy_3());
   check(mapped_cube(4, 0.1, [](const Vector3d& p) -> Vector3d { return 1000 * p; }), VMP::Stretch_energy_3());
+}
+
+namespace {
+
+struct Wrong_gradient_energy : VMP::Stretch_energy_3
+{
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const { return T(2) * VMP::Stretch_energy_3::gradient(s); }
+};
+
+} // namespace
+
+TEST_CASE("With verbose, wrong derivatives of an energy are told, and correct ones are not")
+{
+  const auto printed = [](const auto& energy)
+  {
+    std::ostringstream output;
+    std::streambuf* const buffer = std::cout.rdbuf(output.rdbuf());
+    Complex complex(twisted_cube(2));
+    CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+      params::boundary_map(complex.boundary_map()).energy(energy).verbose(true).number_of_iterations(1));
+    std::cout.rdbuf(buffer);
+    return output.str();
+  };
+  const std::string sentences = printed(Wrong_gradient_energy());
+  CHECK(sentences.find("The gradient of the energy is wrong") != std::string::npos);
+  CHECK(sentences.find("The Hessian of the energy is wrong") != std::string::npos); // of half of the gradient
+  CHECK(printed(Own_energy()).find("energy is") == std::string::npos);
 }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/check_derivatives.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
@@ -56,6 +57,9 @@ Parameterization_result refused_result(const Input_check_3& check, const Progres
 // A line of `verbose`.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step);
 
+// Prints which derivatives of the energy are wrong. An energy that is not finite where it is tried cannot be compared.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& errors);
+
 // Reads the named parameters that are not about vertices, and returns `run(problem)`.
 template <typename ConcurrencyTag, typename NamedParameters, typename Run>
 Parameterization_result run_problem(const NamedParameters& np, const Run& run,
@@ -84,6 +88,9 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
   Limits<NamedParameters> limits(np);
   Map_options_3 options;
   options.verbose = parameter_or(np, internal_np::verbose, false);
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::verbose_t>::value)
+    if(options.verbose)
+      print(check_derivatives(energy));
   const auto after_step = [&](const Parameterization_step& step)
   {
     if(options.verbose)

@@ -34,6 +34,20 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step&
             << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
 }
 
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& errors)
+{
+  const auto is_wrong = [](const double error) { return error >= Derivative_errors_3::bound && std::isfinite(error); };
+  if(is_wrong(errors.symmetry))
+    std::cout << "The energy is not symmetric: its value changes by " << errors.symmetry
+              << " of its size where singular values are exchanged." << std::endl;
+  if(is_wrong(errors.gradient))
+    std::cout << "The gradient of the energy is wrong: it differs from finite differences by " << errors.gradient
+              << " of their size." << std::endl;
+  if(is_wrong(errors.hessian))
+    std::cout << "The Hessian of the energy is wrong: it differs from finite differences of the gradient by " << errors.hessian
+              << " of their size." << std::endl;
+}
+
 // Numbers a body, with all that is prescribed in these numbers.
 inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3& prescription, const Map_options_3& options)
 {
