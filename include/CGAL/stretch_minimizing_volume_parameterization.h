@@ -95,6 +95,18 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
+  \cgalParamNBegin{use_regular_references}
+    \cgalParamDescription{whether each image of a cell is compared with a regular tetrahedron in place of the cell, all of
+                          one size: cells of the source may be inverted or flat then, as of the source only its connectivity
+                          counts. A tangled mesh gets positive cells within its own boundary if its own points are the
+                          boundary map and the initial map (\ref VMPTangled).}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{The boundary is fixed then, whatever `boundary_mode` is, and distortions are those of the images of regular
+                    cells. `Volume_mesh_parameterization::MIPS_energy_3` does not compare sizes, so small cells stay small.
+                    Cells around a facet lie on different sides of it by the order of their vertices, also where they are
+                    inverted.}
+  \cgalParamNEnd
   \cgalParamNBegin{energy_tolerance}
     \cgalParamDescription{the part of the energy that does not matter: the minimization ends when five Newton steps gain
                           less than this part, or a step promises less than a hundredth of it}

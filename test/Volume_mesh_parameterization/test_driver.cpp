@@ -263,7 +263,7 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "landmarks", "merge_points", "separate", "displacements", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
+  "options", "source", "target", "to", "improve", "landmarks", "merge_points", "separate", "displacements", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
   "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
@@ -273,7 +273,7 @@ const std::vector<std::string> report_keys = {
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max", "boundary_distortion",
   "unavoidable_angle_distortion", "missed_angle_distortion",
-  "coinciding_points", "merged_points", "turned_cells", "separated_vertices", "targets_inside", "free_targets",
+  "coinciding_points", "merged_points", "turned_cells", "tangled_cells", "separated_vertices", "targets_inside", "free_targets",
   "seconds_reading", "seconds_boundary", "seconds_hexahedra",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
@@ -1382,6 +1382,80 @@ TEST_CASE("Reversed cells are turned, and told")
   const double energy = number(folder.text("report.json"), "energy_value");
   CHECK(folder.run("source.mesh target.txt --report report.json") == 0);
   CHECK(number(folder.text("report.json"), "energy_value") == Approx(energy));
+}
+
+TEST_CASE("A tangled mesh is improved within its boundary")
+{
+  const Folder folder;
+  Soup source = cube(4);
+  const auto vertex = [&](const Point& p) { return std::find(source.points.begin(), source.points.end(), p) - source.points.begin(); };
+  const auto lower = vertex({2, 2, 1}), middle = vertex({2, 2, 2}), upper = vertex({2, 2, 3});
+  const Soup cube_of_4 = source;
+  std::swap(source.points[lower], source.points[upper]);
+  source.points[middle] = {9, 2, 2};
+  folder.write("tangled.mesh", source);
+  CHECK(folder.run("tangled.mesh --to ball") == 2);
+  CHECK(folder.text("stderr").find("; --improve -o FILE moves vertices inside") != std::string::npos);
+  const auto check = [&](const std::string& arguments)
+  {
+    CAPTURE(arguments);
+    REQUIRE(folder.run(arguments + " --improve -o mended.mesh --report report.json") == 0);
+    const Soup mended = folder.soup("mended.mesh");
+    CHECK(mended.cells == source.cells);
+    CHECK(mended.cell_references == source.cell_references);
+    REQUIRE(mended.points.size() == source.points.size());
+    for(std::size_t v = 0; v < source.points.size(); ++v)
+      if(is_on_boundary(cube_of_4.points[v], 4))
+        CHECK(mended.points[v] == source.points[v]);
+    CHECK(number(folder.text("report.json"), "boundary_residual") == 0);
+    REQUIRE(folder.run("mended.mesh --to cube --refine") == 0); // which wants positive cells
+    return mended.points;
+  };
+  CHECK(check("tangled.mesh")[middle][0] == Approx(2).margin(0.1));
+  CHECK(folder.text("report.json").find("\"energy\": \"mips\"") != std::string::npos);
+  const double number_before = number(folder.text("report.json"), "tangled_cells");
+  CHECK(number_before > 10);
+  check("tangled.mesh --energy stretch");
+
+  for(auto& cell : source.cells) // the orientation of the file stays
+    std::swap(cell[2], cell[3]);
+  folder.write("tangled.mesh", source);
+  check("tangled.mesh");
+  CHECK(folder.text("stdout").find(" cells were inverted or flat") == std::string::npos); // of the cube
+  CHECK(number(folder.text("report.json"), "tangled_cells") == number_before);
+
+  // the interface between two materials, and triangles inside, stay
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+    source.cell_references[c] = std::all_of(source.cells[c].begin(), source.cells[c].end(), [&](const std::size_t v)
+                                            { return cube_of_4.points[v][0] <= 1; }) ? 7 : 8;
+  source.points[vertex({1, 1, 1})] = {1, 1.1, 1.2};
+  source.points[vertex({3, 1, 1})] = {3, 1.1, 1.2};
+  const std::vector<std::size_t> staying = {static_cast<std::size_t>(vertex({1, 1.1, 1.2})), static_cast<std::size_t>(vertex({3, 1.1, 1.2}))};
+  source.facets = {{staying[1], static_cast<std::size_t>(vertex({3, 1, 2})), static_cast<std::size_t>(vertex({3, 2, 2}))}};
+  source.facet_references = {5};
+  folder.write("materials.mesh", source);
+  const std::vector<Point> mended = check("materials.mesh");
+  for(const std::size_t v : staying)
+    CHECK(mended[v] == source.points[v]);
+
+  // a flat cell below two facets of the boundary
+  Soup flat = cube(2);
+  flat.cells.push_back({0, 12, 9, 3}); // the corners of a square on the side z = 0, along its diagonal from 0 to 12
+  flat.cell_references.push_back(4);
+  folder.write("flat.mesh", flat);
+  CHECK(folder.run("flat.mesh --to ball") == 2);
+  CHECK(folder.text("stderr").find("flat.mesh: cell 48 (counted from 0) has zero volume; --improve -o FILE") == 0);
+  CHECK(folder.run("flat.mesh --improve -o mended.mesh") == 2);
+  CHECK(folder.text("stderr").find(" With --refine, such cells are split.") != std::string::npos);
+  REQUIRE(folder.run("flat.mesh --improve --refine -o mended.mesh") == 0);
+  CHECK(folder.text("stdout").find("\n1 cells were inverted or flat\n") != std::string::npos);
+  CHECK(folder.soup("mended.mesh").points.size() > flat.points.size());
+  CHECK(folder.run("mended.mesh --to ball --refine") == 0);
+  CHECK(folder.run("flat.mesh --improve --refine=all -o mended.vtu") == 0);
+
+  CHECK(folder.run("flat.mesh --improve --to ball") == 2);
+  CHECK(folder.run("flat.mesh --improve --boundary soft") == 2);
+  CHECK(folder.run("flat.mesh --improve --hexahedra 1 h.mesh") == 2);
 }
 
 TEST_CASE("A body that touches itself is separated on request")

@@ -21,7 +21,7 @@ struct Options
   std::vector<std::string> hexahedra;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
-  bool do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
+  bool do_improve, do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
 };
 
 // The options of a program, and the text around them in its help.
@@ -35,9 +35,11 @@ struct Command_line
 constexpr const char* help_before_options =
 R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [options]
        parameterize_mesh_file SOURCE.mesh TARGET [options]
+       parameterize_mesh_file SOURCE.mesh --improve [options]
 
 Maps a tetrahedral mesh onto another domain. The boundary goes to the domain with that name, or where TARGET
-tells; the vertices inside are placed such that no cell is inverted or flat, and that the distortion is low.
+tells; the vertices inside are placed such that no cell is inverted or flat, and that the distortion is low. Or it stays, and
+SOURCE.mesh may have inverted and flat cells.
 
   SOURCE.mesh  the mesh: a MEDIT file (*.mesh or *.meshb) or one of VTK (*.vtu); if the program was built with Gmsh, also
                *.msh, *.unv or *.bdf; if it was built with VTK, also *.vtk. Of other formats,
@@ -78,7 +80,7 @@ inline boost::program_options::options_description distortion(Options& options)
   result.add_options()
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "what is minimized: stretch, for maps to a ball, box or polycube; symmetric_dirichlet, where the boundary moves little, or "
-     "cells are to keep their shapes, as in boundary layers; mips (angles only), arap, dirichlet, lscm or lpm")
+     "cells are to keep their shapes, as in boundary layers; mips, for angles only, and the default of --improve; arap, dirichlet, lscm or lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
     ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
      "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum");
@@ -129,6 +131,10 @@ inline Command_line command_line(Options& options)
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
      "in place of TARGET: ball, the unit ball; cube, the unit cube; box=X,Y,Z, a box with sides of these lengths; "
      "polycube, one that is close to the source; most meshes need --refine for that")
+    ("improve", po::bool_switch(&options.do_improve),
+     "in place of TARGET: vertices of the boundary stay, and those between cells of different references and of triangles inside; "
+     "the others move such that no cell is inverted or flat, each as regular as it can be. With --refine, cells are also split "
+     "whose vertices all stay")
     ("landmarks", po::value(&options.landmarks)->value_name("FILE"),
      "lines as of TARGET for some vertices, where --to is to bring them: a ball is turned such that they are close, a box has "
      "eight of them as corners, each in the octant of its line")
@@ -215,8 +221,10 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   for(std::string* name : { &options.output, &options.refined_source, &options.report })
     if(*name == "-")
       *name = "/dev/stdout";
-  if(options.source.empty() || options.target.empty() == options.domain.empty())
-    throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET and --to DOMAIN; --help tells more");
+  if(options.source.empty() || !options.target.empty() + !options.domain.empty() + options.do_improve != 1)
+    throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET, --to DOMAIN and --improve; --help tells more");
+  if(options.do_improve && given["energy"].defaulted())
+    options.energy = "mips"; // which does not compare sizes, so small cells stay small
   return true;
 }
 

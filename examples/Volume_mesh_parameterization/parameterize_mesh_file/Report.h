@@ -29,7 +29,7 @@ struct Outcome
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
   std::vector<std::string> files = {};                          // names of files that are written
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
-  std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0,
+  std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0, number_of_tangled_cells = 0,
               number_of_separated_vertices = 0, number_of_targets_inside = 0, number_of_free_targets = 0;
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
@@ -65,6 +65,7 @@ inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Pa
 inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
+                      .add("improve", options.do_improve)
                       .add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
                       .add("separate", options.do_separate).add("displacements", options.are_displacements)
                       .add("others", options.others).add("inside", options.inside).add("initial", options.initial)
@@ -133,6 +134,7 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
     report.add("coinciding_points", outcome.number_of_coinciding_points)
           .add("merged_points", outcome.number_of_merged_points)
           .add("turned_cells", outcome.number_of_turned_cells)
+          .add("tangled_cells", outcome.number_of_tangled_cells)
           .add("separated_vertices", outcome.number_of_separated_vertices)
           .add("targets_inside", outcome.number_of_targets_inside)
           .add("free_targets", outcome.number_of_free_targets)

@@ -124,6 +124,18 @@ inline Target_points target_points(const Source& source, Points points, const Op
   return result;
 }
 
+// Keeps the boundary where it is, and inside interfaces and the vertices of triangles.
+inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  Target_points result = { soup.points, vertices_of_interfaces(soup) };
+  for(const auto& facet : soup.facets)
+    for(const std::size_t v : facet)
+      result.is_constrained[v] = true;
+  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+    result.is_constrained[v] = false; // it may slide
+  return result;
+}
+
 // Counts the targets that a map meets nowhere: those inside that are not asked for, if it meets the boundary.
 inline std::size_t number_of_free_targets(const Target_points& target, const Points& images)
 {

@@ -72,11 +72,13 @@ inline void check(const Options& options)
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
     throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
   if(named_others(options.others) != Others::MISSING && options.target.empty())
-    throw std::runtime_error("other vertices than those of TARGET are told by --others, and --to has none");
+    throw std::runtime_error("other vertices than those of TARGET are told by --others, which is missing");
   if(named_inside(options.inside) != Inside::AUTO && options.target.empty())
-    throw std::runtime_error("vertices inside with a target are told by --inside, and --to has none");
+    throw std::runtime_error("vertices inside with a target are told by --inside, which is missing");
   if(options.are_displacements && options.target.empty())
-    throw std::runtime_error("displacements are those of TARGET, and --to has none");
+    throw std::runtime_error("displacements are those of TARGET, which is missing");
+  if(options.do_improve && (!options.initial.empty() || !options.hexahedra.empty() || options.boundary == "soft"))
+    throw std::runtime_error("--improve starts from SOURCE.mesh, keeps its boundary, and makes no hexahedra");
   if(options.number_of_iterations < 0)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.energy_tolerance >= 0))

@@ -5,6 +5,7 @@
 #include "Command_line.h"
 #include "Named_choices.h"
 
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
@@ -31,6 +32,7 @@ struct Source
   bool is_turned = false;                     // whether the cells are negative in the file, and in files that are written
   std::size_t number_of_coinciding_points = 0; // coinciding points on the boundary
   std::size_t number_of_merged_points = 0;
+  std::size_t number_of_tangled_cells = 0; // cells that are inverted or flat
   std::size_t number_of_turned_cells = 0; // cells turned alone, not all together
   std::vector<std::string> notes = {};
 
@@ -76,12 +78,44 @@ inline void merge_points(Source& source)
   source.notes.push_back(std::to_string(source.number_of_merged_points) + " points have the place of another one, and are merged with it");
 }
 
+// Turns all cells if their volumes have a negative sum, and counts those that are inverted or flat then.
+inline void turn_tangled_cells(Source& source)
+{
+  double volume = 0;
+  for(std::size_t c = 0; c < source.soup.cells.size(); ++c)
+  {
+    const auto [p, q, r, s] = CGAL::Volume_mesh_parameterization::internal::cell_points(source.soup, c);
+    volume += CGAL::volume(p, q, r, s);
+  }
+  source.is_turned = volume < 0;
+  source.soup = source.oriented_as_in_file();
+  for(std::size_t c = 0; c < source.soup.cells.size(); ++c)
+  {
+    const auto [p, q, r, s] = CGAL::Volume_mesh_parameterization::internal::cell_points(source.soup, c);
+    source.number_of_tangled_cells += CGAL::orientation(p, q, r, s) != CGAL::POSITIVE;
+  }
+}
+
 // Orients the cells. A cell that is turned alone stays so; if all are turned, files are written with the orientation of the
 // file.
-inline void turn_cells(Source& source)
+inline void turn_cells(Source& source, const bool may_be_tangled)
 {
-  const std::size_t number
-    = CGAL::Volume_mesh_parameterization::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  VMP::internal::check_points(source.soup);
+  VMP::internal::check_simplices(source.soup);
+  std::size_t number;
+  try
+  {
+    number = VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
+  }
+  catch(const VMP::Input_error& error)
+  {
+    if(!may_be_tangled)
+      throw VMP::Input_error(error.what() + std::string("; --improve -o FILE moves vertices inside such that no cell is inverted or "
+                             "flat, and with --refine also splits cells whose vertices are all on the boundary"));
+    turn_tangled_cells(source);
+    return;
+  }
   source.is_turned = number > 0 && number == source.soup.cells.size();
   source.number_of_turned_cells = source.is_turned ? 0 : number;
   if(source.number_of_turned_cells > 0)
@@ -126,7 +160,7 @@ inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup
   source.notes = source.soup.notes;
   if(options.do_merge_points)
     merge_points(source);
-  turn_cells(source);
+  turn_cells(source, options.do_improve);
   if(options.do_separate)
     separate(source);
   else

@@ -1,4 +1,4 @@
-// Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, a ball, a box or a polycube.
+// Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, a ball, a box, a polycube, or its own.
 #include "Command_line.h"
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
@@ -61,6 +61,7 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, 
         .do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE)
         .vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained))
         .energy(named_energy(options.energy))
+        .use_regular_references(options.do_improve)
         .use_volume_weights(options.use_volume_weights)
         .energy_tolerance(options.energy_tolerance)
         .maximal_angle_distortion(options.maximal_angle_distortion)
@@ -79,6 +80,9 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, 
   result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
     result.message += " If TARGET has displacements, --displacements tells this.";
+  if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !refinement.do_refine
+     && result.message.find("No refinement helps") == std::string::npos)
+    result.message += " With --refine, such cells are split.";
   if(!result.has_valid_map && target.number_inside > 0 && result.status != VMP::ERROR_INTERRUPTED)
     result.message += " Targets of vertices inside are asked for, too; --inside free does without.";
   if(result.status == VMP::ERROR_INTERRUPTED)
@@ -99,21 +103,17 @@ void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh
   file.commit(progress);
 }
 
-void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw,
+// Writes the image with its own data if it is an improved mesh: its source may be tangled, and tells nothing.
+void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw, const bool is_improved,
                const Progress_line& progress)
 {
-  if(extension_of(filename) == ".vtu")
-  {
-    Output_file file(filename);
-    VMP::IO::write_VTU(file.stream(), source, uvw);
-    file.commit(progress);
-  }
-  else
-  {
-    VMP::Tetrahedron_soup_3 image = source;
-    image.points = uvw;
-    write_mesh(filename, image, progress);
-  }
+  VMP::Tetrahedron_soup_3 image = source;
+  image.points = uvw;
+  if(extension_of(filename) != ".vtu")
+    return write_mesh(filename, image, progress);
+  Output_file file(filename);
+  VMP::IO::write_VTU(file.stream(), is_improved ? image : source, uvw);
+  file.commit(progress);
 }
 
 // Makes hexahedra of a map that has been written, if the map meets the boundary, and adds their result to the outcome.
@@ -162,7 +162,7 @@ void write_files(const Options& options, const Source& source, const Points& uvw
   {
     if(!options.output.empty())
     {
-      write_map(options.output, source.oriented_as_in_file(), uvw, progress);
+      write_map(options.output, source.oriented_as_in_file(), uvw, options.do_improve, progress);
       outcome.files.push_back(options.output);
     }
     if(!options.refined_source.empty())
@@ -210,10 +210,12 @@ Outcome run(const Options& options, Progress_line& progress)
   Target_points target;
   if(has_file)
     target = target_points(source, read_points(options.target), options);
-  Points initial = options.initial.empty() ? Points() : read_points(options.initial);
+  if(options.do_improve)
+    target = naming(options.source, [&] { return targets_to_improve(mesh); });
+  Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
-  if(!has_file)
+  if(!options.domain.empty())
   {
     progress.begin("mapping the boundary to " + options.domain);
     const double spacing = Hexahedra_file(options.hexahedra).spacing();
@@ -237,6 +239,7 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.number_of_coinciding_points = source.number_of_coinciding_points;
   outcome.number_of_merged_points = source.number_of_merged_points;
   outcome.number_of_turned_cells = source.number_of_turned_cells;
+  outcome.number_of_tangled_cells = source.number_of_tangled_cells;
   outcome.number_of_separated_vertices = source.origins.size();
   outcome.number_of_targets_inside = target.number_inside;
   if(!result.has_valid_map)
@@ -301,6 +304,8 @@ int main(int argc, char* argv[])
     if(result.has_valid_map && !options.is_quiet)
     {
       print(result);
+      if(options.do_improve)
+        std::cout << outcome.number_of_tangled_cells << " cells were inverted or flat\n";
       if(outcome.number_of_targets_inside > 0)
         std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
       if(outcome.number_of_free_targets > 0)

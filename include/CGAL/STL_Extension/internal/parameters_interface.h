@@ -32,6 +32,7 @@ CGAL_add_named_parameter(positional_constraints_t, positional_constraints, posit
 CGAL_add_named_parameter(refinement_mode_t, refinement_mode, refinement_mode)
 CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, soft_boundary_parameters)
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
+CGAL_add_named_parameter(use_regular_references_t, use_regular_references, use_regular_references)
 CGAL_add_named_parameter(use_volume_weights_t, use_volume_weights, use_volume_weights)
 
 // CGAL's own file comes last: since CGAL 6 it undefines CGAL_add_named_parameter. Compilers without extensions find it by

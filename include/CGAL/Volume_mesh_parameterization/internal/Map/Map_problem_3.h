@@ -40,6 +40,7 @@ struct Map_options_3
   bool minimize_maximal_angle_distortion = false;
   decltype(&slide_and_bound_angles_3) improve = nullptr; // if it is wanted; otherwise it need not be compiled
   bool use_volume_weights = false;
+  bool use_regular_references = false;   // in place of the cells of the source, which may be tangled
   bool is_parallel = false;
   bool verbose = false;
 };

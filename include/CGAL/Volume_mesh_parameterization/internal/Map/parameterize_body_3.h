@@ -72,7 +72,8 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                          internal_np::minimize_maximal_angle_distortion_t, internal_np::number_of_iterations_t,
                          internal_np::positional_constraints_t, internal_np::refinement_mode_t,
                          internal_np::soft_boundary_parameters_t,
-                         internal_np::solver_traits_t, internal_np::use_volume_weights_t, internal_np::verbose_t,
+                         internal_np::solver_traits_t, internal_np::use_regular_references_t, internal_np::use_volume_weights_t,
+                         internal_np::verbose_t,
                          internal_np::vertex_is_constrained_t>(np);
   using Energy = typename internal_np::Lookup_named_param_def<
     internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
@@ -111,6 +112,9 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
   options.refinement = parameter_or(np, internal_np::refinement_mode, options.refinement);
   options.do_slide = parameter_or(np, internal_np::do_slide_boundary, options.do_slide);
   options.use_volume_weights = parameter_or(np, internal_np::use_volume_weights, options.use_volume_weights);
+  options.use_regular_references = parameter_or(np, internal_np::use_regular_references, options.use_regular_references);
+  if(options.use_regular_references)
+    options.mode = Boundary_mode::FIXED; // a soft boundary starts from the source
   options.is_parallel = is_parallel<ConcurrencyTag>();
   options.energy_tolerance = parameter_or(np, internal_np::energy_tolerance, options.energy_tolerance);
   options.minimize_maximal_angle_distortion = parameter_or(np, internal_np::minimize_maximal_angle_distortion, false);

@@ -54,6 +54,8 @@ inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3&
   Numbered_body_3 result(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
                          options.use_volume_weights, options.is_parallel);
   Numbered_mesh_3& mesh = result.mesh;
+  if(options.use_regular_references)
+    set_regular_cell(mesh);
   if(!prescription.initial.empty())
     mesh.initial = result.columns(prescription.initial);
   for(const std::size_t p : result.points)

@@ -61,7 +61,7 @@ inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh
     if(std::any_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); }))
       continue;
     const Eigen::Vector3d s
-      = signed_singular_values_3(edge_matrix(mesh.target, cell) * edge_matrix(mesh.source, cell).inverse());
+      = signed_singular_values_3(edge_matrix(mesh.target, cell) * source_edges(mesh, cell).inverse());
     if(angle_distortion(s[0], s[2]) > large_distortion)
       result.push_back(c);
   }

@@ -37,6 +37,7 @@ struct Numbered_mesh_3
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
   Eigen::Vector3d base_point = Eigen::Vector3d::Zero(); // the target of free vertices, near those of the others
+  std::optional<Eigen::Matrix3d> regular_cell; // edges of the cell that stands for each in the source, which may be tangled then
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
   std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
   const Communicator_3* communicator = &single_process();
@@ -110,15 +111,37 @@ double volume(const Numbered_mesh_3& mesh, const Positions& positions)
   return mesh.communicator->sum(std::accumulate(volumes.begin(), volumes.end(), 0.));
 }
 
+// Edges of a regular cell with the volume 1/3.
+inline Eigen::Matrix3d regular_edges()
+{
+  Eigen::Matrix3d edges;
+  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
+  return edges;
+}
+
+// Lets regular cells of the mean volume in the target stand for those of the source.
+inline void set_regular_cell(Numbered_mesh_3& mesh)
+{ mesh.regular_cell = regular_edges() * std::cbrt(3 * volume(mesh, mesh.target) / mesh.global_number_of_cells()); }
+
+// Edges of a cell that its image is compared with, and the volume of all these cells.
+inline Eigen::Matrix3d source_edges(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
+{ return mesh.regular_cell ? *mesh.regular_cell : edge_matrix(mesh.source, cell); }
+
+inline double source_volume(const Numbered_mesh_3& mesh)
+{
+  return mesh.regular_cell ? mesh.regular_cell->determinant() / 6 * mesh.global_number_of_cells()
+                           : volume(mesh, mesh.source);
+}
+
 // How much each cell counts; the sum is 1.
 inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
 {
   std::vector<double> result(mesh.cells.size(), 1. / mesh.global_number_of_cells());
   if(mesh.has_volume_weights)
   {
-    const double total = volume(mesh, mesh.source);
+    const double total = source_volume(mesh);
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-      result[c] = edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / total;
+      result[c] = source_edges(mesh, mesh.cells[c]).determinant() / 6 / total;
   }
   return result;
 }

@@ -32,7 +32,7 @@ struct Scaled_cells_3
 inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
 {
   return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
-  { return edge_matrix(mesh.source, cell).inverse() * factor; });
+  { return source_edges(mesh, cell).inverse() * factor; });
 }
 
 // Gives cells with this mean volume a volume near 1.
@@ -43,7 +43,7 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
   const double target_volume = volume(mesh, mesh.target);
   const double unit = unit_of_cells(target_volume / mesh.global_number_of_cells());
-  const double factor = std::cbrt(volume(mesh, mesh.source) / target_volume) / unit;
+  const double factor = std::cbrt(source_volume(mesh) / target_volume) / unit;
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
@@ -53,9 +53,7 @@ inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh
 {
   const double mean_volume = volume(mesh, mesh.target) / mesh.global_number_of_cells();
   const double unit = unit_of_cells(mean_volume);
-  Eigen::Matrix3d edges; // of a cell with volume 1/3
-  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
-  const Eigen::Matrix3d inverse = edges.inverse() / (std::cbrt(3 * mean_volume) * unit);
+  const Eigen::Matrix3d inverse = regular_edges().inverse() / (std::cbrt(3 * mean_volume) * unit);
   return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
 }
 
@@ -63,7 +61,7 @@ inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh
 inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
 {
   const double unit = std::exp2(-std::round(std::log2(length)));
-  const double factor = std::cbrt(volume(mesh, mesh.source)) / (unit * length);
+  const double factor = std::cbrt(source_volume(mesh)) / (unit * length);
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 

@@ -56,7 +56,7 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 {
   const Found_cells inverted = inverted_cells(mesh, mesh.source);
   const double number_of_cells = mesh.global_number_of_cells();
-  if(!inverted.first)
+  if(!inverted.first || mesh.regular_cell)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
                       " cells of the source have no positive volume; the first one is cell ", mesh.user_number(*inverted.first),
@@ -74,7 +74,7 @@ inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
 inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 {
   const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
-  { return !has_positive_inverse(edge_matrix(mesh.source, cell)); });
+  { return !has_positive_inverse(source_edges(mesh, cell)); });
   return !flat.first ? Input_check_3()
     : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(*flat.first),
                    " of the source is so flat that its volume is positive in exact arithmetic only.");

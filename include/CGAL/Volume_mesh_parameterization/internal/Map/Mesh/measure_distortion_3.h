@@ -48,21 +48,21 @@ inline void replace_by_infinity(Distortion_3& distortion)
 inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 {
   return values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell) -> Eigen::Vector3d
-  { return signed_singular_values_3(edge_matrix(image, cell) * edge_matrix(mesh.source, cell).inverse()); });
+  { return signed_singular_values_3(edge_matrix(image, cell) * source_edges(mesh, cell).inverse()); });
 }
 
 // By what the singular values of a map are multiplied where its image is scaled to the volume of the source.
 inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
-{ return std::cbrt(volume(mesh, mesh.source) / volume(mesh, image)); }
+{ return std::cbrt(source_volume(mesh) / volume(mesh, image)); }
 
 // The distortions of a map by its singular values in each cell, multiplied by a factor.
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
                                          const double factor = 1)
 {
-  const double source_volume = volume(mesh, mesh.source);
+  const double total = source_volume(mesh);
   Distortion_3 result = {0, 0, 0, 0};
   for(std::size_t c = 0; c < s.size(); ++c)
-    add_cell(result, edge_matrix(mesh.source, mesh.cells[c]).determinant() / 6 / source_volume, factor * s[c]);
+    add_cell(result, source_edges(mesh, mesh.cells[c]).determinant() / 6 / total, factor * s[c]);
   const Communicator_3& communicator = *mesh.communicator;
   result = { communicator.sum(result.angle_mean), communicator.maximum(result.angle_max),
              communicator.sum(result.volume_mean), communicator.maximum(result.volume_max) };
@@ -129,7 +129,7 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
     const auto number_of_prescribed = first_free - cell.begin();
     if(number_of_prescribed < 3)
       continue;
-    const Eigen::Matrix3d X = edge_matrix(mesh.source, cell), U = edge_matrix(mesh.target, cell);
+    const Eigen::Matrix3d X = source_edges(mesh, cell), U = edge_matrix(mesh.target, cell);
     if(number_of_prescribed == 4)
     {
       const Eigen::Vector3d s = signed_singular_values_3(U * X.inverse());

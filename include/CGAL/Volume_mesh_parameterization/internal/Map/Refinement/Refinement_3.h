@@ -209,6 +209,7 @@ private:
     return Exact_point_3(coordinate(0), coordinate(1), coordinate(2));
   }
 
+  // Asks for positive parts of positive cells only, as a tangled mesh has others.
   bool makes_positive_cells(const Simplex_3& simplex, const std::vector<std::size_t>& cells, const Exact_point_3& p) const
   {
     for(const std::size_t c : cells)
@@ -216,7 +217,8 @@ private:
       {
         const std::array<std::size_t, 4>& cell = m_body.soup.cells[c];
         const auto corner = [&](const int i) { return cell[i] == replaced ? p : point(cell[i]); };
-        if(!is_positive_cell({ corner(0), corner(1), corner(2), corner(3) }))
+        if(!is_positive_cell({ corner(0), corner(1), corner(2), corner(3) })
+           && is_positive_cell({ point(cell[0]), point(cell[1]), point(cell[2]), point(cell[3]) }))
           return false;
       }
     return true;

@@ -137,6 +137,7 @@ struct Patch_mesh_3
     }
     mesh.target = positions;
     mesh.base_point = whole.base_point;
+    mesh.regular_cell = whole.regular_cell;
     mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
   }
 
