@@ -5,6 +5,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
 #include <CGAL/Real_timer.h>
@@ -27,6 +28,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <random>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -1540,6 +1542,119 @@ TEST_CASE("Of a copy of the mesh, vertices at interfaces are met if they have mo
   CHECK(number(folder.text("report.json"), "targets_inside") == 0);
   CHECK(number(folder.text("report.json"), "free_targets") == 27);
   CHECK(folder.run("source.mesh --to ball --inside met") == 2);
+}
+
+TEST_CASE("The target may be a surface with the triangles of the boundary")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  source.cells.resize(source.cells.size() - 20); // so that no rotation maps it to itself
+  source.cell_references.resize(source.cells.size());
+  std::vector<bool> is_used(source.points.size());
+  for(const auto& cell : source.cells)
+    for(const std::size_t v : cell)
+      is_used[v] = true;
+  folder.write("source.mesh", source);
+  const std::vector<std::size_t> vertices = VMP::boundary_vertices(source.points, source.cells);
+  const auto facets = VMP::internal::boundary_facets_3(source.cells);
+  // a surface whose vertices are those of the boundary in an order; those of STL are the corners of its triangles
+  const auto write = [&](const std::string& name, std::vector<std::size_t> order, const bool is_turned)
+  {
+    std::ostringstream os;
+    os.precision(17);
+    const std::string extension = name.substr(name.find('.'));
+    const auto point = [&](const std::size_t v)
+    {
+      const Point p = affine(source.points[v]);
+      os << p[0] << " " << p[1] << " " << p[2];
+    };
+    const auto number = [&](const std::size_t v) { return std::find(order.begin(), order.end(), v) - order.begin(); };
+    if(extension == ".off")
+      os << "OFF\n" << order.size() << " " << facets.size() << " 0\n";
+    if(extension == ".ply")
+      os << "ply\nformat ascii 1.0\nelement vertex " << order.size() << "\nproperty double x\nproperty double y\nproperty double z\n"
+         << "element face " << facets.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+    if(extension == ".mesh")
+      os << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << order.size() << "\n";
+    if(extension == ".stl")
+      os << "solid s\n";
+    for(const std::size_t v : order)
+      if(extension != ".stl")
+      {
+        os << (extension == ".obj" ? "v " : "");
+        point(v);
+        os << (extension == ".mesh" ? " 0\n" : "\n");
+      }
+    if(extension == ".mesh")
+      os << "Triangles\n" << facets.size() << "\n";
+    for(auto [a, b, c] : facets)
+    {
+      if(is_turned)
+        std::swap(b, c);
+      if(extension == ".stl")
+      {
+        os << "facet normal 0 0 0\nouter loop\n";
+        for(const std::size_t v : {a, b, c})
+        {
+          os << "vertex ";
+          point(v);
+          os << "\n";
+        }
+        os << "endloop\nendfacet\n";
+        continue;
+      }
+      const int first = extension == ".off" || extension == ".ply" ? 0 : 1;
+      os << (extension == ".obj" ? "f" : extension == ".mesh" ? "" : "3") << " " << number(a) + first << " " << number(b) + first << " "
+         << number(c) + first << (extension == ".mesh" ? " 0\n" : "\n");
+    }
+    os << (extension == ".stl" ? "endsolid s\n" : extension == ".mesh" ? "End\n" : "");
+    folder.write(name, os.str());
+  };
+  const auto check = [&](const std::string& name, const double precision)
+  {
+    CAPTURE(name);
+    REQUIRE(folder.run("source.mesh " + name + " -o map.mesh") == 0);
+    const std::vector<Point> map = folder.soup("map.mesh").points;
+    for(std::size_t v = 0; v < map.size(); ++v)
+      for(std::size_t i = 0; i < 3 && is_used[v]; ++i)
+        CHECK(map[v][i] == Approx(affine(source.points[v])[i]).margin(precision));
+  };
+  std::vector<std::size_t> shuffled = vertices, all(source.points.size());
+  for(std::size_t v = 0; v < all.size(); ++v)
+    all[v] = v;
+  std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937());
+  for(const std::string extension : {".off", ".ply", ".obj", ".mesh", ".stl"})
+  {
+    write("in_order" + extension, vertices, false);
+    check("in_order" + extension, 1e-6);
+    write("shuffled" + extension, shuffled, false);
+    check("shuffled" + extension, 1e-6);
+  }
+  write("all.off", all, true);
+  check("all.off", 1e-6);
+  write("turned.off", shuffled, true);
+  check("turned.off", 1e-6);
+
+  const auto sentence = [&](const std::string& arguments)
+  {
+    CHECK(folder.run(arguments) == 2);
+    return folder.text("stderr");
+  };
+  folder.write("cube.mesh", cube(3));
+  CHECK(sentence("cube.mesh in_order.off").find("in_order.off: the surface has ") == 0);
+  source = cube(1); // two of its corners are alike
+  const auto facets_of_cube = VMP::internal::boundary_facets_3(source.cells);
+  std::ostringstream off;
+  off << "OFF\n8 12 0\n";
+  for(const std::size_t v : {3, 0, 1, 2, 7, 6, 5, 4})
+    off << source.points[v][0] << " " << source.points[v][1] << " " << source.points[v][2] << "\n";
+  const std::array<std::size_t, 8> number = {1, 2, 3, 0, 7, 6, 5, 4};
+  for(const auto& [a, b, c] : facets_of_cube)
+    off << "3 " << number[a] << " " << number[b] << " " << number[c] << "\n";
+  folder.write("cube.mesh", source);
+  folder.write("cube.off", off.str());
+  CHECK(sentence("cube.mesh cube.off").find("cube.off: the triangles of the surface are those of the boundary of the source in several ways")
+        == 0);
 }
 
 TEST_CASE("Only the part that moves needs targets, which may be displacements")

@@ -45,7 +45,8 @@ SOURCE.mesh may have inverted and flat cells.
                *.msh, *.unv or *.bdf; if it was built with VTK, also *.vtk. Of other formats,
                meshio makes a file *.vtu: meshio convert a.inp a.vtu
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
-               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates.
+               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates; or a surface
+               with the triangles of its boundary (*.mesh, *.off, *.ply, *.obj or *.stl).
                Vertices inside may be told as well: see --inside
 Each file may be a pipe, or - for the standard input or output; then the summary goes to the standard error.
 )";

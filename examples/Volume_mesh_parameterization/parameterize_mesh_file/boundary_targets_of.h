@@ -4,6 +4,7 @@
 
 #include "Progress_line.h"
 #include "find_name.h"
+#include "match_surface.h"
 #include "read_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
@@ -12,6 +13,9 @@
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <array>
 #include <cmath>
@@ -109,6 +113,50 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     {"polycube", polycube_parameterizer(spacing)}});
 }
 
+// Reads the triangles of a surface.
+inline Points targets_of_surface_file(const std::string& filename,
+                                      const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
+{
+  using CGAL::Volume_mesh_parameterization::Input_error;
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> read_points;
+  std::vector<std::vector<std::size_t> > polygons;
+  if(!CGAL::IO::read_polygon_soup(filename, read_points, polygons))
+    throw Input_error("the surface cannot be read");
+  Points points;
+  for(const auto& p : read_points)
+    points.push_back({ p.x(), p.y(), p.z() });
+  Triangles triangles;
+  for(const std::vector<std::size_t>& polygon : polygons)
+  {
+    if(polygon.size() != 3)
+      throw Input_error("the surface has a face with " + std::to_string(polygon.size()) + " vertices");
+    triangles.push_back({ polygon[0], polygon[1], polygon[2] });
+  }
+  return targets_of_surface(points, triangles, mesh);
+}
+
+// Reads a file *.mesh, which may be a surface if it is MEDIT's as text.
+inline Points targets_of_MEDIT_file(const std::string& filename,
+                                    const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
+{
+  namespace internal = CGAL::Volume_mesh_parameterization::internal;
+  Points targets;
+  const bool is_read = internal::read_within_limits(
+    CGAL::parameters::visitor(std::ref(progress)), filename, [&](const internal::Budget& budget)
+  {
+    const std::string text = internal::read_file(filename, budget);
+    const bool is_text = !internal::Binary_MEDIT_reader::is_binary(text) && !internal::VTK_arrays::is_VTU(text);
+    auto target = is_text
+      ? internal::MEDIT_reader(internal::single_process(), internal::Text_scanner(text, budget), false).read(true)
+      : internal::read_soup(text, budget);
+    targets = target.cells.empty() ? targets_of_surface(target.points, target.facets, mesh)
+                                   : internal::targets_of_mesh(std::move(target), mesh);
+  });
+  if(!is_read)
+    throw Interruption();
+  return targets;
+}
+
 // Reads the target of each point of the mesh; not numbers for points without one.
 inline Points targets_of_file(const std::string& filename,
                               const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
@@ -119,6 +167,10 @@ inline Points targets_of_file(const std::string& filename,
     VMP::Tetrahedron_soup_3 target = read_mesh(filename, progress);
     return naming(filename, [&] { return VMP::internal::targets_of_mesh(std::move(target), mesh); });
   }
+  if(format_of(filename) == Mesh_format::SURFACE)
+    return naming(filename, [&] { return targets_of_surface_file(filename, mesh); });
+  if(extension_of(filename) == ".mesh")
+    return targets_of_MEDIT_file(filename, mesh, progress);
   Points targets;
   if(!VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress))))
     throw Interruption();

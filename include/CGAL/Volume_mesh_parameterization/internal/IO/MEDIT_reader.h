@@ -52,7 +52,7 @@ public:
   static bool is_before_number(const std::string_view word) { return keyword(word) < END; }
 
   // Reads the elements of the file that are in this slice.
-  Tetrahedron_soup_3 read() const
+  Tetrahedron_soup_3 read(const bool may_be_surface = false) const
   {
     Tetrahedron_soup_3 soup;
     read_section(VERTICES, [&](Text_scanner& scanner)
@@ -68,7 +68,8 @@ public:
     read_simplices(EDGES_P2, number_of_points, 3, soup.edges, soup.edge_references);
     read_simplices(TRIANGLES_P2, number_of_points, 6, soup.facets, soup.facet_references);
     read_simplices(TETRAHEDRA_P2, number_of_points, 10, soup.cells, soup.cell_references);
-    require_tetrahedra(sum(soup.cells.size()), sum(soup.facets.size()), mesher_of_MEDIT);
+    if(!may_be_surface)
+      require_tetrahedra(sum(soup.cells.size()), sum(soup.facets.size()), mesher_of_MEDIT);
     const std::size_t number_of_second_order
       = sum(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
     if(number_of_second_order > 0 && m_is_slice)
