@@ -23,7 +23,8 @@ require()
 
 require "named parameter" "$headers/stretch_minimizing_volume_parameterization.h" < <(
   sed -n 's/^CGAL_add_named_parameter(.*, \(.*\))/cgalParamNBegin{\1}/p' \
-    "$headers/STL_Extension/internal/parameters_interface.h")
+    "$headers/STL_Extension/internal/parameters_interface.h" | grep -v minimal_scaled_jacobian)
+require "named parameter" "$headers/$package/hexahedral_mesh.h" <<< "cgalParamNBegin{minimal_scaled_jacobian}"
 
 # Prints the header, the name, and 1 or 0 for with or without a comment, of each class and function in a public namespace.
 list_declarations()

@@ -153,6 +153,7 @@ inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization
   {
     Gmsh_writer writer(mesh.points, names);
     writer.add(3, 5, mesh.cells, mesh.cell_references);
+    writer.add(2, 3, mesh.facets, mesh.facet_references);
     writer.write(os, is_old);
   });
 }

@@ -40,7 +40,7 @@ public:
   const std::string& name() const { return m_name; } // empty if there is none
   double spacing() const { return m_spacing; }       // 0 if there is none
 
-  // Writes the file only if the status is `OK`.
+  // Writes the file only if there is a valid mesh.
   CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
   write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
         const std::vector<std::array<double, 3> >& uvw, Progress_line& progress) const
@@ -49,7 +49,7 @@ public:
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
       source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
-    if(result.status == VMP::OK)
+    if(result.has_valid_mesh)
     {
       Output_file file(m_name);
       if(extension() == ".vtu")

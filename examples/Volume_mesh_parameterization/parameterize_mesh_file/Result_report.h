@@ -10,13 +10,13 @@
 #include <iostream>
 #include <stdexcept>
 
-enum Exit_code { SUCCESS = 0, BOUNDARY_MISSED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
+enum Exit_code { SUCCESS = 0, NOT_AS_ASKED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
 inline Exit_code exit_code(const CGAL::Volume_mesh_parameterization::Parameterization_result& result)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   if(result.has_valid_map)
-    return (result.boundary_residual == 0) ? SUCCESS : BOUNDARY_MISSED;
+    return (result.boundary_residual == 0) ? SUCCESS : NOT_AS_ASKED;
   switch(result.status)
   {
     case VMP::ERROR_NOT_FLIP_FREE:
@@ -65,6 +65,7 @@ inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Err
     case VMP::ERROR_SPACING_TOO_COARSE: return "ERROR_SPACING_TOO_COARSE";
     case VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL: return "ERROR_DOMAIN_NOT_AXIS_PARALLEL";
     case VMP::ERROR_INVERTED_HEXAHEDRON: return "ERROR_INVERTED_HEXAHEDRON";
+    case VMP::ERROR_POOR_HEXAHEDRON: return "ERROR_POOR_HEXAHEDRON";
   }
   return "";
 }

@@ -131,19 +131,22 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
   const VMP::Hexahedral_mesh_result hexahedra = file.write(mesh, uvw, progress);
   outcome.hexahedra = hexahedra;
   outcome.seconds_hexahedra = progress.seconds() - begin;
-  if(hexahedra.status == VMP::OK)
+  if(hexahedra.has_valid_mesh)
     outcome.files.push_back(file.name());
   if(hexahedra.status == VMP::OK && !hexahedra.is_interrupted)
     return;
-  if(hexahedra.status != VMP::OK)
+  if(hexahedra.has_valid_mesh)
+    outcome.exit_code = hexahedra.status == VMP::OK ? SUCCESS : NOT_AS_ASKED;
+  else
     outcome.exit_code = hexahedra.is_interrupted || hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE
                                                                                                        : BAD_INPUT;
   Result& result = outcome.result;
   const std::string of_map = result.status == VMP::OK ? "The map is complete. " : result.message + " ";
   result.status = hexahedra.is_interrupted ? VMP::ERROR_INTERRUPTED : hexahedra.status;
   outcome.status_code = error_code_name(result.status);
-  result.message = of_map + (!hexahedra.is_interrupted ? "There are no hexahedra: " + hexahedra.message
-    : progress.reason() + std::string(hexahedra.status == VMP::OK
+  result.message = of_map + (!hexahedra.is_interrupted
+    ? (hexahedra.has_valid_mesh ? "" : "There are no hexahedra: ") + hexahedra.message
+    : progress.reason() + std::string(hexahedra.has_valid_mesh
       ? " The hexahedra are valid, but better ones might have been found." : " There are no valid hexahedra yet."));
 }
 
@@ -310,12 +313,12 @@ int main(int argc, char* argv[])
         std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
       if(outcome.number_of_free_targets > 0)
         std::cout << outcome.number_of_free_targets << " targets of vertices inside are not asked for; --inside met asks for them\n";
-      if(outcome.hexahedra && outcome.hexahedra->status == VMP::OK)
+      if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
         print(*outcome.hexahedra);
     }
     if(outcome.exit_code != SUCCESS || result.status != VMP::OK)
       std::cerr << result.message << std::endl;
-    if(outcome.exit_code == BOUNDARY_MISSED)
+    if(outcome.exit_code == NOT_AS_ASKED && result.boundary_residual > 0)
       std::cerr << "The boundary residual is " << result.boundary_residual << "." << std::endl;
     if(!options.report.empty())
       write_report(options, outcome, progress);

@@ -24,7 +24,7 @@ The ways in which a parameterization can end.
 With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map
 without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
 `Parameterization_result::has_valid_map`. With the other values there is none. The values from
-`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last two from
+`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last three from
 `Volume_mesh_parameterization::hexahedral_mesh()`.
 */
 enum Error_code
@@ -55,7 +55,8 @@ enum Error_code
   ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
-  ERROR_INVERTED_HEXAHEDRON          ///< a hexahedron has a corner that is flat or inverted
+  ERROR_INVERTED_HEXAHEDRON,         ///< a hexahedron has a corner that is flat or inverted
+  ERROR_POOR_HEXAHEDRON              ///< the hexahedra are valid, but a scaled Jacobian is below the bound
 };
 
 /*!
@@ -112,6 +113,9 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_INVERTED_HEXAHEDRON:
       return "A hexahedron has a corner that is flat or inverted; make the spacing smaller, or map the body with less "
              "distortion.";
+    case ERROR_POOR_HEXAHEDRON:
+      return "The hexahedra are valid, but the scaled Jacobian of one is below the bound; make the spacing smaller, or map the "
+             "body with less distortion, for instance with refinement.";
   }
   return "Unknown error code.";
 }

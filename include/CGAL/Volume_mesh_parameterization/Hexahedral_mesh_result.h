@@ -33,6 +33,7 @@ struct Hexahedral_mesh_result
 {
   Error_code status = OK;                ///< how the computation ended
   std::string message;                   ///< sentences about the status, and where it arises
+  bool has_valid_mesh = false;           ///< whether all corners are positive: then the mesh is written
   std::size_t number_of_vertices = 0;          ///< all vertices of the mesh
   std::size_t number_of_boundary_vertices = 0; ///< vertices on the boundary of the body
   std::size_t number_of_cells = 0;             ///< hexahedra

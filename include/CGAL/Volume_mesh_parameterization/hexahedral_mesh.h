@@ -29,16 +29,47 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
+// Marks the facets of the boundary by their surface patches, in a soup that has been made of the complex.
+template <typename C3t3>
+void mark_facets(const C3t3& c3t3, Tetrahedron_soup_3& soup)
+{
+  using Patch = typename C3t3::Surface_patch_index;
+  std::vector<Patch> patches;
+  std::size_t c = 0;
+  for(auto cell = c3t3.cells_in_complex_begin(); cell != c3t3.cells_in_complex_end(); ++cell, ++c)
+    for(int i = 0; i < 4; ++i)
+      if(!c3t3.is_in_complex(cell->neighbor(i)) && c3t3.is_in_complex(cell, i))
+      {
+        const auto corner = [&](const int k) { return soup.cells[c][static_cast<std::size_t>((i + k) % 4)]; };
+        soup.facets.push_back({ corner(1), corner(2), corner(3) });
+        patches.push_back(c3t3.surface_patch_index(cell, i));
+      }
+  if constexpr(std::is_integral<Patch>::value)
+    soup.facet_references.assign(patches.begin(), patches.end());
+  else
+  {
+    std::vector<Patch> different = patches;
+    std::sort(different.begin(), different.end());
+    different.erase(std::unique(different.begin(), different.end()), different.end());
+    for(const Patch& patch : patches)
+      soup.facet_references.push_back(
+        static_cast<int>(std::lower_bound(different.begin(), different.end(), patch) - different.begin()) + 1);
+  }
+}
+
 template <typename ConcurrencyTag, typename NamedParameters>
 Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const double spacing, Hexahedron_soup_3& mesh,
                                               const NamedParameters& np)
 {
-  check_named_parameters(np);
+  check_named_parameters<internal_np::minimal_scaled_jacobian_t>(np);
   require(spacing > 0, "The spacing of a grid is positive.");
+  constexpr double poor = 0.01; // a guess; solvers of finite elements want more, but take it
+  const double bound = parameter_or(np, internal_np::minimal_scaled_jacobian, poor);
+  require(bound <= 1, "A scaled Jacobian is at most 1.");
   Limits<NamedParameters> limits(np);
   Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
   Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
-  return find_hexahedra_3(map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), limits.budget(), mesh);
+  return find_hexahedra_3(map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), limits.budget(), bound, mesh);
 }
 
 } // namespace internal
@@ -69,6 +100,9 @@ in the end, the search is made again with one layer along the whole boundary, or
 corners are still inverted, both are tried again with vertices that may leave the boundary at first, where corners are
 untangled easily: a growing weight draws the vertices back, while Newton steps invert no corner again.
 
+Quadrangles of the boundary have the references of the marked facets of the soup, or of the surface patches of the complex,
+that they lie on.
+
 The best of all meshes is returned: the one with the fewest inverted corners, or, among several, with the largest sum of the
 mean scaled Jacobian and the minimal one, which counts up to 0.3. Exact predicates on the coordinates written check that all
 corners are positive.
@@ -83,10 +117,17 @@ corners are positive.
 \param images the image of each point under a map that inverts no cell, as
        `CGAL::stretch_minimizing_volume_parameterization()` writes it
 \param spacing the distance of planes of the grid, in the units of the images
-\param mesh receives the hexahedra if the status is `OK`, and is left alone otherwise
+\param mesh receives the hexahedra if all corners are positive, and is left alone otherwise
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
+  \cgalParamNBegin{minimal_scaled_jacobian}
+    \cgalParamDescription{the bound below which a scaled Jacobian is answered by `ERROR_POOR_HEXAHEDRON`; the hexahedra are
+                          the same for each}
+    \cgalParamType{`double`}
+    \cgalParamDefault{0.01}
+    \cgalParamPrecondition{at most 1}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{a limit for the running time in seconds, after which the best mesh so far is returned}
     \cgalParamType{`double`}
@@ -106,8 +147,8 @@ corners are positive.
         without one; `ERROR_EMPTY_COMPLEX`; `ERROR_NON_FINITE_COORDINATE`; `ERROR_SIZE_OUT_OF_RANGE` if the diagonal of the
         mesh or of its image is not between 1e-70 and 1e70, or the grid has more than 10^7 boxes, of which each that is
         inside takes 4 kB of memory; `ERROR_INVERTED_SOURCE_CELL` if all points coincide; `ERROR_DOMAIN_NOT_AXIS_PARALLEL`;
-        `ERROR_INVERTED_TARGET_BOUNDARY` if the domain has no box; or `ERROR_INVERTED_HEXAHEDRON` if a corner is not
-        positive
+        `ERROR_INVERTED_TARGET_BOUNDARY` if the domain has no box; `ERROR_INVERTED_HEXAHEDRON` if a corner is not
+        positive; or `ERROR_POOR_HEXAHEDRON`, with the hexahedra, if a scaled Jacobian is below the bound
 
 \exception Input_error names a cell with an index that does not exist, or tells that a reference is missing.
 
@@ -152,8 +193,9 @@ Hexahedral_mesh_result hexahedral_mesh(const Tetrahedron_soup_3& soup, const Ima
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
 
-makes hexahedra of a complex. The references of hexahedra are the indices of subdomains; hexahedra made of arrays have the
-reference 0.
+makes hexahedra of a complex. The references of hexahedra are the indices of subdomains, those of quadrangles the indices of
+surface patches, if these are integers; otherwise the patches are numbered from 1, in their order. Hexahedra and quadrangles made
+of arrays have the reference 0.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -174,7 +216,9 @@ Hexahedral_mesh_result hexahedral_mesh(const C3t3& c3t3, const VertexUVWMap uvw_
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
-  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(internal::Mapped_soup_3(c3t3, uvw_map), spacing, mesh, np);
+  internal::Mapped_soup_3 map(c3t3, uvw_map);
+  internal::mark_facets(c3t3, map);
+  return internal::hexahedral_mesh_of_map<ConcurrencyTag>(map, spacing, mesh, np);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -924,6 +924,69 @@ TEST_CASE("Hexahedra know the subdomain that their centers are mapped to")
   CHECK(medit.str().find(" 7\n", medit.str().find("Hexahedra")) != std::string::npos);
 }
 
+TEST_CASE("Quadrangles have the references of the facets that they lie on, of a soup and of a complex, in all files")
+{
+  const auto cube = cube_mesh(4, 0);
+  Tetrahedron_soup_3 soup = source_soup(cube);
+  soup.facets = VMP::internal::boundary_facets_3(soup.cells);
+  soup.facet_references.clear();
+  const auto reference = [](const Vector3d& center) // not those of the faces of the cube
+  { return center[0] < 1e-9 ? 3 : center[2] > 4 - 1e-9 && center[1] < 2 ? 11 : center[2] > 4 - 1e-9 ? 12 : 0; };
+  for(const auto& f : soup.facets)
+    soup.facet_references.push_back(reference((vector(soup.points[f[0]]) + vector(soup.points[f[1]]) + vector(soup.points[f[2]])) / 3));
+  Hexahedron_soup_3 mesh, of_complex;
+  REQUIRE(VMP::hexahedral_mesh(soup, soup.points, 1, mesh).status == VMP::OK);
+  REQUIRE(mesh.facets.size() == 96);
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+    CHECK(mesh.facet_references[f] == reference((vector(mesh.points[mesh.facets[f][0]]) + vector(mesh.points[mesh.facets[f][2]])) / 2));
+  CHECK(std::count(mesh.facet_references.begin(), mesh.facet_references.end(), 11) == 8);
+
+  Cube_complex<> complex(cube, soup);
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
+  REQUIRE(VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, of_complex).status == VMP::OK);
+  std::vector<int> references = mesh.facet_references;
+  std::replace(references.begin(), references.end(), 0, 1); // the boundary of a complex has no facet without a patch
+  CHECK(of_complex.facet_references == references);
+
+  std::ostringstream vtu, inp, medit;
+  VMP::IO::write_VTU(vtu, mesh);
+  const auto surfaces = array_of<std::int32_t>(vtu.str(), "surface", "Int32");
+  CHECK(std::vector<int>(surfaces.begin() + 64, surfaces.end()) == mesh.facet_references);
+  VMP::IO::write_INP(inp, mesh);
+  for(const auto& [name, number] : { std::pair("SURFACE_3", 16), std::pair("SURFACE_11", 8), std::pair("SURFACE_12", 8) })
+  {
+    const std::size_t begin = inp.str().find(std::string("*SURFACE, TYPE=ELEMENT, NAME=") + name + "\n");
+    REQUIRE(begin != std::string::npos);
+    const std::string section = inp.str().substr(begin + 1, inp.str().find('*', begin + 1) - begin - 1);
+    CHECK(std::count(section.begin(), section.end(), '\n') == number + 1);
+    CHECK(inp.str().find(std::string("*NSET, NSET=") + name + "\n") != std::string::npos);
+  }
+  CHECK(inp.str().find("SURFACE_0") == std::string::npos);
+  VMP::IO::write_MEDIT(medit, mesh);
+  CHECK(medit.str().find(" 12\n", medit.str().find("Quadrilaterals")) != std::string::npos);
+}
+
+TEST_CASE("Valid hexahedra with a scaled Jacobian below the bound have a status of their own")
+{
+  const Body sheared(2, 0, [](const Vector3d& p) -> Vector3d { return { p[0] + 3 * p[1], p[1], p[2] }; });
+  Hexahedron_soup_3 mesh;
+  const double least = sheared.mesh(1, mesh).minimal_scaled_jacobian;
+  REQUIRE(least > 0.01);
+  REQUIRE(least < 0.9);
+  CHECK(sheared.mesh(1, mesh).status == VMP::OK);
+  CHECK(sheared.mesh(1, mesh, CGAL::parameters::minimal_scaled_jacobian(0.99 * least)).status == VMP::OK);
+  const Hexahedron_soup_3 expected = mesh;
+  mesh = Hexahedron_soup_3();
+  const Hexahedral_mesh_result result = sheared.mesh(1, mesh, CGAL::parameters::minimal_scaled_jacobian(1.01 * least));
+  CHECK(result.status == VMP::ERROR_POOR_HEXAHEDRON);
+  CHECK(result.has_valid_mesh);
+  CHECK(mesh.points == expected.points);
+  CHECK(result.message.find("make the spacing smaller") != std::string::npos);
+  CHECK(result.message.find("has a vertex at (") != std::string::npos);
+  CHECK_THROWS_AS(sheared.mesh(1, mesh, CGAL::parameters::minimal_scaled_jacobian(1.5)), CGAL::Precondition_exception);
+}
+
 namespace {
 
 // Returns the sections of an input file of Abaqus: for each line that begins with an asterisk, the words behind, separated by commas.

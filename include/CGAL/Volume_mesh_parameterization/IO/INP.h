@@ -51,9 +51,9 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each face of the polycube the
-/// set `PATCH_1`, `PATCH_2`, ... of its nodes, for supports, and the surface of the same name, of faces of elements, for
-/// pressures. The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
+/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each reference of
+/// quadrangles but 0 the set `SURFACE_1`, ... of its nodes, for supports, and the surface of the same name, of faces of elements,
+/// for pressures; likewise for each face of the polycube `PATCH_1`, `PATCH_2`, ... The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
 ///
 /// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
 /// a negative exponent, fewer are written, but at least 13.
@@ -95,12 +95,15 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
   for(const auto& [reference, cells] : subdomains)
     internal::write_INP_set(writer, "*ELSET, ELSET=SUBDOMAIN_" + std::to_string(reference), cells);
 
-  std::map<std::size_t, std::vector<std::size_t> > patches;
+  std::map<std::string, std::vector<std::size_t> > parts;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    patches[mesh.facet_patches[f]].push_back(f);
-  for(const auto& [patch, facets] : patches)
   {
-    const std::string name = "PATCH_" + std::to_string(patch);
+    parts["PATCH_" + std::to_string(mesh.facet_patches[f])].push_back(f);
+    if(mesh.facet_references[f] != 0)
+      parts["SURFACE_" + std::to_string(mesh.facet_references[f])].push_back(f);
+  }
+  for(const auto& [name, facets] : parts)
+  {
     std::set<std::size_t> vertices;
     for(const std::size_t f : facets)
       vertices.insert(mesh.facets[f].begin(), mesh.facets[f].end());

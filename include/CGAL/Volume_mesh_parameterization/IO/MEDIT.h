@@ -128,7 +128,7 @@ inline bool write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
 /// writes hexahedra and the quadrangles of their boundary in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". The
-/// references of hexahedra are their subdomains, those of quadrangles their patches.
+/// references of hexahedra are their subdomains, those of quadrangles the ones of the body if there are any, else their patches.
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
@@ -142,7 +142,11 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, mesh.points);
   internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, mesh.cell_references);
-  internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, mesh.facet_patches);
+  const std::vector<int>& references = mesh.facet_references;
+  if(std::count(references.begin(), references.end(), 0) < std::ptrdiff_t(references.size()))
+    internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, references);
+  else
+    internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, mesh.facet_patches);
   writer << "End\n";
   return writer.finish();
 }

@@ -185,7 +185,8 @@ bool write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 ///
 /// writes hexahedra, and the quadrangles of their boundary, as a VTK XML file (`.vtu`). The points have the vectors `uvw`,
 /// their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index` (its
-/// place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch`, 0 for hexahedra.
+/// place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch` and `surface`, the face of the polycube and the reference of a
+/// quadrangle, 0 for hexahedra.
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra
@@ -213,6 +214,8 @@ inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
   writer.add<std::int32_t>("subdomain", number_of_cells, [&](std::size_t i) { return mesh.cell_references[hexahedron(i)]; });
   writer.add<std::int32_t>("patch", number_of_cells, [&](std::size_t i)
   { return i < number_of_hexahedra ? 0 : mesh.facet_patches[i - number_of_hexahedra]; });
+  writer.add<std::int32_t>("surface", number_of_cells, [&](std::size_t i)
+  { return i < number_of_hexahedra ? 0 : mesh.facet_references[i - number_of_hexahedra]; });
   writer.end("CellData");
   writer.write(os);
   return os.good();

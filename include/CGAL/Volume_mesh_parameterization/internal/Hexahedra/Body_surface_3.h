@@ -88,6 +88,10 @@ public:
          : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
+  // Returns the index of the facet nearest to a point, as `boundary_facets_3()` numbers them.
+  std::size_t nearest_facet(const Eigen::Vector3d& p) const
+  { return static_cast<std::size_t>(m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()); }
+
   // Returns the projector onto the directions in which a vertex may move from a point where it may be.
   Eigen::Matrix3d projector(const Eigen::Vector3d& p, const Freedom_3 freedom) const
   {

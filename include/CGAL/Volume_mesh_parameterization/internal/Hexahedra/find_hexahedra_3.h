@@ -22,10 +22,11 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Finds hexahedra by a map to a domain whose boundary facets are orthogonal to the axes, with the layers that the mesh needs or
-// with one along the whole boundary. The mesh is written if and only if all corners are positive: the status is OK then.
+// with one along the whole boundary. The mesh is written if and only if all corners are positive.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
-                                        bool is_parallel, const Budget& budget, Hexahedron_soup_3& mesh);
+                                        bool is_parallel, const Budget& budget, double minimal_scaled_jacobian,
+                                        Hexahedron_soup_3& mesh);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -17,9 +17,40 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Gives the quadrangles of the boundary the references of the facets of the body nearest to their centers.
+inline void set_facet_references(const Tetrahedron_soup_3& soup, const Body_surface_3& surface, Hexahedron_soup_3& mesh)
+{
+  std::map<std::array<std::size_t, 3>, int> references;
+  for(std::size_t f = 0; f < soup.facets.size(); ++f)
+    references.emplace(sorted(soup.facets[f]), soup.facet_references[f]);
+  const std::vector<std::array<std::size_t, 3> > facets = boundary_facets_3(soup.cells);
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+  {
+    const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q[i]]); };
+    const auto found = references.find(sorted(facets[surface.nearest_facet((point(0) + point(1) + point(2) + point(3)) / 4)]));
+    mesh.facet_references.push_back(found == references.end() ? 0 : found->second);
+  }
+}
+
+// Names the hexahedron of the least scaled Jacobian if this is below a bound.
+inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hexahedral_mesh_result& result)
+{
+  if(result.minimal_scaled_jacobian >= bound)
+    return;
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  const std::array<std::size_t, 8>& worst
+    = mesh.cells[static_cast<std::size_t>(std::min_element(quality.begin(), quality.end()) - quality.begin())];
+  const auto number = std::count_if(quality.begin(), quality.end(), [&](const double q) { return q < bound; });
+  result.status = ERROR_POOR_HEXAHEDRON;
+  result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number, number == 1 ? " hexahedron is" : " hexahedra are",
+                            " below ", bound, "; the worst one, of ", result.minimal_scaled_jacobian, ", has a vertex at ",
+                            describe(to_vector(mesh.points[worst[0]])), ".");
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing, Linear_solver_3& solver,
-                                        const bool is_parallel, const Budget& budget, Hexahedron_soup_3& mesh)
+                                        const bool is_parallel, const Budget& budget, const double minimal_scaled_jacobian,
+                                        Hexahedron_soup_3& mesh)
 {
   const Input_check_3 check = check_map_3(soup);
   if(check.status != OK)
@@ -56,7 +87,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     candidate = pulled_back(map, candidate, is_parallel, budget);
     for(const bool may_leave_surface : { false, true })
     {
-      if(budget.is_exhausted() || (may_leave_surface && best.result.status == OK))
+      if(budget.is_exhausted() || (may_leave_surface && best.result.has_valid_mesh))
         break;
       Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
       improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
@@ -64,16 +95,18 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   }
   Hexahedral_mesh_result result = best.result;
   result.is_interrupted = budget.is_exhausted();
-  if(result.status == OK)
+  if(result.has_valid_mesh)
   {
     set_images(map, is_parallel, best.mesh);
+    set_facet_references(soup, surface, best.mesh);
+    check_quality(best.mesh, minimal_scaled_jacobian, result);
     mesh = std::move(best.mesh);
   }
   else if(result.is_interrupted)
     result.status = ERROR_INTERRUPTED;
   if(result.is_interrupted)
     result.message = get_error_message(ERROR_INTERRUPTED)
-      + std::string(result.status == OK ? " The hexahedra have positive corners, but better ones might have been found."
+      + std::string(result.has_valid_mesh ? " The hexahedra have positive corners, but better ones might have been found."
                                         : " There are no hexahedra with positive corners yet.");
   return result;
 }
