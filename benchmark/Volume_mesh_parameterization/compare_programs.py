@@ -1,21 +1,26 @@
 #!/usr/bin/env python3
-"""Compares the maps of several programs, and the times that they take, on the same cases.
+"""Compares the maps of several programs, and the times that they take, on the same cases of public sets.
 
-compare_programs.py DRIVER FOLDER --options "--refine" --external "NAME=other -s {source} -b {target} -o {output}" \\
-  --first-valid "NAME=untangled at (\\S+) s"
+compare_programs.py DRIVER --set volmap=FOLDER --set wrapd=FOLDER --options "--refine" --page page.md \\
+  --external "NAME=other -s {source} -b {target} -o {output}" --first-valid "NAME=untangled at (\\S+) s"
 
+public_sets.py tells which sets are read, as they are published.
 The driver and the other programs, which are not part of this package, run one after the other. A command has the words
 {source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates; a
 program that refines writes the refined source to {refined}. All maps are checked alike, by check_map.py in exact
 arithmetic, and so are their distortions, of the map scaled to the volume of the source. Seconds are those that the
 processor spends on the whole program with its files, so other programs on the machine hardly change them; those until
-the first valid map are what the program says, less the part of its time in which it did not run. Tables are in Markdown.
+the first valid map are what the program says, less the part of its time in which it did not run. Memory is the largest that
+was in use. Tables are in Markdown, and so is the page: what was run, on which machine, all results, and each case that the
+driver does not solve.
 """
 import argparse
+import datetime
 import json
 import math
+import os
+import platform
 import re
-import resource
 import shlex
 import statistics
 import subprocess
@@ -26,10 +31,10 @@ from pathlib import Path
 
 from check_map import check, determinant, read_mesh
 from driver_runs import status
+from public_sets import READERS, cases_of_set
 from tables import write_csv, write_json
-from volmap_cases import add_case_options, find_cases
 
-COLUMNS = ["case", "program", "status", "seconds_to_first_valid", "seconds", "angle_mean", "angle_max", "volume_mean",
+COLUMNS = ["case", "program", "status", "seconds_to_first_valid", "seconds", "megabytes", "angle_mean", "angle_max", "volume_mean",
            "volume_max"]
 TIMES = COLUMNS[3:5]
 OURS = "parameterize_mesh_file"
@@ -93,10 +98,21 @@ def judge(case, folder):
     return row
 
 
-def processor_seconds():
-    """Of all processes that have ended: user and system together, as the system only estimates the parts."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
+def run_command(words, folder, time_limit):
+    """What the program prints, and the resources that it has used, its own children included; None at the time limit."""
+    end = time.monotonic() + time_limit if time_limit else math.inf
+    with open(folder / "output.txt", "w+") as output:
+        process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT)
+        while True:
+            ended, _, usage = os.wait4(process.pid, os.WNOHANG)
+            if ended:
+                output.seek(0)
+                return output.read(), usage
+            if time.monotonic() > end:
+                process.kill()
+                os.wait4(process.pid, 0)
+                return None, None
+            time.sleep(0.01)
 
 
 def run(name, command, first_valid, case, time_limit):
@@ -106,17 +122,18 @@ def run(name, command, first_valid, case, time_limit):
         folder = Path(path)
         paths = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
                  "refined": folder / "refined.mesh", "report": folder / "report.json"}
-        begin, begin_processor = time.monotonic(), processor_seconds()
-        try:
-            process = subprocess.run([word.format(**paths) for word in shlex.split(command)], stdout=subprocess.PIPE,
-                                     stderr=subprocess.STDOUT, text=True, timeout=time_limit)
-        except subprocess.TimeoutExpired:
+        begin = time.monotonic()
+        output, usage = run_command([word.format(**paths) for word in shlex.split(command)], folder, time_limit)
+        if usage is None:
             return {**row, "status": "time limit"}
-        elapsed, row["seconds"] = time.monotonic() - begin, processor_seconds() - begin_processor
+        elapsed, row["seconds"] = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
+        row["megabytes"] = usage.ru_maxrss / 1000
         row.update(judge(case, folder))
-        said = first_valid(process.stdout, folder) if row["status"] in ("exact", "flip-free") else None
+        said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
         if said is not None:
             row["seconds_to_first_valid"] = said * row["seconds"] / elapsed
+        if row["status"] != "exact" and output.strip():
+            row["message"] = output.strip().splitlines()[-1]
     return row
 
 
@@ -157,11 +174,33 @@ def cell_text(value):
     return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
-def print_table(rows, columns):
-    print("| " + " | ".join(columns) + " |\n|" + " --- |" * len(columns))
-    for row in rows:
-        print("| " + " | ".join(cell_text(row.get(column)) for column in columns) + " |", flush=True)
-    print()
+def table(rows, columns):
+    lines = [columns, ["---"] * len(columns), *([cell_text(row.get(column)) for column in columns] for row in rows)]
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n"
+
+
+def machine():
+    """A sentence for each of what results depend on."""
+    name = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9
+    return [f"Machine: {os.cpu_count()} of {name[0] if name else platform.processor()}, {memory:.0f} GB, {platform.platform()}.",
+            f"Date: {datetime.date.today()}."]
+
+
+def page(programs, driver, sets):
+    """Everything that was run: `sets` has the name, the rows and the number of cases left out of each."""
+    version = subprocess.run([driver, "--version"], stdout=subprocess.PIPE, text=True, check=False).stdout.split("\n")[0]
+    text = "# Maps of public sets\n\n" + "\n".join(f"- {line}" for line in [*machine(), f"{OURS}: {version}"]) + "\n"
+    text += "".join(f"- {name}: `{command}`\n" for name, (command, _) in programs.items()) + "\n"
+    for name, rows, number_left_out in sets:
+        lines = summary(rows, programs)
+        text += f"## {name}\n\n" + table(lines, list(lines[0]))
+        if number_left_out:
+            text += f"{number_left_out} cases are left out, because cells of their source are flat or inverted.\n\n"
+        lost = [row for row in rows if row["program"] == OURS and row["status"] != "exact"]
+        text += f"Not exact by {OURS}: {len(lost)}.\n\n" + (table(lost, ["case", "status", "message"]) if lost else "")
+        text += table(rows, COLUMNS)
+    return text
 
 
 def pairs(parser, texts):
@@ -175,13 +214,16 @@ def pairs(parser, texts):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("driver", help="the program parameterize_mesh_file")
-    add_case_options(parser)
+    parser.add_argument("--set", action="append", required=True, metavar="NAME=FOLDER",
+                        help="a folder of " + ", ".join(READERS))
+    parser.add_argument("--filter", default="", help="only cases whose name contains this regular expression")
     parser.add_argument("--options", default="", help="options of the driver")
     parser.add_argument("--external", action="append", default=[], metavar="NAME=COMMAND", help="another program")
     parser.add_argument("--first-valid", action="append", default=[], metavar="NAME=REGEX",
                         help="seconds until no cell was inverted, in the output of that program; the last match counts")
     parser.add_argument("--time-limit", type=float, metavar="SECONDS", help="of each run")
     parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
+    parser.add_argument("--page", metavar="FILE", help="write a page with all results")
     arguments = parser.parse_args()
 
     regexes = pairs(parser, arguments.first_valid)
@@ -190,18 +232,25 @@ def main():
     programs = {OURS: (ours, number_in_report)}
     for name, command in pairs(parser, arguments.external).items():
         programs[name] = (command, number_in_output(regexes.get(name)))
-    cases = find_cases(arguments.volmap, arguments.pairs, arguments.filter)
-    if not cases:
-        sys.exit("there is no case in this folder")
 
-    rows = [run(name, command, first_valid, case, arguments.time_limit)
-            for case in cases for name, (command, first_valid) in programs.items()]
-    lines = summary(rows, programs)
-    print_table(rows, COLUMNS)
-    print_table(lines, list(lines[0]))
+    sets = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, source in pairs(parser, arguments.set).items():
+            if name not in READERS:
+                parser.error(f"there is no set '{name}'")
+            cases, number_left_out = cases_of_set(name, source, folder)
+            cases = [case for case in cases if re.search(arguments.filter, case.name)]
+            if not cases:
+                sys.exit(f"there is no case in the folder {source}")
+            rows = [run(program, command, first_valid, case, arguments.time_limit)
+                    for case in cases for program, (command, first_valid) in programs.items()]
+            sets.append((name, rows, number_left_out))
+            print(table(rows, COLUMNS) + table(summary(rows, programs), list(summary(rows, programs)[0])), flush=True)
     if arguments.output:
-        write_csv(arguments.output + ".csv", rows)
-        write_json(arguments.output + ".json", {"cases": rows, "summary": lines})
+        write_csv(arguments.output + ".csv", [{"set": name, **row} for name, rows, _ in sets for row in rows])
+        write_json(arguments.output + ".json", {name: {"cases": rows, "summary": summary(rows, programs)} for name, rows, _ in sets})
+    if arguments.page:
+        Path(arguments.page).write_text(page(programs, arguments.driver, sets))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,8 @@
-"""Compares the driver with itself and with a program that fails, by compare_programs.py.
+"""Compares the driver with itself and with a program that fails, by compare_programs.py, on small sets of each form.
 
 Usage: check_comparison.py COMPARE_PROGRAMS PARAMETERIZE_MESH_FILE DATA_FOLDER
 """
+import itertools
 import json
 import math
 import shutil
@@ -11,20 +12,80 @@ import tempfile
 from pathlib import Path
 
 
+def write_TetGen(stem, points, cells, first):
+    """As TetGen writes it, with comments and indices from 0 or 1."""
+    with open(f"{stem}.node", "w") as file:
+        print("# points\n", len(points), 3, 0, 0, file=file)
+        for v, p in enumerate(points):
+            print(v + first, *p, "# a point", file=file)
+    with open(f"{stem}.ele", "w") as file:
+        print(len(cells), 4, 0, file=file)
+        for c, cell in enumerate(cells):
+            print(c + first, *(v + first for v in cell), file=file)
+
+
+def write_MEDIT(filename, points, keyword, cells):
+    rows = [f"{x} {y} {z} 0" for x, y, z in points] + [keyword, str(len(cells))]
+    rows += [" ".join(str(v + 1) for v in cell) + " 0" for cell in cells]
+    filename.write_text("\n".join(["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points)), *rows, "End", ""]))
+
+
+def write_sets(folder):
+    """A cube of 2 x 2 x 2 cubes in each form: its center and 26 vertices of the boundary, which is sheared."""
+    points = [(x, y, z) for z, y, x in itertools.product(range(3), repeat=3)]
+    sheared = [(x + 0.5 * y, y, z) for x, y, z in points]
+    corners = [x + 3 * y + 9 * z for z, y, x in itertools.product(range(2), repeat=3)]
+    hexahedra = [tuple(v + i for i in (0, 1, 4, 3, 9, 10, 13, 12)) for v in corners]
+    pairs = ((1, 4), (4, 3), (3, 12), (12, 9), (9, 10), (10, 1))
+    cells = [(v, v + a, v + b, v + 13) for v in corners for a, b in pairs]
+    for name in ("wrapd", "hexahedra", "poses"):
+        (folder / name).mkdir()
+    write_TetGen(folder / "wrapd/cube_rest", points, cells, 1)
+    write_TetGen(folder / "wrapd/cube_nh_soln", sheared, cells, 0)
+    write_TetGen(folder / "wrapd/flat_rest", [(x, y, 0) for x, y, _ in points], cells, 0)  # is left out
+    write_TetGen(folder / "wrapd/flat_soln", points, cells, 0)
+    write_MEDIT(folder / "hexahedra/cube.mesh", sheared, "Hexahedra", hexahedra)
+    write_MEDIT(folder / "hexahedra/cube_polycube.mesh", points, "Hexahedra", hexahedra)
+    for i, pose in enumerate((points, sheared, sheared)):
+        write_MEDIT(folder / f"poses/pose_{i}.mesh", pose, "Tetrahedra", cells)
+
+
+def check_forms(script, driver, folder):
+    sets = [f"{name}={folder / name}" for name in ("wrapd", "hexahedra", "poses")]
+    subprocess.run([sys.executable, script, driver, *(word for name in sets for word in ("--set", name)),
+                    "--output", folder / "forms", "--page", folder / "page.md"], check=True, stdout=subprocess.DEVNULL)
+    table = json.loads((folder / "forms.json").read_text())
+    names = {name: [row["case"] for row in table[name]["cases"]] for name in table}
+    assert names == {"wrapd": ["cube_to_solution", "cube_to_rest", "flat_to_rest"], "hexahedra": ["cube_polycube"],
+                     "poses": ["pose_0_to_pose_1", "pose_0_to_pose_2"]}, names
+    for name in table:
+        for row in table[name]["cases"]:
+            is_flat = row["case"] == "flat_to_rest"  # a target without volume has no map
+            assert row["status"] == ("no map" if is_flat else "exact"), row
+            if not is_flat:  # the map is linear, of one distortion
+                assert math.isclose(row["angle_mean"], row["angle_max"], rel_tol=1e-6), row
+                assert math.isclose(row["volume_max"], 2, rel_tol=1e-6) and row["megabytes"] > 1, row
+    page = (folder / "page.md").read_text()
+    assert "1 cases are left out" in page and "Not exact by parameterize_mesh_file: 1." in page and "Machine: " in page
+
+
 def main(script, driver, data):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        shutil.copy(data / "cube.mesh", folder / "cube.mesh")
-        shutil.copy(data / "cube_to_ball.txt", folder / "cube_ball.txt")
+        (folder / "volmap").mkdir()
+        shutil.copy(data / "cube.mesh", folder / "volmap/cube.mesh")
+        shutil.copy(data / "cube_to_ball.txt", folder / "volmap/cube_ball.txt")
         subprocess.run([
-            sys.executable, script, driver, folder, "--output", folder / "table",
+            sys.executable, script, driver, "--set", f"volmap={folder / 'volmap'}", "--output", folder / "table",
             "--external", f"twin='{driver}' {{source}} {{target}} --output {{output}}",
             "--first-valid", r"twin=iterations in (\S+) s", "--external", "broken=false"],
             check=True, stdout=subprocess.DEVNULL)
-        subprocess.run([driver, folder / "cube.mesh", folder / "cube_ball.txt", "--quiet",
+        subprocess.run([driver, folder / "volmap/cube.mesh", folder / "volmap/cube_ball.txt", "--quiet",
                         "--report", folder / "report.json"], check=True)
         report = json.loads((folder / "report.json").read_text())
-        table = json.loads((folder / "table.json").read_text())
+        table = json.loads((folder / "table.json").read_text())["volmap"]
+        write_sets(folder)
+        check_forms(script, driver, folder)
 
     ours, twin, broken = table["cases"]
     assert [row["status"] for row in (ours, twin, broken)] == ["exact", "exact", "no map"]
