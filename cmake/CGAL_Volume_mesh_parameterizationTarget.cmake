@@ -31,7 +31,6 @@ if(${PROJECT_NAME}_ENGINE)
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/distortion_of_soup_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel_impl.h>
 namespace CGAL::Volume_mesh_parameterization {

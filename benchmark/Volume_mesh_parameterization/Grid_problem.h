@@ -7,7 +7,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
 
 #include <Eigen/Core>
 
@@ -53,9 +53,7 @@ private:
     for(const auto& cell : grid.soup().cells)
       cells.push_back({int(cell[0]), int(cell[1]), int(cell[2]), int(cell[3])});
 
-    Mesh mesh;
-    CGAL::Volume_mesh_parameterization::internal::set_numbered_mesh(cells, source, is_prescribed, mesh);
-    return mesh;
+    return CGAL::Volume_mesh_parameterization::internal::ordered_mesh_3(cells, source, is_prescribed).first;
   }
 
   static Eigen::Matrix3Xd bent(const Eigen::Matrix3Xd& points)

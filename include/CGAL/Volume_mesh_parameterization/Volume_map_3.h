@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 

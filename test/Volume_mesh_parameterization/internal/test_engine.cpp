@@ -10,13 +10,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
@@ -964,8 +963,8 @@ TEST_CASE("The spatial order keeps free vertices in front and the mesh as it is"
   for(std::size_t i = 0; i < sorted.size(); ++i)
     REQUIRE(sorted[i] == i);
 
-  Numbered_mesh_3 ordered;
-  CHECK(VMP::internal::set_numbered_mesh(mesh.cells, mesh.source, is_prescribed, ordered) == order);
+  const auto [ordered, order_of_mesh] = VMP::internal::ordered_mesh_3(mesh.cells, mesh.source, is_prescribed);
+  CHECK(order_of_mesh == order);
   for(std::size_t i = 0; i < order.size(); ++i)
   {
     CHECK(ordered.is_free(static_cast<int>(i)) == mesh.is_free(static_cast<int>(order[i])));

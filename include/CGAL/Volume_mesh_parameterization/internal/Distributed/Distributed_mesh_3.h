@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
 
 #include <petscsystypes.h>
 
@@ -35,9 +35,6 @@ public:
                      const bool is_parallel = false)
     : m_communicator(communicator), m_size_of_slice(soup.points.size())
   {
-    m_mesh.communicator = &communicator;
-    m_mesh.has_volume_weights = has_volume_weights;
-    m_mesh.is_parallel = is_parallel;
     const std::vector<Global_cell_3> slice = cells_of_slice(soup);
     const std::vector<int> owner_in_slice = partition_3(communicator, slice, m_size_of_slice, communicator.size());
     const std::vector<Global_cell_3> global_cells = cells_around_own_vertices(slice, owner_in_slice);
@@ -63,8 +60,9 @@ public:
       }
     m_own = std::make_unique<Star_forest>(communicator, m_size_of_slice, own);
     m_own->put(is_own_prescribed, is_prescribed_in_slice);
-    const std::vector<int> mesh_numbers
-      = number(cells, numbers, all.get(soup.points), all.get(targets), owner, all.get(is_prescribed_in_slice));
+    const std::vector<int> mesh_numbers = number(cells, numbers, all.get(soup.points), all.get(targets), owner,
+                                                 all.get(is_prescribed_in_slice), is_parallel);
+    m_mesh.has_volume_weights = has_volume_weights;
     for(const std::size_t v : indices_of_own)
       m_own_numbers.push_back(mesh_numbers[v]);
     m_mesh.vertex_numbers.resize(mesh_numbers.size());
@@ -140,7 +138,7 @@ private:
   // number of each vertex in the mesh.
   std::vector<int> number(const Tetrahedron_soup_3& soup, const std::vector<std::size_t>& numbers,
                           const std::vector<Point>& points, const std::vector<Point>& targets,
-                          const std::vector<int>& owner, const std::vector<char>& is_prescribed)
+                          const std::vector<int>& owner, const std::vector<char>& is_prescribed, const bool is_parallel)
   {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -161,7 +159,9 @@ private:
       cells.push_back({ positions[c[0]], positions[c[1]], positions[c[2]], positions[c[3]] });
       is_copy.push_back(owner[*std::min_element(c.begin(), c.end())] != m_communicator.rank());
     }
-    const std::vector<std::size_t> last_order = set_numbered_mesh(cells, source, is_not_own_free, m_mesh);
+    std::vector<std::size_t> last_order;
+    std::tie(m_mesh, last_order) = ordered_mesh_3(cells, source, is_not_own_free, is_parallel);
+    m_mesh.communicator = &m_communicator;
     const int number_of_free_vertices = static_cast<int>(end_of_free - order.begin());
     m_mesh.number_of_copied_vertices = number_of_free_vertices - m_mesh.number_of_free_vertices;
     m_mesh.number_of_free_vertices = number_of_free_vertices;
@@ -171,15 +171,15 @@ private:
         std::swap(cell[0], cell[1]);
 
     std::vector<int> result(order.size());
-    m_mesh.target.resize(3, m_mesh.number_of_vertices());
+    Matrix3Xd images(3, m_mesh.number_of_vertices());
     for(int i = 0; i < m_mesh.number_of_vertices(); ++i)
     {
       const std::size_t v = order[last_order[i]];
       result[v] = i;
       if(!m_mesh.is_free(i))
-        m_mesh.target.col(i) = Eigen::Map<const Eigen::Vector3d>(targets[v].data());
+        images.col(i) = Eigen::Map<const Eigen::Vector3d>(targets[v].data());
     }
-    set_base_point(m_mesh);
+    set_targets(m_mesh, std::move(images));
     return result;
   }
 

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/spatial_order_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -32,7 +32,6 @@ public:
                       Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
     : m_mesh(mesh), m_surface(surface), m_solver(solver), m_budget(budget)
   {
-    m_numbered.is_parallel = is_parallel;
     Matrix3Xd points(3, mesh.points.size());
     std::vector<bool> is_fixed;
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -46,14 +45,11 @@ public:
       corners.emplace_back();
       std::copy(corner.begin(), corner.end(), corners.back().begin());
     });
-    m_order = set_numbered_mesh(corners, points, is_fixed, m_numbered);
+    std::tie(m_numbered, m_order) = ordered_mesh_3(corners, points, is_fixed, is_parallel);
     m_numbered.target = m_numbered.source;
-    std::vector<int> index(m_order.size());
-    for(std::size_t i = 0; i < m_order.size(); ++i)
-    {
-      m_freedom.push_back(freedom[m_order[i]]);
-      index[m_order[i]] = static_cast<int>(i);
-    }
+    for(const std::size_t v : m_order)
+      m_freedom.push_back(freedom[v]);
+    const std::vector<int> index = inverse_order(m_order);
     for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
       for(const std::size_t k : { 1, 2 })
         m_boundary.push_back({ index[quadrangle[0]], index[quadrangle[k]], index[quadrangle[k + 1]] });

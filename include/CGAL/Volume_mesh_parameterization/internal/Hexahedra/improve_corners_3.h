@@ -13,11 +13,23 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The aims for the corners of hexahedra, and how they are pursued.
+struct Corner_goals_3
+{
+  std::vector<Eigen::Matrix3d> projectors; // of each vertex, onto the directions in which it moves
+  std::vector<Eigen::Vector3d> edges;      // of each corner: the lengths of its edges where it has right angles
+  double mean_edge = 1;
+  std::vector<Linear_constraint_3<int> > constraints; // where vertices are wanted
+  double weight = 0;                       // of constraints: how many corners a residual of one edge costs as much as
+  int exponent = 1;                        // of the energy: 2 for the sake of the worst corners
+  std::size_t number_of_steps = 1;         // with positive corners; three times as many to get there
+};
 
 // Returns cells whose references are corners of boxes, with the edges that are the goals.
 inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals)

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Search_start_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -20,7 +20,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Search_start_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <cmath>
@@ -53,6 +52,10 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress);
+
+// Returns the distortion of the map from the points of a soup to images.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images);
 
 // A line of `verbose`.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step);

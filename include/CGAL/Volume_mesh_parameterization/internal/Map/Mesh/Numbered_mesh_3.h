@@ -46,6 +46,21 @@ struct Numbered_mesh_3
   int number_of_copied_vertices = 0;     // free ones
   std::vector<double> vertex_numbers;    // in the mesh of all processes; none if this process is alone
 
+  Numbered_mesh_3() = default;
+
+  // Takes vertices whose free ones come first.
+  Numbered_mesh_3(Matrix3Xd points, std::vector<std::array<int, 4> > cells_of_points, const int number_of_free_points)
+    : source(std::move(points)), cells(std::move(cells_of_points)), number_of_free_vertices(number_of_free_points)
+  {}
+
+  // Sets the images of prescribed vertices; free ones get the base point.
+  void set_targets(Matrix3Xd images, const Eigen::Vector3d& point)
+  {
+    target = std::move(images);
+    base_point = point;
+    target.leftCols(number_of_free_vertices).colwise() = base_point;
+  }
+
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
   int number_of_prescribed_vertices() const { return number_of_vertices() - number_of_free_vertices; }
   std::size_t number_of_own_cells() const { return cells.size() - number_of_copied_cells; }
@@ -77,13 +92,14 @@ inline Eigen::AlignedBox3d target_box(const Numbered_mesh_3& mesh)
 
 inline double target_diagonal(const Numbered_mesh_3& mesh) { return target_box(mesh).diagonal().norm(); }
 
-// Puts the free vertices to the point of the bounding box of the targets that is nearest to the origin. The volume of the
-// target depends on its boundary only, but with free vertices far from it would be the difference of large numbers.
-inline void set_base_point(Numbered_mesh_3& mesh)
+// Sets the targets, with the free vertices at the point of the bounding box of the others that is nearest to the origin. The
+// volume of the target depends on its boundary only, but with free vertices far from it would be the difference of large
+// numbers.
+inline void set_targets(Numbered_mesh_3& mesh, Matrix3Xd targets)
 {
+  mesh.target = std::move(targets);
   const Eigen::AlignedBox3d box = target_box(mesh);
-  mesh.base_point = Eigen::Vector3d::Zero().cwiseMax((box.min)()).cwiseMin((box.max)());
-  mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
+  mesh.set_targets(std::move(mesh.target), Eigen::Vector3d::Zero().cwiseMax((box.min)()).cwiseMin((box.max)()));
 }
 
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.

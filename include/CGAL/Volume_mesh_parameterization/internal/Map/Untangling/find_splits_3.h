@@ -111,8 +111,7 @@ inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const 
   patch.source = with_midpoints(patch.source, edges, n);
   image = with_midpoints(image, edges, n);
   patch.number_of_free_vertices += number_of_edges;
-  patch.target = image;
-  patch.target.leftCols(patch.number_of_free_vertices).colwise() = patch.base_point;
+  patch.set_targets(image, patch.base_point);
 
   const auto number = [&](const int v) { return v < n ? v : v + number_of_edges; };
   for(std::array<int, 4>& cell : patch.cells)

@@ -113,14 +113,15 @@ struct Patch_mesh_3
   Patch_mesh_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Patch_3& patch)
     : vertices(patch.moving.begin(), patch.moving.end())
   {
-    mesh.number_of_free_vertices = static_cast<int>(vertices.size());
+    const int number_of_free_vertices = static_cast<int>(vertices.size());
     std::map<int, int> number;
     for(const int v : vertices)
       number.emplace(v, static_cast<int>(number.size()));
+    std::vector<std::array<int, 4> > cells;
     for(const std::size_t c : patch.cells)
     {
-      mesh.cells.push_back(whole.cells[c]);
-      for(int& v : mesh.cells.back())
+      cells.push_back(whole.cells[c]);
+      for(int& v : cells.back())
       {
         const auto inserted = number.emplace(v, static_cast<int>(number.size()));
         if(inserted.second)
@@ -129,16 +130,15 @@ struct Patch_mesh_3
       }
     }
     positions.resize(3, vertices.size());
-    mesh.source.resize(3, vertices.size());
+    Matrix3Xd source(3, vertices.size());
     for(std::size_t i = 0; i < vertices.size(); ++i)
     {
-      mesh.source.col(i) = whole.source.col(vertices[i]);
+      source.col(i) = whole.source.col(vertices[i]);
       positions.col(i) = image.col(vertices[i]);
     }
-    mesh.target = positions;
-    mesh.base_point = whole.base_point;
+    mesh = Numbered_mesh_3(std::move(source), std::move(cells), number_of_free_vertices);
+    mesh.set_targets(positions, whole.base_point);
     mesh.regular_cell = whole.regular_cell;
-    mesh.target.leftCols(mesh.number_of_free_vertices).colwise() = mesh.base_point;
   }
 
   // Puts the images of the vertices that move back to the whole mesh.
