@@ -24,9 +24,11 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -63,6 +65,29 @@ public:
 
   double maximum(const double x) const { return -minimum(-x); }
   bool all(const bool condition) const { return minimum(condition ? 1 : 0) == 1; }
+
+  // Returns the rows of all processes in ascending order, each once.
+  template <std::size_t n>
+  std::set<std::array<double, n> > gather(const std::vector<std::array<double, n> >& rows) const
+  {
+    std::vector<double> numbers;
+    for(const std::array<double, n>& row : rows)
+      numbers.insert(numbers.end(), row.begin(), row.end());
+    numbers = concatenated(numbers);
+    std::set<std::array<double, n> > result;
+    for(std::size_t i = 0; i < numbers.size(); i += n)
+    {
+      std::array<double, n> row;
+      std::copy_n(numbers.begin() + i, n, row.begin());
+      result.insert(row);
+    }
+    return result;
+  }
+
+  // Returns the numbers that the first process finds, with its rounding: others may find others, if their processors differ.
+  template <typename Find>
+  std::vector<double> found_by_first(const Find& find) const
+  { return concatenated(rank() == 0 ? find() : std::vector<double>()); }
 };
 
 inline const Communicator_3& single_process()

@@ -70,6 +70,21 @@ struct Numbered_mesh_3
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
 
+// Marks the free vertices that a process marks.
+inline std::vector<bool> marked_by_any(const Numbered_mesh_3& mesh, std::vector<bool> is_marked)
+{
+  if(mesh.is_whole())
+    return is_marked;
+  std::vector<std::array<double, 1> > numbers;
+  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
+    if(is_marked[v])
+      numbers.push_back({ mesh.vertex_numbers[v] });
+  const std::set<std::array<double, 1> > all = mesh.communicator->gather(numbers);
+  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
+    is_marked[v] = all.count({ mesh.vertex_numbers[v] }) > 0;
+  return is_marked;
+}
+
 // The bounding box of points of all processes.
 template <typename Points>
 Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Points& points)

@@ -16,25 +16,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The rows of all processes, sorted, each once.
-template <std::size_t n>
-std::set<std::array<double, n> > rows_of_all(const Communicator_3& communicator,
-                                             const std::vector<std::array<double, n> >& rows)
-{
-  std::vector<double> numbers;
-  for(const std::array<double, n>& row : rows)
-    numbers.insert(numbers.end(), row.begin(), row.end());
-  numbers = communicator.concatenated(numbers);
-  std::set<std::array<double, n> > result;
-  for(std::size_t i = 0; i < numbers.size(); i += n)
-  {
-    std::array<double, n> row;
-    std::copy_n(numbers.begin() + i, n, row.begin());
-    result.insert(row);
-  }
-  return result;
-}
-
 // The part of a mesh that its patches see. With one process, that is the whole mesh. Otherwise it is the cells around chosen
 // ones, gathered from all processes as a mesh of a single one; all have the same, in the order of its numbers.
 class Neighborhood_3
@@ -45,7 +26,7 @@ public:
   template <typename Condition>
   Neighborhood_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Condition& is_chosen,
                  const int number_of_rings)
-    : m_whole(whole), m_image(image), m_communicator(*whole.communicator)
+    : m_whole(whole), m_image(image)
   {
     if(!m_whole.is_whole())
       gather(free_vertices_around(whole, image, is_chosen, number_of_rings));
@@ -65,12 +46,15 @@ public:
     return result;
   }
 
-  // Returns what the first process finds, with its rounding: that of others may differ, if their processors do.
+  // Returns the positions that `find()` returns, which are the same for all that see the patch.
   template <typename Find>
-  Matrix3Xd found_by_first(const Find& find) const
+  Matrix3Xd found(const Find& find) const
   {
-    const Matrix3Xd found = m_communicator.rank() == 0 ? find() : Matrix3Xd(3, 0);
-    const std::vector<double> x = m_communicator.concatenated({ found.data(), found.data() + found.size() });
+    const std::vector<double> x = m_whole.communicator->found_by_first([&]
+    {
+      const Matrix3Xd positions = find();
+      return std::vector<double>(positions.data(), positions.data() + positions.size());
+    });
     return Eigen::Map<const Eigen::Matrix3Xd>(x.data(), 3, x.size() / 3);
   }
 
@@ -93,7 +77,7 @@ private:
         is_seen[cell[i]] = true;
       }
     }
-    if(m_communicator.sum(static_cast<double>(own_cells.size())) > maximal_number_of_cells)
+    if(m_whole.communicator->sum(static_cast<double>(own_cells.size())) > maximal_number_of_cells)
       return;
     for(int v = 0; v < m_whole.number_of_vertices(); ++v)
       if(is_seen[v])
@@ -102,7 +86,7 @@ private:
         own_vertices.push_back({ is_free[v] ? 0. : 1., m_whole.vertex_numbers[v], p[0], p[1], p[2], q[0], q[1], q[2] });
       }
 
-    const std::set<std::array<double, 8> > vertices = rows_of_all(m_communicator, own_vertices);
+    const std::set<std::array<double, 8> > vertices = m_whole.communicator->gather(own_vertices);
     std::map<double, int> indices;
     m_mesh.base_point = m_whole.base_point;
     m_mesh.source.resize(3, vertices.size());
@@ -115,7 +99,7 @@ private:
       m_positions.col(index) << u, v, w;
       m_mesh.number_of_free_vertices += is_fixed == 0;
     }
-    for(const auto& [number, a, b, c, d] : rows_of_all(m_communicator, own_cells))
+    for(const auto& [number, a, b, c, d] : m_whole.communicator->gather(own_cells))
       m_mesh.cells.push_back({ indices[a], indices[b], indices[c], indices[d] });
     for(int v = 0; v < m_whole.number_of_free_vertices; ++v)
       if(is_free[v])
@@ -124,7 +108,6 @@ private:
 
   const Numbered_mesh_3& m_whole;
   Matrix3Xd m_image;
-  const Communicator_3& m_communicator;
   Numbered_mesh_3 m_mesh;
   Matrix3Xd m_positions;
   std::vector<std::pair<int, int> > m_indices; // of the free vertices that this process knows, in both meshes

@@ -18,7 +18,6 @@
 #include <iterator>
 #include <map>
 #include <set>
-#include <unordered_set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -33,7 +32,7 @@ struct Patch_3
 inline std::size_t maximal_number_of_exceptions(const double number_of_cells)
 { return static_cast<std::size_t>((std::max)(100., number_of_cells / 100)); }
 
-// The free vertices of those cells for which `is_chosen` is true, which may be with another process.
+// The free vertices of those cells for which `is_chosen` is true.
 template <typename Condition>
 std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition& is_chosen)
 {
@@ -43,17 +42,7 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
       for(const int v : cell)
         if(mesh.is_free(v))
           result[v] = true;
-  if(mesh.is_whole())
-    return result;
-  std::vector<double> numbers;
-  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
-    if(result[v])
-      numbers.push_back(mesh.vertex_numbers[v]);
-  numbers = mesh.communicator->concatenated(numbers);
-  const std::unordered_set<double> all(numbers.begin(), numbers.end());
-  for(int v = 0; v < mesh.number_of_free_vertices; ++v)
-    result[v] = all.count(mesh.vertex_numbers[v]) > 0;
-  return result;
+  return marked_by_any(mesh, std::move(result));
 }
 
 // The free vertices of chosen cells and of rings of cells around them.
