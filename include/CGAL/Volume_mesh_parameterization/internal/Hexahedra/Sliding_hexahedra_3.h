@@ -129,7 +129,7 @@ public:
   }
 
 private:
-  static constexpr double pull = 5; // weight of covering the boundary: hardly makes corners worse
+  static constexpr double pull = 5; // a guess; weight of covering the boundary: hardly makes corners worse
 
   // Sets the goal for edges: the mean length of the edges of a hexahedron along each axis, or a bound for short ones.
   void set_edges(Corner_goals_3& goals) const

@@ -41,25 +41,24 @@ inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_go
   return result;
 }
 
-// Returns the penalty of the constraints on vertices that move, relative to a sum over corners with the energy 1 each.
+// Returns the penalty of the constraints on vertices that move, relative to a sum over corners with the energy 1 each. An edge
+// has a length near 1 / unit.
 inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
                                               const Unknowns_3& unknowns, const double unit)
 {
   std::vector<Linear_constraint_3<int> > result;
   for(const Linear_constraint_3<int>& constraint : goals.constraints)
   {
-    Linear_constraint_3<int> of_rows;
-    double value = constraint.value;
+    Linear_constraint_3<int> of_rows = { {}, constraint.value };
     for(const auto& [v, coefficient] : constraint.terms)
       if(unknowns.contains(v))
         of_rows.terms.push_back({ unknowns.row(v), coefficient });
       else
-        value -= coefficient.dot(mesh.target.col(v));
-    of_rows.value = unit * value;
+        of_rows.value -= coefficient.dot(mesh.target.col(v));
     if(!of_rows.terms.empty())
       result.push_back(std::move(of_rows));
   }
-  return Quadratic_penalty_3(std::move(result), goals.weight / static_cast<double>(mesh.cells.size()));
+  return Quadratic_penalty_3(std::move(result), unit * unit * goals.weight / static_cast<double>(mesh.cells.size()), unit);
 }
 
 // Moves the vertices of hexahedra, whose corners are the cells and overlap, starting at their targets: untangles corners, and

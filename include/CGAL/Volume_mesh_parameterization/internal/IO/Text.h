@@ -67,7 +67,7 @@ bool write_file(const std::string& filename, const Write& write)
 // The rest of a stream, or its next `size` characters.
 inline std::string read_text(std::istream& is, const Budget& budget, const std::size_t size = std::string::npos)
 {
-  constexpr std::size_t chunk = 1 << 16;
+  constexpr std::size_t chunk = 1 << 16; // a guess; number of bytes
   std::string text;
   while(is && text.size() < size)
   {
@@ -98,8 +98,8 @@ inline std::string read_file(const std::string& filename, const Budget& budget)
   } const file = { open_file(filename, O_RDONLY) };
   if(file.descriptor < 0)
     throw Input_error("the file cannot be opened");
-  constexpr int milliseconds = 50;
-  constexpr std::size_t chunk = 1 << 16;
+  constexpr int milliseconds = 50; // a guess; between two looks at the budget
+  constexpr std::size_t chunk = 1 << 16; // a guess; number of bytes
   std::string text;
   for(std::size_t size = 0;;)
   {

@@ -64,10 +64,10 @@ public:
       m_patience(start.patience), m_number_of_raises(start.number_of_raises),
       m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
       m_scaled(cells_scaled_to_length(mesh, m_length)),
-      m_penalty(all_constraints(constraints), penalty_factor(parameters.weight)),
+      m_penalty(all_constraints(constraints), factor_of(parameters.weight), m_scaled.unit),
       m_system(mesh, m_scaled, all_vertices(mesh), solver, &m_penalty)
   {
-    minimize(m_scaled.unit * (start.stage == Search_start_3::Stage::SOFT_BOUNDARY ? start.positions : m_aligned_source));
+    minimize(start.stage == Search_start_3::Stage::SOFT_BOUNDARY ? start.positions : m_aligned_source);
     if(!m_minimizer->iterate().evaluation.is_flip_free())
       end(ERROR_INVERTED_SOURCE_CELL);
   }
@@ -113,7 +113,7 @@ public:
   double energy() const { return m_minimizer->iterate().evaluation.energy; } // with the penalty
 
   // |P(u)|_2, where the target has volume 1
-  double residual() const { return m_penalty.residual(m_minimizer->iterate().u) / (m_scaled.unit * m_length); }
+  double residual() const { return m_penalty.residual(m_minimizer->iterate().u) / m_length; }
   double weight() const
   { return m_parameters.weight * std::pow(m_parameters.weight_factor, static_cast<double>(m_number_of_raises)); }
   std::size_t number_of_raises() const { return m_number_of_raises; }
@@ -126,19 +126,17 @@ private:
     m_reason = reason;
   }
 
-  // The constraints, with three more for each prescribed vertex, for the scaled positions.
+  // The constraints, with three more for each prescribed vertex.
   Constraints all_constraints(Constraints constraints) const
   {
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
       for(int i = 0; i < 3; ++i)
         constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
-    for(Linear_constraint_3<int>& constraint : constraints)
-      constraint.value *= m_scaled.unit;
     return constraints;
   }
 
   // A weight is meant for lengths where the target has volume 1.
-  double penalty_factor(const double weight) const { return weight / std::pow(m_scaled.unit * m_length, 2); }
+  double factor_of(const double weight) const { return weight / std::pow(m_length, 2); }
 
   // Returns the diameter of the bounding box of the source, where that has volume 1.
   double diameter() const
@@ -147,23 +145,23 @@ private:
     return box.norm() / std::cbrt(volume(m_mesh, m_mesh.source));
   }
 
-  void minimize(const Matrix3Xd& u)
+  void minimize(const Matrix3Xd& start)
   {
-    m_penalty.set_weight(penalty_factor(weight()));
-    m_minimizer.emplace(m_system, m_penalty, m_energy, u, m_parameters, diameter());
+    m_penalty.set_weight(factor_of(weight()));
+    m_minimizer.emplace(m_system, m_penalty, m_energy, start, m_parameters, diameter());
   }
 
   void raise_weight()
   {
     ++m_number_of_raises;
-    minimize(Matrix3Xd(m_minimizer->iterate().u));
+    minimize(positions());
   }
 
   // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
   // for two raises as many cells as before keep vertices from their targets. The first raises only bring the boundary near.
   bool is_blocked()
   {
-    constexpr std::size_t number_of_first_raises = 3;
+    constexpr std::size_t number_of_first_raises = 3; // a guess
     const Matrix3Xd at_targets = snapped_positions();
     m_distances.push_back((at_targets - positions()).colwise().norm().maxCoeff());
     m_numbers_of_blocking_cells.push_back(inverted_cells(m_mesh, at_targets).number);

@@ -32,7 +32,7 @@ struct Dominant_cells_3
 inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy,
                                          const Matrix3Xd& image)
 {
-  constexpr double far_above = 100;
+  constexpr double far_above = 100; // a guess; times the median
   const std::vector<double> psi
     = energies_of_cells_3(singular_values_of_cells_3(mesh, image), energy, factor_to_source_volume(mesh, image));
   const std::vector<double> weights = cell_weights(mesh);
@@ -62,7 +62,7 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
 class Gain_3
 {
 public:
-  static constexpr double large_energy = 100; // a mean that hints at dominant cells
+  static constexpr double large_energy = 100; // a guess; a mean that hints at dominant cells
 
   Gain_3(const Numbered_mesh_3& mesh, const Cell_energy_3& energy, const double tolerance)
     : m_mesh(mesh), m_energy(energy), m_tolerance(tolerance)
@@ -98,8 +98,8 @@ public:
   // dominant and nothing is gained, or for them alone.
   std::optional<Error_code> status_of_end(const Newton_iterate_3& iterate)
   {
-    constexpr std::size_t patience = 100;
-    constexpr double notable = 1e-3;
+    constexpr std::size_t patience = 100; // a guess; number of steps
+    constexpr double notable = 1e-3; // a guess; in the mean of logarithms
     const bool stagnates = is_stagnating(iterate);
     if(m_number_of_steps % interval != 0 || !(stagnates || iterate.energy() > large_energy))
       return std::nullopt;
@@ -123,7 +123,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t interval = 5;
+  static constexpr std::size_t interval = 5; // a guess; number of steps between two looks at the gain
 
   const Numbered_mesh_3& m_mesh;
   const Cell_energy_3& m_energy;

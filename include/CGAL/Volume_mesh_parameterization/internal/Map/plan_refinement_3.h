@@ -109,7 +109,7 @@ inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Fo
 {
   if(found.is_stuck)
     return plan_splits_3(mesh, found, before);
-  constexpr double notable = 0.9;
+  constexpr double notable = 0.9; // a guess; a distance that is shorter by a tenth
   constexpr std::size_t patience = 3; // a guess: maps that were found needed no more than one such round
   Refinement_plan_3 plan;
   plan.start.distance = found.map.distance_to_boundary;

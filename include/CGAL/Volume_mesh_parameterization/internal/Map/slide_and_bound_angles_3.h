@@ -66,7 +66,7 @@ template <typename Minimize>
 Found_map_3 minimize_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, const bool is_sliding,
                                         const Minimize& minimize, Found_map_3 found)
 {
-  constexpr double precision = 0.02; // relative
+  constexpr double precision = 0.02; // a guess; relative
   found.unavoidable_angle_distortion = is_sliding ? 2 : unavoidable_angle_distortion_3(mesh);
   found.missed_angle_distortion = found.unavoidable_angle_distortion;
   double reached = largest_angle_distortion_3(mesh, found.map.positions);

@@ -102,7 +102,7 @@ private:
 
   // Length of ranges of rows, a guess. The length is fixed, and each range has its own partial sum, so that sums have the same
   // bits for any number of threads.
-  static constexpr int rows_per_range = 1024;
+  static constexpr int rows_per_range = 1024; // a guess
   static_assert(rows_per_range % Aggregate_hierarchy_3::rows_per_aggregate == 0);
 
   std::size_t number_of_row_ranges() const { return (m_inverse_diagonal.size() / 9 + rows_per_range - 1) / rows_per_range; }

@@ -32,7 +32,7 @@ struct Compressed_rows
                   const For_each_row_of& for_each_row_of, const bool is_parallel = false)
     : begin(number_of_rows + 2, 0)
   {
-    constexpr int rows_per_bucket = 2048, items_per_part = 1 << 16;
+    constexpr int rows_per_bucket = 2048, items_per_part = 1 << 16; // guesses; a bucket fits into a cache
     using Bucket = std::vector<std::pair<int, Item> >; // items with their rows
     std::vector<std::vector<Bucket> > parts((number_of_items + items_per_part - 1) / items_per_part);
     for_each_range(is_parallel, number_of_items, items_per_part,
@@ -67,7 +67,7 @@ template <typename PairOf, typename Function>
 void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& f, const bool is_parallel = false)
 {
   using Pair = std::decay_t<decltype(pair_of(0))>;
-  constexpr int rows_per_range = 1024, indices_per_range = 1 << 16;
+  constexpr int rows_per_range = 1024, indices_per_range = 1 << 16; // guesses
   const auto row_of = [&](const std::size_t i) { return static_cast<std::size_t>(pair_of(i).first[0]); };
   std::vector<std::size_t> ends(n / indices_per_range + 1, 0);
   for_each_in_ranges(is_parallel, n, indices_per_range, [&](const std::size_t i)

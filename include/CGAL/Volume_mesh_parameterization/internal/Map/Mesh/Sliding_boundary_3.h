@@ -54,7 +54,7 @@ private:
   // Are two facets with a common edge coplanar, and on either side of it?
   static bool are_coplanar(const Matrix3Xd& points, const Facet& f, const Facet& g)
   {
-    constexpr double small_angle = 1e-3; // a rounded coordinate turns a small facet much
+    constexpr double small_angle = 1e-3; // a guess: a rounded coordinate turns a small facet much
     const Eigen::Vector3d m = area_vector(points, f).stableNormalized(), n = area_vector(points, g).stableNormalized();
     if(m.dot(n) > 0 && m.cross(n).norm() <= small_angle)
       return true;
@@ -192,7 +192,7 @@ private:
   // onto the directions in which a vertex of these patches may move
   Eigen::Matrix3d projector(const std::vector<std::size_t>& patches) const
   {
-    constexpr double small_sine = 1e-3; // of the angle between planes
+    constexpr double small_sine = 1e-3; // a guess; of the angle between planes
     const bool is_planar = std::all_of(patches.begin(), patches.end(), [&](const std::size_t patch)
                                        { return m_patches.is_planar(patch); });
     if(is_planar && patches.size() == 1)

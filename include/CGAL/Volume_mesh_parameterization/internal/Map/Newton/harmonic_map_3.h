@@ -24,7 +24,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& pos
                                          const double energy_tolerance = 1e-14,
                                          const Reference_cells references = Reference_cells::SOURCE)
 {
-  constexpr int maximal_number_of_steps = 20;
+  constexpr int maximal_number_of_steps = 20; // a guess; one to three are usual
   const Dirichlet_energy_3 energy;
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;

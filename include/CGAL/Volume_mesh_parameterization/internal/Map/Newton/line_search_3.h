@@ -23,7 +23,7 @@ inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cel
                                         const bool must_be_flip_free,
                                         const double gradient_bound = std::numeric_limits<double>::infinity())
 {
-  constexpr double sufficient_decrease = 1e-4;
+  constexpr double sufficient_decrease = 1e-4; // Armijo's condition; the usual part of the slope
   // a step much shorter than the energy alone asks for does not serve the gradient either
   const double smallest_length = std::isinf(gradient_bound) ? 1e-12 : 1e-3 * first_length;
   for(double length = first_length; length > smallest_length; length /= 2)

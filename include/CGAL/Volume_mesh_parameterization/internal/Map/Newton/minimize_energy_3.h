@@ -84,7 +84,7 @@ private:
   // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
   double solver_tolerance() const
   {
-    constexpr double smallest = 1e-4, largest = 1e-2;
+    constexpr double smallest = 1e-4, largest = 1e-2; // guesses
     return relative_gain() > 0 ? std::clamp(std::sqrt(relative_gain()), smallest, largest) : largest;
   }
 
@@ -98,8 +98,8 @@ private:
 // The unknowns that hold most of what a step gains, with rings of others that make room for them, if they are few.
 inline std::optional<Unknowns_3> steepest_unknowns_3(const Newton_system_3& system, const Newton_direction_3& direction)
 {
-  constexpr double large_part = 0.9, very_few = 0.01, few = 0.1;
-  constexpr int number_of_rings = 5;
+  constexpr double large_part = 0.9, very_few = 0.01, few = 0.1; // guesses; parts of the slope and of the unknowns
+  constexpr int number_of_rings = 5; // a guess
   const Unknowns_3& unknowns = system.unknowns();
   std::vector<int> rows(unknowns.size());
   std::iota(rows.begin(), rows.end(), 0);
@@ -133,8 +133,8 @@ inline std::optional<Unknowns_3> steepest_unknowns_3(const Newton_system_3& syst
 // long as the step: cells that are nearly flat need many steps, over the whole mesh, too, but steps of few cost little.
 inline void minimize_steepest_3(Newton_system_3& system, const Cell_energy_3& energy, Minimizer_3& minimizer, const Budget& budget)
 {
-  constexpr int maximal_number_of_steps = 30;
-  constexpr double sufficient_part = 0.1;
+  constexpr int maximal_number_of_steps = 30; // a guess
+  constexpr double sufficient_part = 0.1; // a guess
   std::optional<Unknowns_3> steepest = steepest_unknowns_3(system, minimizer.iterate().direction);
   if(!steepest)
     return;

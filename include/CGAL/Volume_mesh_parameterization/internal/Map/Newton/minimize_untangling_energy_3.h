@@ -54,8 +54,8 @@ public:
   // any more.
   bool is_stuck() const
   {
-    constexpr std::size_t patience = 15, patience_with_few = 8;
-    constexpr double small_epsilon = 1e-6;
+    constexpr std::size_t patience = 15, patience_with_few = 8; // guesses; numbers of steps
+    constexpr double small_epsilon = 1e-6; // a guess
     return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience)
         || (m_fewest_inverted_cells <= m_few && m_steps_without_half >= patience_with_few);
   }

@@ -69,7 +69,7 @@ public:
   // cells exponentially, and only the search over the whole mesh spreads them.
   void begin_with_patches(const Matrix3Xd& map)
   {
-    constexpr double flat = 1e-12;
+    constexpr double flat = 1e-12; // a guess; relative to the mean volume
     const Found_map_3 start = m_best;
     untangle_patches(map, "patches");
     if(is_unsolved())
@@ -112,7 +112,7 @@ private:
 inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
                                   const bool may_leave_cells, Progress_3& progress)
 {
-  constexpr std::size_t few_to_split = 10;
+  constexpr std::size_t few_to_split = 10; // a guess
   Untangling_search_3 search(system, start, progress);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)

@@ -71,7 +71,7 @@ inline Newton_result_3 untangle_with_3(const Untangling_attempt_3& attempt, Newt
 // A few steps from images that invert no cell towards the cells of the source.
 inline Matrix3Xd relaxed_3(Newton_system_3& system, const Matrix3Xd& positions, const Budget& budget)
 {
-  constexpr std::size_t number_of_steps = 10;
+  constexpr std::size_t number_of_steps = 10; // a guess
   const Untangling_energy_3 barrier(0, 0.01);
   Progress_3 steps(budget, number_of_steps);
   return snapped(system.mesh(),
@@ -82,7 +82,7 @@ inline Matrix3Xd relaxed_3(Newton_system_3& system, const Matrix3Xd& positions, 
 inline Matrix3Xd untangle_patch_with_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
                                               const Matrix3Xd& positions, const Budget& budget)
 {
-  constexpr std::size_t maximal_number_of_steps = 250;
+  constexpr std::size_t maximal_number_of_steps = 250; // a guess
   Progress_3 steps(budget, maximal_number_of_steps);
   const Newton_result_3 result = untangle_with_3(attempt, system, positions, steps);
   return result.status == OK ? relaxed_3(system, result.positions, budget) : result.positions;
@@ -116,7 +116,7 @@ inline Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3
 inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
                                           const Matrix3Xd& start, Progress_3& progress)
 {
-  constexpr int maximal_number_of_rings = 2;
+  constexpr int maximal_number_of_rings = 2; // a guess
   const auto is_inverted = [](const Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return !is_positive(positions, cell); };
   progress.end_start();
@@ -160,7 +160,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
 inline Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linear_solver_3& solver,
                                              const Matrix3Xd& image, const Budget& budget)
 {
-  constexpr double flat_part = 0.01; // of the mean volume
+  constexpr double flat_part = 0.01; // a guess; of the mean volume
   const double flat = flat_part * 6 * volume(whole, image) / whole.global_number_of_cells();
   const auto is_flat = [&](const Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return edge_matrix(positions, cell).determinant() < flat; };

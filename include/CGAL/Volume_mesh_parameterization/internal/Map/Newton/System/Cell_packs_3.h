@@ -111,7 +111,7 @@ public:
   std::size_t chunk_of_round(const std::size_t i) const { return m_chunks[i]; }
 
 private:
-  static constexpr int lanes_per_range = 512; // of packs
+  static constexpr int lanes_per_range = 512; // a guess; of packs
   static constexpr std::size_t packs_per_chunk = lanes_per_range / cells_per_pack;
 
   // The unknown vertices in the order of their rows, and the others behind them.

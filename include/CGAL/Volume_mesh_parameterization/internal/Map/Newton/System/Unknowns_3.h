@@ -120,7 +120,7 @@ using Groups_of_vertices = std::vector<std::vector<int> >;
 inline Sparsity_pattern_3 sparsity_pattern_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
                                              const Groups_of_vertices& groups = {})
 {
-  constexpr int rows_per_part = 4096;
+  constexpr int rows_per_part = 4096; // a guess
   const int n = unknowns.size(), number_of_cells = static_cast<int>(mesh.cells.size());
   const auto for_each_row_of = [&](const int item, const auto& f) // groups come after the cells
   {
