@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
@@ -24,6 +25,7 @@
 #include <Eigen/Dense>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -57,6 +59,23 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
 
 inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
 { return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()); }
+
+// Returns the vertices of a face, counterclockwise as seen from outside.
+inline std::array<Boundary_mesh_3::Vertex_index, 3> vertices_of_face(const Boundary_mesh_3& mesh,
+                                                                     const Boundary_mesh_3::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  return { mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)) };
+}
+
+inline Small_matrix<3, 2> edges_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)
+{ return edges_of_facet(vertices_of_face(mesh, f), [&](const Boundary_mesh_3::Vertex_index v) { return eigen_point(mesh, v); }); }
+
+inline double area_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)
+{
+  const auto [a, b, c] = vertices_of_face(mesh, f);
+  return std::sqrt(CGAL::squared_area(mesh.point(a), mesh.point(b), mesh.point(c)));
+}
 
 inline Eigen::AlignedBox3d bounding_box(const Boundary_mesh_3& mesh)
 {

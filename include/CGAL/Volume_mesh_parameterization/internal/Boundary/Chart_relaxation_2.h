@@ -38,7 +38,7 @@ public:
   {
     std::vector<int> number(mesh.number_of_vertices(), -1);
     for(const auto f : faces)
-      add_triangle(mesh, mesh.halfedge(f), number);
+      add_triangle(mesh, f, number);
     m_images.resize(2, m_vertices.size());
     double area = 0, image_area = 0;
     for(std::size_t i = 0; i < m_vertices.size(); ++i)
@@ -89,11 +89,10 @@ private:
 
   struct State { double energy, smallest_determinant; };
 
-  void add_triangle(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Halfedge_index h, std::vector<int>& number)
+  void add_triangle(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f, std::vector<int>& number)
   {
     Triangle t;
-    std::array<Eigen::Vector3d, 3> p;
-    const std::array<Boundary_mesh_3::Vertex_index, 3> v = { mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)) };
+    const auto v = vertices_of_face(mesh, f);
     for(int i = 0; i < 3; ++i)
     {
       if(number[v[i]] < 0)
@@ -102,9 +101,9 @@ private:
         m_vertices.push_back(v[i]);
       }
       t.vertices[i] = number[v[i]];
-      p[i] = eigen_point(mesh, v[i]);
     }
-    const Eigen::Vector3d a = p[1] - p[0], b = p[2] - p[0];
+    const Small_matrix<3, 2> X = edges_of_face(mesh, f);
+    const Eigen::Vector3d a = X.col(0), b = X.col(1);
     Small_matrix<2, 2> rest;
     rest << a.norm(), a.dot(b) / a.norm(), 0, a.cross(b).norm() / a.norm();
     t.to_rest = rest.inverse();

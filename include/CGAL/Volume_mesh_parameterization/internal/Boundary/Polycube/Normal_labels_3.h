@@ -44,10 +44,8 @@ public:
     std::vector<Eigen::Vector3d> area_vectors; // normal times area
     for(const Face f : mesh.faces())
     {
-      const auto h = mesh.halfedge(f);
-      const Eigen::Vector3d a = eigen_point(mesh, mesh.source(h)), b = eigen_point(mesh, mesh.target(h)),
-                            c = eigen_point(mesh, mesh.target(mesh.next(h)));
-      area_vectors.push_back((b - a).cross(c - a) / 2);
+      const Small_matrix<3, 2> X = edges_of_face(mesh, f);
+      area_vectors.push_back(X.col(0).cross(X.col(1)) / 2);
       Costs costs;
       for(std::size_t label = 0; label < 6; ++label)
         costs[label] = area_vectors.back().norm() - area_vectors.back().dot(vector_of_direction(label));

@@ -178,13 +178,12 @@ private:
     m_moment.assign(m_group.size(), 0);
     for(const auto f : m_mesh.faces())
     {
-      const auto h = m_mesh.halfedge(f);
-      const Boundary_point_3 &a = m_mesh.point(m_mesh.source(h)), &b = m_mesh.point(m_mesh.target(h)),
-                             &c = m_mesh.point(m_mesh.target(m_mesh.next(h)));
-      const int axis = m_charts.axis(m_charts.chart(h));
-      const double area = std::sqrt(CGAL::squared_area(a, b, c));
-      m_area[m_group[m_charts.chart(h)]] += area;
-      m_moment[m_group[m_charts.chart(h)]] += area * (a[axis] + b[axis] + c[axis]) / 3;
+      const std::size_t chart = m_charts.chart_of_face()[f], group = m_group[chart];
+      const auto [a, b, c] = vertices_of_face(m_mesh, f);
+      const int axis = m_charts.axis(chart);
+      const double area = area_of_face(m_mesh, f);
+      m_area[group] += area;
+      m_moment[group] += area * (m_mesh.point(a)[axis] + m_mesh.point(b)[axis] + m_mesh.point(c)[axis]) / 3;
     }
   }
 

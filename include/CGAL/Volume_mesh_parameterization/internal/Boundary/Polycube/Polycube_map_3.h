@@ -102,10 +102,8 @@ public:
     double sum = 0;
     for(const Face f : m_mesh.faces())
     {
-      const auto h = m_mesh.halfedge(f);
-      const std::array facet = { m_mesh.source(h), m_mesh.target(h), m_mesh.target(m_mesh.next(h)) };
-      const auto X = edges_of_facet(facet, [this](const auto v) { return eigen_point(m_mesh, v); });
-      const auto U = edges_of_facet(facet, [this](const auto v) { return m_images[v]; });
+      const auto X = edges_of_face(m_mesh, f);
+      const auto U = edges_of_facet(vertices_of_face(m_mesh, f), [this](const auto v) { return m_images[v]; });
       sum += area_of_facet(X) * squared_singular_values_of_facet(X, U).log().square().sum() / 4;
     }
     return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
@@ -146,9 +144,8 @@ private:
     {
       return Boundary_point_2(m_images[w][u], m_images[w][v]);
     };
-    const auto h = m_mesh.halfedge(f);
-    return CGAL::orientation(point(m_mesh.source(h)), point(m_mesh.target(h)), point(m_mesh.target(m_mesh.next(h))))
-           == POSITIVE;
+    const auto [a, b, c] = vertices_of_face(m_mesh, f);
+    return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }
 
   // Makes the coordinates of faces multiples of the spacing again.

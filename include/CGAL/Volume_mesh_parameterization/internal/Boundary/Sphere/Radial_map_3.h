@@ -33,8 +33,8 @@ inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vect
   std::vector<std::array<Eigen::Vector3d, 3> > triangles;
   for(const auto f : mesh.faces())
   {
-    const auto h = mesh.halfedge(f);
-    triangles.push_back({ images[mesh.source(h)], images[mesh.target(h)], images[mesh.target(mesh.next(h))] });
+    const auto [a, b, c] = vertices_of_face(mesh, f);
+    triangles.push_back({ images[a], images[b], images[c] });
   }
   const Eigen::Vector3d direction = triangles[0][0] + triangles[0][1] + triangles[0][2];
   const auto is_in_direction = [&](const std::array<Eigen::Vector3d, 3>& t)

@@ -97,9 +97,7 @@ public:
     measures.middles = middles_of_holes();
     for(const Face f : m_mesh.faces())
     {
-      const Halfedge h = m_mesh.halfedge(f);
-      const double area = std::sqrt(CGAL::squared_area(m_mesh.point(m_mesh.source(h)), m_mesh.point(m_mesh.target(h)),
-                                                       m_mesh.point(m_mesh.target(m_mesh.next(h)))));
+      const double area = area_of_face(m_mesh, f);
       if(m_piece[f] < 2)
         measures.area_of_top += area / 2;
       else if(is_of_box(m_piece[f]))
