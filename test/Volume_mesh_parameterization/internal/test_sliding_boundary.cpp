@@ -193,7 +193,7 @@ TEST_CASE("Constrained vertices of the boundary stay")
   CHECK(has_same_bits(constrained->second, complex.uvw.at(constrained->first)));
 }
 
-TEST_CASE("Only planar patches slide")
+TEST_CASE("Only planar regions slide")
 {
   // a ball has none, and a twisted cube has two
   const auto ball = [](const Vector3d& p) -> Vector3d { return (p - Vector3d::Constant(n / 2.)).normalized(); };
@@ -228,9 +228,9 @@ TEST_CASE("The normals of planes along the axes have no rounding error")
   {
     const Numbered_mesh_3 mesh = mapped_cube(2, 0, [&](const Vector3d& p) -> Vector3d { return p / k + origin; });
     const auto facets = VMP::internal::boundary_facets_3(mesh.cells);
-    const VMP::internal::Planar_patches_3 patches(mesh.target, facets, 0);
+    const VMP::internal::Planar_regions_3 regions(mesh.target, facets, 0);
     for(std::size_t f = 0; f < facets.size(); ++f)
-      CHECK(patches.normal(patches.patch(f)).cwiseAbs().sum() == 1);
+      CHECK(regions.normal(regions.region(f)).cwiseAbs().sum() == 1);
   }
 }
 

@@ -75,7 +75,7 @@ struct Search_start_3
   bool may_split_inverted_cells() const { return may_split && !has_given_up_splits(); }
 };
 
-// Continues from a map that meets the boundary: vertices of planar patches slide, and the distortion of angles is bounded.
+// Continues from a map that meets the boundary: vertices of planar regions slide, and the distortion of angles is bounded.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found);
 

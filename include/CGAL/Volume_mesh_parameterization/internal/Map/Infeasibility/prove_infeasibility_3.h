@@ -198,7 +198,7 @@ inline std::optional<Infeasibility_proof_3> prove_cells_infeasible_3(const Numbe
 // The cells with one or two free vertices, by these: an edge u < v, or the vertex u = v.
 using Cells_of_free_ends = std::map<std::array<int, 2>, std::vector<std::size_t> >;
 
-// Returns the cells whose free vertices are among two; that their volumes are positive is linear in these points u and v and in u x v.
+// Returns the cells whose free vertices are among two. Their volumes are linear in these points u and v and in u x v.
 inline std::vector<std::size_t> cells_among(const Cells_of_free_ends& cells_of, const std::array<int, 2>& ends)
 {
   std::vector<std::size_t> result;

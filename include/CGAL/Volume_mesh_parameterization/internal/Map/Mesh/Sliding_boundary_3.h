@@ -17,27 +17,27 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// A triangulated surface as patches of neighbouring facets that are coplanar: exactly, or nearly, as
-// where coordinates were rounded in a file. A patch is planar if its vertices are within `tolerance` of
-// its plane. A patch that almost coplanar facets have led around a bend is not.
-class Planar_patches_3
+// A triangulated surface as regions of neighbouring facets that are coplanar: exactly, or nearly, as
+// where coordinates were rounded in a file. A region is planar if its vertices are within `tolerance` of
+// its plane. A region that almost coplanar facets have led around a bend is not.
+class Planar_regions_3
 {
 public:
   using Facet = std::array<int, 3>;
 
-  Planar_patches_3(const Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
-    : m_patch(facets.size())
+  Planar_regions_3(const Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
+    : m_region(facets.size())
   {
     unite_coplanar_facets(points, facets);
     fit_planes(points, facets, tolerance);
   }
 
-  // The patch of a facet is named by one of its facets.
-  std::size_t patch(const std::size_t facet) const { return m_patch[facet]; }
-  bool is_planar(const std::size_t patch) const { return m_is_planar[patch]; }
+  // The region of a facet is named by one of its facets.
+  std::size_t region(const std::size_t facet) const { return m_region[facet]; }
+  bool is_planar(const std::size_t region) const { return m_is_planar[region]; }
 
   // The unit normal; exactly an axis if a coordinate of all vertices is the same.
-  const Eigen::Vector3d& normal(const std::size_t patch) const { return m_normal[patch]; }
+  const Eigen::Vector3d& normal(const std::size_t region) const { return m_normal[region]; }
 
 private:
   // twice the area, times the unit normal
@@ -75,17 +75,17 @@ private:
 
   void unite_coplanar_facets(const Matrix3Xd& points, const std::vector<Facet>& facets)
   {
-    Disjoint_sets patches(facets.size());
+    Disjoint_sets regions(facets.size());
     for_each_edge(facets, [&](const auto begin, const auto end) // one of more than two facets joins none of them
     {
       if(end - begin != 2)
         return;
       const std::size_t f = begin->second[0] / 3, g = (begin + 1)->second[0] / 3;
       if(are_coplanar(points, facets[f], facets[g]))
-        patches.unite(f, g);
+        regions.unite(f, g);
     });
     for(std::size_t f = 0; f < facets.size(); ++f)
-      m_patch[f] = patches.find(f);
+      m_region[f] = regions.find(f);
   }
 
   void fit_planes(const Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
@@ -93,29 +93,29 @@ private:
     m_normal.assign(facets.size(), Eigen::Vector3d::Zero());
     m_is_planar.assign(facets.size(), true);
     for(std::size_t f = 0; f < facets.size(); ++f)
-      m_normal[m_patch[f]] += area_vector(points, facets[f]);
+      m_normal[m_region[f]] += area_vector(points, facets[f]);
     for(Eigen::Vector3d& normal : m_normal)
       normal = unit_normal(normal);
     for(std::size_t f = 0; f < facets.size(); ++f)
     {
-      const std::size_t patch = m_patch[f];
+      const std::size_t region = m_region[f];
       for(const int v : facets[f])
-        if(!(std::abs(m_normal[patch].dot(points.col(v) - points.col(facets[patch][0]))) <= tolerance))
-          m_is_planar[patch] = false;
+        if(!(std::abs(m_normal[region].dot(points.col(v) - points.col(facets[region][0]))) <= tolerance))
+          m_is_planar[region] = false;
     }
   }
 
-  std::vector<std::size_t> m_patch;      // of each facet
-  std::vector<Eigen::Vector3d> m_normal; // of each patch
+  std::vector<std::size_t> m_region;      // of each facet
+  std::vector<Eigen::Vector3d> m_normal; // of each region
   std::vector<bool> m_is_planar;
 };
 
-// Where the vertices of a boundary may go if its planar patches are to cover the same polygons: a vertex inside a patch
-// moves parallel to its plane, one between two patches along their line, and every other vertex stays at its target.
+// Where the vertices of a boundary may go if its planar regions are to cover the same polygons: a vertex inside a region
+// moves parallel to its plane, one between two regions along their line, and every other vertex stays at its target.
 //
 // While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
-// its cell with it, in between. And patches of facets that are not turned over cover each point as often
-// as their outlines wind around it. Those keep their corners and run along the same lines. So patches
+// its cell with it, in between. And regions of facets that are not turned over cover each point as often
+// as their outlines wind around it. Those keep their corners and run along the same lines. So regions
 // remain one to one, vertices keep their order along edges, and the image of the complex remains the same.
 class Sliding_boundary_3
 {
@@ -124,18 +124,18 @@ public:
   template <typename Predicate>
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
     : m_mesh(mesh), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
-      m_patches(mesh.target, m_facets, planarity * target_diagonal(mesh)),
+      m_regions(mesh.target, m_facets, planarity * target_diagonal(mesh)),
       m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
   {
-    std::vector<std::vector<std::size_t> > patches(mesh.number_of_vertices());
+    std::vector<std::vector<std::size_t> > regions(mesh.number_of_vertices());
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       for(const int v : m_facets[f])
-        if(std::find(patches[v].begin(), patches[v].end(), m_patches.patch(f)) == patches[v].end())
-          patches[v].push_back(m_patches.patch(f));
+        if(std::find(regions[v].begin(), regions[v].end(), m_regions.region(f)) == regions[v].end())
+          regions[v].push_back(m_regions.region(f));
     for(int v = 0; v < mesh.number_of_vertices(); ++v)
       m_projectors.push_back(mesh.is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                              : is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero())
-                             : projector(patches[v]));
+                             : projector(regions[v]));
   }
 
   std::size_t number_of_sliding_vertices() const
@@ -175,12 +175,12 @@ public:
     return result;
   }
 
-  // Is each facet of a planar patch oriented as in the target? Decided by exact predicates on the
+  // Is each facet of a planar region oriented as in the target? Decided by exact predicates on the
   // coordinates, without the one in which the normal is the longest.
   bool has_same_orientations(const Matrix3Xd& positions) const
   {
     for(std::size_t f = 0; f < m_facets.size(); ++f)
-      if(m_patches.is_planar(m_patches.patch(f))
+      if(m_regions.is_planar(m_regions.region(f))
          && orientation(positions, f) != orientation(m_mesh.target, f))
         return false;
     return true;
@@ -189,20 +189,20 @@ public:
 private:
   static constexpr double planarity = 1e-7; // relative to the diagonal; more than eight digits in a file round
 
-  // onto the directions in which a vertex of these patches may move
-  Eigen::Matrix3d projector(const std::vector<std::size_t>& patches) const
+  // onto the directions in which a vertex of these regions may move
+  Eigen::Matrix3d projector(const std::vector<std::size_t>& regions) const
   {
     constexpr double small_sine = 1e-3; // a guess; of the angle between planes
-    const bool is_planar = std::all_of(patches.begin(), patches.end(), [&](const std::size_t patch)
-                                       { return m_patches.is_planar(patch); });
-    if(is_planar && patches.size() == 1)
+    const bool is_planar = std::all_of(regions.begin(), regions.end(), [&](const std::size_t region)
+                                       { return m_regions.is_planar(region); });
+    if(is_planar && regions.size() == 1)
     {
-      const Eigen::Vector3d& normal = m_patches.normal(patches[0]);
+      const Eigen::Vector3d& normal = m_regions.normal(regions[0]);
       return Eigen::Matrix3d::Identity() - normal * normal.transpose();
     }
-    if(is_planar && patches.size() == 2)
+    if(is_planar && regions.size() == 2)
     {
-      const Eigen::Vector3d line = m_patches.normal(patches[0]).cross(m_patches.normal(patches[1]));
+      const Eigen::Vector3d line = m_regions.normal(regions[0]).cross(m_regions.normal(regions[1]));
       if(line.norm() > small_sine)
         return line.normalized() * line.normalized().transpose();
     }
@@ -217,7 +217,7 @@ private:
   {
     using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
     int longest;
-    m_patches.normal(m_patches.patch(facet)).cwiseAbs().maxCoeff(&longest);
+    m_regions.normal(m_regions.region(facet)).cwiseAbs().maxCoeff(&longest);
     const auto point = [&](const int k)
     {
       const auto p = positions.col(m_facets[facet][k]);
@@ -228,7 +228,7 @@ private:
 
   const Numbered_mesh_3& m_mesh;
   std::vector<std::array<int, 3> > m_facets;
-  Planar_patches_3 m_patches;
+  Planar_regions_3 m_regions;
   double m_rounding;
   std::vector<Eigen::Matrix3d> m_projectors;
 };
