@@ -40,6 +40,7 @@ struct Found_map_3
   Error_code status = ERROR_NOT_FLIP_FREE;
   std::string reason;                   // for the status; empty if there is nothing to add
   std::string untangling_method;        // that has found the first map
+  bool may_be_near_minimum = false;     // if the initial map needed no step to untangle; then the full Hessian is tried first
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
   bool is_stuck = false;                // with so few inverted cells that edges at them are to be split

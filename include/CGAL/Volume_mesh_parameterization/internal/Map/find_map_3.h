@@ -22,31 +22,13 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
-// Continues from the start, if it tells so. Otherwise starts from the initial map, and where this fails or there is none,
-// from the harmonic map.
 inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
                                                   const Search_start_3& start)
 {
-  Progress_3& progress = problem.progress;
-  const bool continues = start.stage == Search_start_3::Stage::UNTANGLING, may_leave_cells = start.may_split_inverted_cells();
-  bool may_be_near_minimum = false;
-  Found_map_3 found;
-  progress.begin_stage();
-  const Matrix3Xd initial = continues ? start.positions : completed_initial_map_3(mesh, problem.solver, progress);
   Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
-  if(continues)
-    found = continue_untangling_3(system, initial, progress);
-  else if(initial.cols() > 0)
-  {
-    found = untangle_from_3(system, initial, may_leave_cells, progress);
-    may_be_near_minimum = found.status == OK && progress.number_of_steps() == 0; // then the full Hessian is tried first
-  }
-  if(!continues && found.status == ERROR_NOT_FLIP_FREE)
-    found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_leave_cells, progress);
-  if(found.untangling_method.empty())
-    found.untangling_method = continues ? "soft boundary" : "harmonic extension";
+  Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
   if(found.status == OK && !problem.options.do_slide)
-    found = minimize_map_3(system, problem, std::move(found), Negative_curvature(may_be_near_minimum ? 1 : 0));
+    found = minimize_map_3(system, problem, std::move(found));
   return found;
 }
 

@@ -159,8 +159,7 @@ inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unkn
 // so flat that they hold most of the energy, these crawl along curved valleys for thousands of steps, their stiffness
 // keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
 // is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
-inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& problem, Found_map_3 found,
-                                  const Negative_curvature& negative_curvature = Negative_curvature())
+inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& problem, Found_map_3 found)
 {
   const Numbered_mesh_3& mesh = system.mesh();
   Progress_3& progress = problem.progress;
@@ -176,7 +175,7 @@ inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& 
   bool has_crawled = false;
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
-    system, problem.energy, found.map.positions, progress, negative_curvature,
+    system, problem.energy, found.map.positions, progress, Negative_curvature(found.may_be_near_minimum ? 1 : 0),
     [&](const Newton_iterate_3& iterate)
     {
       const std::optional<Error_code> status = gain.status_of_end(iterate);

@@ -185,6 +185,29 @@ inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& ini
   return found;
 }
 
+// Continues from the start, if it tells so. Otherwise starts from the initial map, and where this fails or there is none,
+// from the harmonic map.
+inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3& start, Progress_3& progress)
+{
+  const Numbered_mesh_3& mesh = system.mesh();
+  const bool continues = start.stage == Search_start_3::Stage::UNTANGLING, may_leave_cells = start.may_split_inverted_cells();
+  Found_map_3 found;
+  progress.begin_stage();
+  const Matrix3Xd initial = continues ? start.positions : completed_initial_map_3(mesh, system.solver(), progress);
+  if(continues)
+    found = continue_untangling_3(system, initial, progress);
+  else if(initial.cols() > 0)
+  {
+    found = untangle_from_3(system, initial, may_leave_cells, progress);
+    found.may_be_near_minimum = found.status == OK && progress.number_of_steps() == 0;
+  }
+  if(!continues && found.status == ERROR_NOT_FLIP_FREE)
+    found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_leave_cells, progress);
+  if(found.untangling_method.empty())
+    found.untangling_method = continues ? "soft boundary" : "harmonic extension";
+  return found;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_3_H
