@@ -16,28 +16,20 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
-#include <limits>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body)
 {
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+  const Numbered_points numbered(body.boundary, body.soup.points.size());
   Numbered_surface_3 surface;
-  surface.facets = body.boundary;
+  surface.vertices = numbered.points;
   surface.cells = &body.soup.cells;
-  std::vector<std::size_t> numbers(body.soup.points.size(), none);
+  for(const std::size_t v : surface.vertices)
+    surface.points.push_back(to_vector(body.soup.points[v]));
+  surface.facets = body.boundary;
   for(std::array<std::size_t, 3>& facet : surface.facets)
     for(std::size_t& v : facet)
-    {
-      if(numbers[v] == none)
-      {
-        numbers[v] = surface.vertices.size();
-        surface.vertices.push_back(v);
-        surface.points.push_back(to_vector(body.soup.points[v]));
-      }
-      v = numbers[v];
-    }
+      v = static_cast<std::size_t>(numbered.numbers[v]);
   return surface;
 }
 

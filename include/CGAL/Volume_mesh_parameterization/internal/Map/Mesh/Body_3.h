@@ -37,6 +37,25 @@ std::vector<bool> used_points(const Simplices& simplices, const std::size_t numb
   return result;
 }
 
+// Some points with numbers of their own, in the order in which simplices have them.
+struct Numbered_points
+{
+  std::vector<std::size_t> points;
+  std::vector<int> numbers; // of all points, -1 for those without one
+
+  template <typename Simplices>
+  Numbered_points(const Simplices& simplices, const std::size_t number_of_points) : numbers(number_of_points, -1)
+  {
+    for(const auto& simplex : simplices)
+      for(const std::size_t p : simplex)
+        if(numbers[p] == -1)
+        {
+          numbers[p] = static_cast<int>(points.size());
+          points.push_back(p);
+        }
+  }
+};
+
 // An edge, facet or cell, given by its two, three or four points. Those of a cell are in its order.
 using Simplex_3 = boost::container::static_vector<std::size_t, 4>;
 

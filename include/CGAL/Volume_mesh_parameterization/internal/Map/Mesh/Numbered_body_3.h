@@ -119,15 +119,10 @@ struct Numbered_body_3
   Numbered_body_3(const Tetrahedron_soup_3& soup, const std::vector<bool>& is_point_prescribed,
                   const std::vector<std::array<double, 3> >& targets, const bool has_volume_weights = false,
                   const bool is_parallel = false)
-    : vertices(soup.points.size(), -1)
   {
-    for(const std::array<std::size_t, 4>& cell : soup.cells)
-      for(const std::size_t p : cell)
-        if(vertices[p] == -1)
-        {
-          vertices[p] = static_cast<int>(points.size());
-          points.push_back(p);
-        }
+    Numbered_points numbered(soup.cells, soup.points.size());
+    points = std::move(numbered.points);
+    vertices = std::move(numbered.numbers);
     const auto cells = values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c) -> std::array<int, 4>
     {
       const auto& [p, q, r, s] = soup.cells[c];
