@@ -187,10 +187,10 @@ inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& 
   if(!is_minimum && !has_crawled)
     return found;
 
-  const Unknowns_3 others = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
-  if(others.size() == 0)
+  const Unknowns_3 other_unknowns = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
+  if(other_unknowns.size() == 0)
     return found;
-  Newton_system_3 rest(mesh, others, system.solver());
+  Newton_system_3 rest(mesh, other_unknowns, system.solver());
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, problem.energy, whole.positions, progress, Negative_curvature(),
                          ends_if_stagnating(mesh, problem), negligible_gain));

@@ -73,10 +73,10 @@ inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
 
 inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 {
-  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
+  const Found_cells flat_cells = find_cells(mesh, [&](const std::array<int, 4>& cell)
   { return !has_positive_inverse(source_edges(mesh, cell)); });
-  return !flat.first ? Input_check_3()
-    : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(*flat.first),
+  return !flat_cells.first ? Input_check_3()
+    : failed_check(ERROR_INVERTED_SOURCE_CELL, "Cell ", mesh.user_number(*flat_cells.first),
                    " of the source is so flat that its volume is positive in exact arithmetic only.");
 }
 
@@ -97,11 +97,11 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
       volumes[components.find(mesh.cells[c][0])] += volumes_of_cells[c];
   }
-  const double flat = 1e-12 * std::pow(target_diagonal(mesh), 3);
+  const double flat_volume = 1e-12 * std::pow(target_diagonal(mesh), 3);
   for(const std::array<int, 4>& cell : mesh.cells)
     if(const double volume = volumes[components.find(cell[0])]; !(volume > 0))
       return failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "The target boundary encloses the volume ", volume,
-                          ", which must be positive: it is ", volume >= -flat ? "flat." : "turned inside out.");
+                          ", which must be positive: it is ", volume >= -flat_volume ? "flat." : "turned inside out.");
   return {};
 }
 
@@ -123,12 +123,12 @@ inline bool has_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 4>
 // Refinement splits facets inside the body, but none of the boundary.
 inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
 {
-  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
-  if(!flat.first)
+  const Found_cells flat_cells = find_cells(mesh, [&](const std::array<int, 4>& cell) { return has_flat_facet(mesh, cell); });
+  if(!flat_cells.first)
     return {};
   Input_check_3 result
-    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat.number, " cells have a facet whose three vertices are prescribed"
-                   " on a line; the first one is cell ", mesh.user_number(*flat.first), ".");
+    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat_cells.number, " cells have a facet whose three vertices are prescribed"
+                   " on a line; the first one is cell ", mesh.user_number(*flat_cells.first), ".");
   if(!mesh.is_whole())
     return result; // which facets are on the boundary is known to all processes together only
   for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))

@@ -98,12 +98,12 @@ private:
 // The unknowns that hold most of what a step gains, with rings of others that make room for them, if they are few.
 inline std::optional<Unknowns_3> steepest_unknowns_3(const Newton_system_3& system, const Newton_direction_3& direction)
 {
-  constexpr double large_part = 0.9, very_few = 0.01, few = 0.1; // guesses; parts of the slope and of the unknowns
+  constexpr double large_part = 0.9, few_rows = 0.01, few_unknowns = 0.1; // guesses; parts of the slope and of the unknowns
   constexpr int number_of_rings = 5; // a guess
   const Unknowns_3& unknowns = system.unknowns();
   std::vector<int> rows(unknowns.size());
   std::iota(rows.begin(), rows.end(), 0);
-  const auto end = rows.begin() + static_cast<std::ptrdiff_t>(very_few * unknowns.size());
+  const auto end = rows.begin() + static_cast<std::ptrdiff_t>(few_rows * unknowns.size());
   std::partial_sort(rows.begin(), end, rows.end(), [&](const int a, const int b)
   { return std::make_pair(direction.slopes[a], a) < std::make_pair(direction.slopes[b], b); });
   double slope = 0;
@@ -122,7 +122,7 @@ inline std::optional<Unknowns_3> steepest_unknowns_3(const Newton_system_3& syst
         for(const int v : cell)
           is_near[v] = true;
     Unknowns_3 near = unknowns.without([&](const int v) { return !is_near[v]; });
-    if(near.size() > few * unknowns.size())
+    if(near.size() > few_unknowns * unknowns.size())
       break;
     result = std::move(near);
   }

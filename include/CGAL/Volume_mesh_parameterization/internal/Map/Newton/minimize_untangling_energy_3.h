@@ -21,9 +21,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangler_3
 {
 public:
-  Untangler_3(Newton_system_3& system, const Matrix3Xd& u, const double theta, const std::size_t few,
+  Untangler_3(Newton_system_3& system, const Matrix3Xd& u, const double theta, const std::size_t few_cells,
               const double solver_tolerance)
-    : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few(few), m_iterate{ system.unit(), u }, m_best(u)
+    : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few_cells(few_cells),
+      m_iterate{ system.unit(), u }, m_best(u)
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
@@ -57,7 +58,7 @@ public:
     constexpr std::size_t patience = 15, patience_with_few = 8; // guesses; numbers of steps
     constexpr double small_epsilon = 1e-6; // a guess
     return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience)
-        || (m_fewest_inverted_cells <= m_few && m_steps_without_half >= patience_with_few);
+        || (m_fewest_inverted_cells <= m_few_cells && m_steps_without_half >= patience_with_few);
   }
 
 private:
@@ -81,7 +82,7 @@ private:
 
   Newton_system_3& m_system;
   double m_theta, m_solver_tolerance, m_epsilon;
-  std::size_t m_few;
+  std::size_t m_few_cells;
   Newton_iterate_3 m_iterate;
   Matrix3Xd m_best;
   std::size_t m_fewest_inverted_cells, m_halved_inverted_cells;
@@ -91,12 +92,12 @@ private:
 // Untangles until no cell is inverted, or a few that are better left to patches. The result has the fewest inverted cells
 // of all steps.
 inline Newton_result_3 minimize_untangling_energy_3(Newton_system_3& system, const Matrix3Xd& positions,
-                                                    const double theta, Progress_3& progress, const std::size_t few = 0,
+                                                    const double theta, Progress_3& progress, const std::size_t few_cells = 0,
                                                     const double solver_tolerance = 1e-2,
                                                     const Reference_cells references = Reference_cells::SOURCE)
 {
   system.set_references(references);
-  Untangler_3 untangler(system, system.unit() * positions, theta, few, solver_tolerance);
+  Untangler_3 untangler(system, system.unit() * positions, theta, few_cells, solver_tolerance);
   const Newton_iterate_3& iterate = untangler.iterate();
   progress.end_start();
   const auto step = [&]

@@ -70,14 +70,14 @@ private:
     return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
     {
       const std::vector<Simplex_3>& link = m_links[v]; // none if it is constrained, but inside
-      Simplex_3 others;
-      std::copy_if(simplex.begin(), simplex.end(), std::back_inserter(others), [v](const std::size_t w) { return w != v; });
-      const auto is_face = [&](const Simplex_3& edge) { return contains(edge, others); };
+      Simplex_3 other_points;
+      std::copy_if(simplex.begin(), simplex.end(), std::back_inserter(other_points), [v](const std::size_t w) { return w != v; });
+      const auto is_face = [&](const Simplex_3& edge) { return contains(edge, other_points); };
       return std::none_of(link.begin(), link.end(), is_face)
         && std::any_of(link.begin(), link.end(), [&](const Simplex_3& edge)
       {
-        return others.size() == 1 ? is_in_angle(v, edge, others[0])
-                                  : is_in_angle(v, others, edge[0]) && is_in_angle(v, others, edge[1]);
+        return other_points.size() == 1 ? is_in_angle(v, edge, other_points[0])
+                                        : is_in_angle(v, other_points, edge[0]) && is_in_angle(v, other_points, edge[1]);
       });
     });
   }

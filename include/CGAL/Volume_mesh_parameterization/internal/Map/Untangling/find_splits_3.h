@@ -141,10 +141,10 @@ std::vector<Item> minimal_subset(std::vector<Item> items, const Suffice& suffice
     size = ((std::min)(size, items.size()) + 1) / 2;
     for(std::size_t first = 0; first < items.size() && size < items.size(); )
     {
-      std::vector<Item> others(items.begin(), items.begin() + first);
-      others.insert(others.end(), items.begin() + first + (std::min)(size, items.size() - first), items.end());
-      if(suffice(others))
-        items = std::move(others);
+      std::vector<Item> other_items(items.begin(), items.begin() + first);
+      other_items.insert(other_items.end(), items.begin() + first + (std::min)(size, items.size() - first), items.end());
+      if(suffice(other_items))
+        items = std::move(other_items);
       else
         first += size;
     }
@@ -184,10 +184,10 @@ std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solve
     return std::nullopt;
   const auto suffice = [&](const Edges_3& edges, const Untangling_attempt_3& attempt)
   { return may_continue && inverted_cells_after(edges, attempt) <= fewest; };
-  const Edges_3 edges = minimal_subset(all_edges, [&](const Edges_3& some) { return suffice(some, *best); });
-  return minimal_subset(edges, [&](const Edges_3& some)
+  const Edges_3 edges = minimal_subset(all_edges, [&](const Edges_3& some_edges) { return suffice(some_edges, *best); });
+  return minimal_subset(edges, [&](const Edges_3& some_edges)
   {
-    return std::any_of(attempts.begin(), attempts.end(), [&](const auto& attempt) { return suffice(some, attempt); });
+    return std::any_of(attempts.begin(), attempts.end(), [&](const auto& attempt) { return suffice(some_edges, attempt); });
   });
 }
 

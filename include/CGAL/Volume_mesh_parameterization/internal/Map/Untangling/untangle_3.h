@@ -69,12 +69,12 @@ public:
   // cells exponentially, and only the search over the whole mesh spreads them.
   void begin_with_patches(const Matrix3Xd& map)
   {
-    constexpr double flat = 1e-12; // a guess; relative to the mean volume
+    constexpr double flat_volume = 1e-12; // a guess; relative to the mean volume
     const Found_map_3 start = m_best;
     untangle_patches(map, "patches");
     if(is_unsolved())
       m_best = start;
-    else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.map.positions) < flat)
+    else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.map.positions) < flat_volume)
       m_best.status = ERROR_NOT_FLIP_FREE;
   }
 

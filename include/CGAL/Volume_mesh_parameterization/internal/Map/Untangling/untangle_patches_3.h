@@ -161,9 +161,9 @@ inline Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linear_solve
                                              const Matrix3Xd& image, const Budget& budget)
 {
   constexpr double flat_part = 0.01; // a guess; of the mean volume
-  const double flat = flat_part * 6 * volume(whole, image) / whole.global_number_of_cells();
+  const double flat_volume = flat_part * 6 * volume(whole, image) / whole.global_number_of_cells();
   const auto is_flat = [&](const Matrix3Xd& positions, const std::array<int, 4>& cell)
-  { return edge_matrix(positions, cell).determinant() < flat; };
+  { return edge_matrix(positions, cell).determinant() < flat_volume; };
   const Neighborhood_3 neighborhood(whole, image, is_flat, 1);
   Matrix3Xd positions = neighborhood.positions();
   for(const Patch_3& patch : patches_3(neighborhood.mesh(), positions, is_flat, 1))
