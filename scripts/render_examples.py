@@ -30,7 +30,6 @@ render.SIZE = 1040  # pixels of a picture
 # name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts
 VIEWS = {
     "twisted": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
-    "elephant_to_ball": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
     "elephant_to_cube": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
     "polycube": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
     "sliding_boundary": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
@@ -297,7 +296,7 @@ def draw_hexahedra(vtu, output):
 
 def main(folder, output_folder):
     draw_carried(folder, output_folder / "body_to_body.png")
-    for name in ("twisted", "elephant_to_ball", "elephant_to_cube", "polycube"):
+    for name in ("twisted", "elephant_to_cube", "polycube"):
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
     draw_sliding(folder, output_folder / "sliding_boundary.png")
     if (folder / "convergence.json").exists():
