@@ -58,7 +58,7 @@ public:
         VMP::IO::write_INP(file.stream(), mesh);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
       else if(is_Gmsh_name(m_name))
-        write_MSH(file.stream(), mesh, source.group_names, is_old_Gmsh_name(m_name));
+        gmsh_module().write_hexahedra(file.stream(), mesh, source.group_names, is_old_Gmsh_name(m_name));
 #endif
       else
         VMP::IO::write_MEDIT(file.stream(), mesh);

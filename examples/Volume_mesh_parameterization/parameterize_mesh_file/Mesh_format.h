@@ -3,7 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MESH_FORMAT_H
 
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
-#  include "Gmsh_writer.h"
+#  include "Gmsh_module.h"
 #endif
 #ifdef PARAMETERIZE_MESH_FILE_USES_VTK
 #  include "VTK_file.h"

@@ -96,7 +96,7 @@ void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh
   Output_file file(filename);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
   if(is_Gmsh_name(filename))
-    write_MSH(file.stream(), mesh, is_old_Gmsh_name(filename));
+    gmsh_module().write(file.stream(), mesh, is_old_Gmsh_name(filename));
   else
 #endif
     VMP::IO::write_MEDIT(file.stream(), mesh);

@@ -33,7 +33,7 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
   namespace VMP = CGAL::Volume_mesh_parameterization;
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
   if(format_of(filename) == Mesh_format::GMSH)
-    return naming(filename, [&] { return read_by_Gmsh(filename); });
+    return naming(filename, [&] { return gmsh_module().read(filename); });
 #endif
 #ifdef PARAMETERIZE_MESH_FILE_USES_VTK
   if(format_of(filename) == Mesh_format::VTK)
