@@ -68,13 +68,22 @@ struct Source
   }
 };
 
+// Returns the points that have the place of one before them.
+inline std::vector<std::size_t> repeated_points(const std::vector<std::size_t>& first_points)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t v = 0; v < first_points.size(); ++v)
+    if(first_points[v] != v)
+      result.push_back(v);
+  return result;
+}
+
 inline void merge_points(Source& source)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   source.unmended = source.soup;
   source.first_points = VMP::merge_coinciding_points(source.soup);
-  for(std::size_t v = 0; v < source.first_points.size(); ++v)
-    source.number_of_merged_points += source.first_points[v] != v;
+  source.number_of_merged_points = repeated_points(source.first_points).size();
   source.notes.push_back(std::to_string(source.number_of_merged_points) + " points have the place of another one, and are merged with it");
 }
 
@@ -132,25 +141,22 @@ inline void separate(Source& source)
                          + " vertices are added where the body touches itself, so that it does no more");
 }
 
-// Counts boundary vertices with the same coordinates: perhaps the body should be one there.
+// Counts boundary vertices with the same coordinates: perhaps the body should be one there. Facets are matched only where any
+// points coincide, as this takes far longer.
 inline void count_coinciding_points(Source& source)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
+  if(repeated_points(VMP::first_coinciding_points(source.soup.points)).empty())
+    return;
   const std::vector<std::size_t> vertices = VMP::boundary_vertices(source.soup.points, source.soup.cells);
   Points points;
   for(const std::size_t v : vertices)
     points.push_back(source.soup.points[v]);
-  const std::vector<std::size_t> first = VMP::first_coinciding_points(points);
-  std::size_t last = 0;
-  for(std::size_t i = 0; i < first.size(); ++i)
-    if(first[i] != i)
-    {
-      ++source.number_of_coinciding_points;
-      last = i;
-    }
-  if(source.number_of_coinciding_points > 0)
-    source.notes.push_back(std::to_string(source.number_of_coinciding_points) + " vertices of the boundary have the place of "
-      "another one, as vertex " + std::to_string(vertices[last]) + " has that of vertex " + std::to_string(vertices[first[last]])
+  const std::vector<std::size_t> first = VMP::first_coinciding_points(points), repeated = repeated_points(first);
+  source.number_of_coinciding_points = repeated.size();
+  if(!repeated.empty())
+    source.notes.push_back(std::to_string(repeated.size()) + " vertices of the boundary have the place of another one, as vertex "
+      + std::to_string(vertices[repeated.back()]) + " has that of vertex " + std::to_string(vertices[first[repeated.back()]])
       + " (counted from 0): the body is torn there, unless --merge-points joins it");
 }
 

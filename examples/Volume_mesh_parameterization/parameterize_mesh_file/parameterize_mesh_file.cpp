@@ -212,7 +212,10 @@ Outcome run(const Options& options, Progress_line& progress)
   const auto read_points = [&](const std::string& name) { return source.carried(targets_of_file(name, source.in_file(), progress)); };
   Target_points target;
   if(has_file)
-    target = target_points(source, read_points(options.target), options);
+  {
+    const Points points = read_points(options.target);
+    target = naming(options.source, [&] { return target_points(source, points, options); });
+  }
   if(options.do_improve)
     target = naming(options.source, [&] { return targets_to_improve(mesh); });
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);

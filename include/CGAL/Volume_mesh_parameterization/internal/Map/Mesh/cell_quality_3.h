@@ -13,48 +13,51 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns the angle between the two facets at the edge from `p` to `q`, in degrees.
-inline double dihedral_angle(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r, const Eigen::Vector3d& s)
-{
-  constexpr double degrees = 180 / 3.14159265358979323846;
-  const Eigen::Vector3d edge = q - p, m = edge.cross(r - p), n = edge.cross(s - p);
-  return degrees * std::atan2(m.cross(n).norm(), m.dot(n));
-}
-
+// Computes all from the six lengths and the four normals. The cotangent of an angle falls with it, hence arcs are computed
+// only of the smallest and of the largest angle.
 inline Cell_quality_3 quality_of_cell(const std::array<Eigen::Vector3d, 4>& p)
 {
-  const double determinant = (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]);
-  Cell_quality_3 result = { 180, 0, 1, 1 };
-  double area = 0, longest = 0;
+  constexpr double infinity = std::numeric_limits<double>::infinity(), degrees = 180 / 3.14159265358979323846;
+  std::array<Eigen::Vector3d, 4> normals; // as long as twice the area of the facet
+  double area = 0, longest = 0, smallest_cotangent = infinity, largest_cotangent = -infinity;
   for(int i = 0; i < 4; ++i)
   {
-    const auto& [a, b, c] = std::array{ p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4] };
-    area += (b - a).cross(c - a).norm() / 2;
-    const double lengths = (a - p[i]).norm() * (b - p[i]).norm() * (c - p[i]).norm();
-    result.smallest_scaled_Jacobian = (std::min)(result.smallest_scaled_Jacobian, std::sqrt(2.) * determinant / lengths);
+    const auto& [a, b, c] = facets_of_cell[i];
+    normals[i] = (p[b] - p[a]).cross(p[c] - p[a]);
+    area += normals[i].norm() / 2;
+  }
+  const double determinant = normals[3].dot(p[0] - p[3]);
+  std::array<double, 4> lengths = { 1, 1, 1, 1 }; // products of the lengths of the edges at each corner
+  for(int i = 0; i < 4; ++i)
     for(int j = i + 1; j < 4; ++j)
     {
       const int k = i > 0 ? 0 : j == 1 ? 2 : 1, l = 6 - i - j - k; // the other two vertices
-      const double angle = dihedral_angle(p[i], p[j], p[k], p[l]);
-      result.smallest_dihedral_angle = (std::min)(result.smallest_dihedral_angle, angle);
-      result.largest_dihedral_angle = (std::max)(result.largest_dihedral_angle, angle);
-      longest = (std::max)(longest, (p[i] - p[j]).norm());
+      const double length = (p[i] - p[j]).norm(), sine = std::abs(determinant) * length, cosine = -normals[k].dot(normals[l]);
+      const double cotangent = sine > 0 ? cosine / sine : cosine < 0 ? -infinity : infinity; // angles of a flat cell are 0 or 180
+      smallest_cotangent = (std::min)(smallest_cotangent, cotangent);
+      largest_cotangent = (std::max)(largest_cotangent, cotangent);
+      longest = (std::max)(longest, length);
+      lengths[i] *= length;
+      lengths[j] *= length;
     }
-  }
   const double radius = determinant / 2 / area; // three times the volume by the area
-  result.largest_aspect_ratio = longest / (2 * std::sqrt(6.) * radius);
-  return result;
+  const auto [shortest_lengths, longest_lengths] = std::minmax_element(lengths.begin(), lengths.end());
+  return { degrees * std::atan2(1, largest_cotangent), degrees * std::atan2(1, smallest_cotangent),
+           (std::min)(1., std::sqrt(2.) * determinant / *(determinant < 0 ? shortest_lengths : longest_lengths)),
+           (std::max)(1., longest / (2 * std::sqrt(6.) * radius)) };
 }
 
 inline Cell_quality_3 worse(const Cell_quality_3& a, const Cell_quality_3& b)
