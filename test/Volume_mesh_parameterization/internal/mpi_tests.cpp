@@ -406,6 +406,33 @@ TEST_CASE("each process reads a part of the files")
   CHECK_THROWS_AS(VMP::IO::write_PVTU("no/such/folder.pvtu", soup, images), std::runtime_error);
 }
 
+TEST_CASE("arrays of one process that do not fit together are not written by any")
+{
+  const Problem problem = problem_of(ring(4));
+  const std::string name = "mpi_" + std::to_string(size()) + "_unfit.pvtu";
+  const auto error_of_writing = [&](const auto& change)
+  {
+    Distributed_soup soup = problem.slice();
+    Points images = soup.points;
+    if(rank() == culprit())
+      change(soup, images);
+    std::string error;
+    try { VMP::IO::write_PVTU(name, soup, images); } catch(const std::runtime_error& e) { error = e.what(); }
+    CHECK(is_same_everywhere(error));
+    CHECK_FALSE(std::filesystem::exists(name));
+    CHECK_FALSE(std::filesystem::exists(VMP::IO::name_of_piece(name, rank())));
+    return error;
+  };
+  CHECK(error_of_writing([](Distributed_soup&, Points& images) { images.clear(); }).find("as many images as points")
+        != std::string::npos);
+  CHECK(error_of_writing([](Distributed_soup&, Points& images) { images.emplace_back(); }).find("as many images as points")
+        != std::string::npos);
+  CHECK(error_of_writing([](Distributed_soup& soup, Points&) { soup.cell_references.clear(); })
+        == "there is not one reference per cell");
+  CHECK(error_of_writing([](Distributed_soup& soup, Points&) { soup.cells[0][2] = 1000; })
+          .find(" has a vertex 1000 that does not exist") != std::string::npos);
+}
+
 TEST_CASE("what can be read does not depend on where a file is cut")
 {
   const std::string mesh = "MeshVersionFormatted\n2\n\nDimension # three\n3\nVertices\n# none\n\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"

@@ -113,6 +113,19 @@ inline std::vector<std::array<double, 3> > read_boundary_targets(const MPI_commu
   return communicator.redistributed(target.points, begins);
 }
 
+// Refuses arrays that do not fit together, as `IO::write_VTU()` does, in any slice.
+inline void check_piece(const MPI_communicator_3& communicator, const Distributed_tetrahedron_soup_3& soup,
+                        const std::vector<std::array<double, 3> >& uvw)
+{
+  const std::size_t number_of_points = communicator.begins(soup.points.size()).back();
+  const std::size_t first = communicator.begins(soup.cells.size())[communicator.rank()];
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    check_simplex(soup.cells[c], number_of_points, "cell ", first + c);
+  if(soup.cell_references.size() != soup.cells.size())
+    throw Input_error("there is not one reference per cell");
+  require(uvw.size() == soup.points.size(), "There are as many images as points.");
+}
+
 // Writes the cells of this process with their points and images, as `IO::write_VTU()` does.
 inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator,
                         const Distributed_tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
@@ -233,7 +246,9 @@ inline std::string name_of_piece(const std::string& filename, const int rank)
 /// \param soup the mesh
 /// \param uvw the image of each point of the slice
 ///
-/// \exception std::runtime_error names the file that cannot be written, in all processes.
+/// \exception Input_error tells that an index does not exist, or a reference is missing, in all processes. No file is written.
+/// \exception std::runtime_error names the file that cannot be written, or tells that a process has not as many images as
+///            points, in all processes.
 inline void write_PVTU(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
                        const std::vector<std::array<double, 3> >& uvw)
 {
@@ -243,6 +258,7 @@ inline void write_PVTU(const std::string& filename, const Distributed_tetrahedro
     pieces.push_back(name_of_piece(filename, rank));
   communicator.together([&]()
   {
+    internal::check_piece(communicator, soup, uvw);
     internal::Whole_file piece(pieces[communicator.rank()]);
     internal::write_piece(piece.stream(), communicator, soup, uvw);
     piece.complete();
