@@ -208,6 +208,11 @@ def check_abaqus(driver, folder):
     run(*command, folder=folder)
     run(driver, "sets.vtu", "--to", "ball", "-o", "ball.vtu", folder=folder)
     assert meshio.read(folder / "sets.vtu").cell_data.keys() <= meshio.read(folder / "ball.vtu").cell_data.keys()
+    sentence = refused(driver, "sets.vtu", "--to", "ball", "-o", "map.OTHER", folder=folder)
+    command, = advice(sentence.replace("OTHER", "vtk"), "made of both: ", "map.vtu")
+    run(driver, "sets.vtu", "--to", "ball", "-o", "map.vtu", folder=folder)
+    run(*command, folder=folder)
+    assert "uvw" in meshio.read(folder / "map.vtk").point_data
     run("meshio", "convert", "sets.inp", "sets.mesh", folder=folder)
     assert "2 cells" in run(driver, "sets.mesh", "--to", "ball", folder=folder).stdout
 

@@ -1,16 +1,22 @@
 // The advice of each message is carried out, and leads where it says:
-// - "exchange two vertices of each cell", "scale it", "try another one" (a linear solver), "give those ... a copy", "refine
-//   it" (a boundary too coarse), "exchange opposite faces", "map the body to a box or a polycube": here
+// - "exchange two vertices of each cell", "scale it", "try another one" (a linear solver), "needs far less" (memory), "has no
+//   limit", "give those ... a copy", "refine it or choose others", "exchange opposite faces", "map the body to a box or a
+//   polycube", "a spacing of ... would do", "make the spacing smaller", "vertices that slide, would help", "prescribe a boundary
+//   nearer to the source": here
 // - "allow refinement": here for the sentence, in test_arrays.cpp for where it leads, and in test_driver.cpp for --refine
 // - "move a target of it off the line": in test_entry_function.cpp
 // - "make it smaller" (the spacing of a polycube): in test_polycube.cpp
-// - "a spacing of ... would do": in test_hexahedra.cpp; "make the spacing smaller": here
-// - "Conjugate_gradient_solver_traits_3 needs far less" memory: in no test, which would need all that there is
+// - the options of parameterize_mesh_file, its names and examples: in test_driver.cpp; commands of other programs: in
+//   check_formats.py and check_interchange.py; options of PETSc: in mpi_tests.cpp
+// - "take more processes", "take one with 64-bit indices" (a PETSc): in no test, which would need 2^31 cells
 #include "catch.h"
 #include "cube_mesh.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+#  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
+#endif
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
@@ -128,8 +134,13 @@ Tetrahedron_soup_3 subdivided(const Tetrahedron_soup_3& soup)
 struct Failing_solver : VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>
 {
   using Matrix = VMP::Block_sparse_matrix_3<double>;
-  VMP::Linear_solver_status factorize(const Matrix&) { return VMP::Linear_solver_status::FAILED; }
+  VMP::Linear_solver_status status;
+  explicit Failing_solver(const VMP::Linear_solver_status status) : status(status) {}
+  VMP::Linear_solver_status factorize(const Matrix&) { return status; }
 };
+
+std::size_t vertex_at(const Tetrahedron_soup_3& soup, const std::array<double, 3>& p)
+{ return static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin()); }
 
 } // namespace
 
@@ -170,12 +181,36 @@ TEST_CASE("Another linear solver does what one has failed to do")
 {
   const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3, 0.1));
   Points images;
+  const auto status = GENERATE(VMP::Linear_solver_status::FAILED, VMP::Linear_solver_status::OUT_OF_MEMORY);
   const VMP::Parameterization_result failed = CGAL::stretch_minimizing_volume_parameterization(
-    soup, soup.points, images, params::solver_traits(Failing_solver()));
+    soup, soup.points, images, params::solver_traits(Failing_solver(status)));
   CHECK(failed.status == VMP::ERROR_LINEAR_SOLVER_FAILED);
   CHECK(has(failed.message, "try another one"));
-  CHECK(identity(soup).status == VMP::OK);
+  CHECK(has(failed.message, "Conjugate_gradient_solver_traits_3 needs far less")
+        == (status == VMP::Linear_solver_status::OUT_OF_MEMORY));
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(
+          soup, soup.points, images, params::solver_traits(VMP::Conjugate_gradient_solver_traits_3<>())).status == VMP::OK);
 }
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
+TEST_CASE("CHOLMOD comes to the minimum where conjugate gradients are cut at a limit")
+{
+  const VMP::internal::Numbered_mesh_3 twisted = twisted_cube(4, 0.1);
+  const Tetrahedron_soup_3 soup = source_soup(twisted);
+  Points targets, images;
+  for(int v = 0; v < twisted.number_of_vertices(); ++v)
+    targets.push_back({ twisted.target(0, v), twisted.target(1, v), twisted.target(2, v) });
+  const auto map_by = [&](const auto& solver)
+  { return CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, params::solver_traits(solver)); };
+  const VMP::Parameterization_result cut = map_by(VMP::Conjugate_gradient_solver_traits_3<>(1));
+  INFO(cut.message);
+  CHECK(has(cut.message, "steps were the shorter for it; CHOLMOD_solver_traits_3 has no limit."));
+  const VMP::Parameterization_result direct = map_by(VMP::CHOLMOD_solver_traits_3());
+  CHECK(direct.status == VMP::OK);
+  CHECK(direct.message == VMP::get_error_message(VMP::OK));
+  CHECK(direct.number_of_iterations < cut.number_of_iterations);
+}
+#endif
 
 TEST_CASE("A body that touches itself in an edge is mapped to a ball once cells have copies of its vertices")
 {
@@ -206,15 +241,31 @@ TEST_CASE("A boundary that is too coarse for a cube is mapped once it is refined
   CHECK(cube.parameterize(fine.points, fine.cells, targets) == VMP::OK);
 }
 
+std::array<std::size_t, 8> corners_of_cube(const Tetrahedron_soup_3& soup, const double side)
+{
+  std::array<std::size_t, 8> result;
+  for(std::size_t k = 0; k < 8; ++k)
+    result[k] = vertex_at(soup, { k & 1 ? side : 0, k & 2 ? side : 0, k & 4 ? side : 0 });
+  return result;
+}
+
+TEST_CASE("A boundary that is too coarse for corners is fine enough for others")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3));
+  std::array<std::size_t, 8> corners; // eight of sixteen vertices of one face, side by side
+  for(std::size_t k = 0; k < 8; ++k)
+    corners[k] = vertex_at(soup, { k & 1 ? 1. : 0., static_cast<double>(k / 2), 0 });
+  const VMP::Cube_boundary_parameterizer_3 cube;
+  Points targets;
+  CHECK(cube.parameterize(soup.points, soup.cells, corners, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  CHECK(has(VMP::get_error_message(VMP::ERROR_BOUNDARY_TOO_COARSE), "refine it or choose others"));
+  CHECK(cube.parameterize(soup.points, soup.cells, corners_of_cube(soup, 3), targets) == VMP::OK);
+}
+
 TEST_CASE("Corners of a mirrored cube fit once opposite faces are exchanged")
 {
   const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3));
-  std::array<std::size_t, 8> corners;
-  for(std::size_t k = 0; k < 8; ++k)
-  {
-    const std::array<double, 3> p = { k & 1 ? 3. : 0., k & 2 ? 3. : 0., k & 4 ? 3. : 0. };
-    corners[k] = static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), p) - soup.points.begin());
-  }
+  std::array<std::size_t, 8> corners = corners_of_cube(soup, 3);
   const auto exchange = [&]
   {
     for(std::size_t k = 0; k < 8; k += 2)
@@ -244,6 +295,21 @@ TEST_CASE("A body has hexahedra once it is mapped to a box or a polycube")
   CHECK(VMP::hexahedral_mesh(bent, soup.cells, images, 1, hexahedra).status == VMP::OK);
 }
 
+TEST_CASE("A spacing that would do is taken")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(2));
+  const auto hexahedra = [&](const double spacing) // millions of them would take minutes, hence only the grid is checked
+  {
+    VMP::Hexahedron_soup_3 mesh;
+    return VMP::hexahedral_mesh(soup.points, soup.cells, soup.points, spacing, mesh, params::maximum_running_time(0.));
+  };
+  const VMP::Hexahedral_mesh_result refused = hexahedra(2. / 300);
+  CHECK(refused.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
+  const std::string words = "a spacing of ";
+  REQUIRE(has(refused.message, words));
+  CHECK(hexahedra(std::stod(refused.message.substr(refused.message.find(words) + words.size()))).status == VMP::ERROR_INTERRUPTED);
+}
+
 TEST_CASE("Hexahedra that are inverted become positive with a smaller spacing")
 {
   const Tetrahedron_soup_3 soup = source_soup(cube_mesh(6));
@@ -259,9 +325,30 @@ TEST_CASE("Hexahedra that are inverted become positive with a smaller spacing")
   CHECK(VMP::hexahedral_mesh(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
 }
 
+TEST_CASE("Where flat cells hold the energy, vertices that slide help, and so does a boundary with less distortion there")
+{
+  const Tetrahedron_soup_3 soup = source_soup(cube_mesh(3));
+  Points targets = soup.points, images;
+  targets[vertex_at(soup, { 1, 1, 0 })] = { 1.99, 1.997, 0 }; // in its face, where two facets are then nearly flat
+  const auto map_with = [&](const bool do_slide)
+  {
+    return CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, params::do_slide_boundary(do_slide));
+  };
+  const VMP::Parameterization_result fixed = map_with(false);
+  INFO(fixed.message);
+  CHECK(fixed.status == VMP::ERROR_NOT_CONVERGED);
+  CHECK(has(fixed.message, "most of it holds the cell at (1, 1, 0). A boundary with less distortion there, or vertices that "
+                           "slide, would help."));
+  CHECK(map_with(true).status == VMP::OK);
+  CHECK(map_with(true).energy < 0.01 * fixed.energy);
+  targets[vertex_at(soup, { 1, 1, 0 })] = { 1.2, 1.2, 0 };
+  CHECK(map_with(false).status == VMP::OK);
+}
+
 TEST_CASE("Refinement is no advice where it was allowed, and ends where it brings the boundary no nearer")
 {
-  Tetrahedron_soup_3 soup = source_soup(cube_mesh(2, 0.1));
+  const Tetrahedron_soup_3 coarse = source_soup(cube_mesh(2, 0.1));
+  Tetrahedron_soup_3 soup = coarse;
   std::mt19937 engine(4); // with other seeds, a few rounds may bring it nearer, each with hundreds of vertices
   Points targets, images;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
@@ -271,8 +358,11 @@ TEST_CASE("Refinement is no advice where it was allowed, and ends where it bring
       x = static_cast<double>(engine() % 1000);
   }
   const auto np = params::boundary_mode(VMP::Boundary_mode::SOFT).number_of_iterations(100);
-  const Points expected = targets;
-  CHECK(has(CGAL::stretch_minimizing_volume_parameterization(std::as_const(soup), targets, images, np).message,
+  Points nearer = targets;
+  for(std::size_t v = 0; v < nearer.size(); ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      nearer[v][i] = soup.points[v][i] + 1e-3 * (targets[v][i] - soup.points[v][i]);
+  CHECK(has(CGAL::stretch_minimizing_volume_parameterization(coarse, targets, images, np).message,
             "Allow refinement (do_refine)"));
   const VMP::Parameterization_result result
     = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.do_refine(true));
@@ -282,4 +372,5 @@ TEST_CASE("Refinement is no advice where it was allowed, and ends where it bring
   CHECK(result.number_of_added_vertices < 1000); // more are allowed
   CHECK_FALSE(has(result.message, "Allow refinement"));
   CHECK(has(result.message, "Prescribe a boundary nearer to the source there."));
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(coarse, nearer, images, np).status == VMP::OK);
 }

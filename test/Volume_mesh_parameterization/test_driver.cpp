@@ -851,6 +851,18 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   CHECK(alternatives("target.txt --solver none").find("cg") == 0);
   CHECK(alternatives("target.txt --boundary none") == "auto, fixed, soft\n");
   CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube\n");
+  // each of them can be chosen; domains are in a test of their own
+  for(const std::string option : {"--energy", "--solver", "--boundary", "--refine", "--others"})
+  {
+    std::istringstream names(alternatives("target.txt " + option + "=NONE"));
+    for(std::string name; names >> name;)
+      CHECK(folder.run("source.mesh target.txt " + option + "=" + name.substr(0, name.find(','))) == 0);
+  }
+  CHECK(folder.run("source.mesh --to box=1,2") == 2);
+  std::smatch example;
+  const std::string advice = folder.text("stderr");
+  REQUIRE(std::regex_search(advice, example, std::regex("as (box=.*) does")));
+  CHECK(folder.run("source.mesh --refine --to " + example.str(1)) == 0);
 
   CHECK(folder.run("--version") == 0);
   CHECK(std::regex_match(folder.text("stdout"), std::regex("parameterize_mesh_file [0-9.]+ \\(CGAL .*\\)\n")));
@@ -858,6 +870,46 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   for(const std::string part : {"Usage:", "SOURCE.mesh", "TARGET", "--output ] FILE", "--to DOMAIN", "--max-iterations N",
                                 "Exit status:"})
     CHECK(folder.text("stdout").find(part) != std::string::npos);
+}
+
+TEST_CASE("The examples of the help run as they are written")
+{
+  const Folder folder;
+  const fs::path data = fs::path(PARAMETERIZE_MESH_FILE).parent_path() / "data";
+  for(const char* name : {"cube.mesh", "cube_to_ball.txt"})
+    fs::copy(data / name, folder.path(name));
+  REQUIRE(folder.run("--help") == 0);
+  std::istringstream help(folder.text("stdout"));
+  int number_of_examples = 0;
+  const std::string program = "  parameterize_mesh_file ";
+  for(std::string line; std::getline(help, line);)
+    if(line.find(program) == 0)
+    {
+      CAPTURE(line);
+      ++number_of_examples;
+      CHECK(folder.run(line.substr(program.size())) == 0);
+    }
+  CHECK(number_of_examples == 3);
+  CHECK(folder.names() == Names{"cube.mesh", "cube_to_ball.txt", "ball.vtu", "ball.mesh", "source.mesh"});
+  CHECK(folder.text("ball.vtu").find("Name=\"uvw\"") != std::string::npos);
+  for(const char* name : {"angle_distortion", "volume_distortion"})
+    CHECK(folder.text("ball.vtu").find(name) != std::string::npos);
+  CHECK(folder.soup("ball.mesh").cells == folder.soup("source.mesh").cells);
+}
+
+TEST_CASE("Vertices that slide are advised by the name of their option, which helps")
+{
+  const Folder folder;
+  const Soup source = cube(3);
+  folder.write("source.mesh", source);
+  folder.write("target.txt", boundary_lines(source, 3, [](const Point& p)
+  {
+    return p == Point{1, 1, 0} ? Point{1.99, 1.997, 0} : p; // two facets are nearly flat
+  }));
+  CHECK(folder.run("source.mesh target.txt") == 0);
+  CHECK(folder.text("stderr").find("or vertices that slide (--slide), would help") != std::string::npos);
+  CHECK(folder.run("source.mesh target.txt --slide") == 0);
+  CHECK(folder.text("stderr") == "");
 }
 
 TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may be missed, 0 with refinement")
@@ -900,6 +952,7 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(folder.text("report.json").find("Allow refinement (--refine)") != std::string::npos);
 
   // edges are split where the boundary could not be reached
+  CHECK(folder.run(command + "fixed --refine") == 0); // as the help advises for both
   CHECK(folder.run(command + "auto --refine --refined-source refined.mesh") == 0);
   CHECK(number(folder.text("report.json"), "added_vertices") > 0);
   const Soup refined = folder.soup("refined.mesh");

@@ -40,6 +40,8 @@ inline std::string with_names_of_options(std::string message)
 {
   boost::replace_all(message, "do_refine", "--refine");
   boost::replace_all(message, "Conjugate_gradient_solver_traits_3", "--solver cg");
+  boost::replace_all(message, "CHOLMOD_solver_traits_3", "--solver cholmod");
+  boost::replace_all(message, "vertices that slide", "vertices that slide (--slide)");
   return message;
 }
 

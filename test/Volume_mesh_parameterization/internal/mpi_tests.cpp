@@ -301,9 +301,15 @@ TEST_CASE("PETSc's options choose the solver")
 TEST_CASE("a solver that ends at its limit of iterations is named")
 {
   const Problem problem = problem_of(ring(4));
-  PetscOptionsSetValue(nullptr, "-ksp_max_it", "3");
-  CHECK(end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(200))
-          .find("linear solver has reached its limit of iterations") != std::string::npos);
+  const auto end_with_limit = [&](const char* limit)
+  {
+    PetscOptionsSetValue(nullptr, "-ksp_max_it", limit);
+    return end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(200));
+  };
+  const std::string end = end_with_limit("3");
+  CHECK(end.find("linear solver has reached its limit of iterations") != std::string::npos);
+  CHECK(end.find("PETSc's option -ksp_max_it sets it.") != std::string::npos);
+  CHECK(end_with_limit("1000").find("limit of iterations") == std::string::npos);
   PetscOptionsClearValue(nullptr, "-ksp_max_it");
 }
 
