@@ -604,6 +604,21 @@ TEST_CASE("An interruption, or the time limit, ends each part of the program")
   }
 }
 
+TEST_CASE("The line on a terminal moves with the boundary and with hexahedra")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(4));
+  Terminal terminal(folder, "source.mesh --to polycube --hexahedra 1 hexahedra.mesh --report report.json");
+  CHECK(terminal.waits_for("mapping the boundary ("));
+  CHECK(terminal.waits_for("), round 2"));
+  CHECK(terminal.waits_for("making hexahedra (corners), round 1"));
+  CHECK(terminal.exit_code() == 0);
+  const std::string report = folder.text("report.json"); // whose steps are those of the map
+  const std::size_t begin = report.find("\"steps\": {\"energy\": [");
+  const std::string energies = report.substr(begin, report.find(']', begin) - begin);
+  CHECK(1 + std::count(energies.begin(), energies.end(), ',') == number(report, "iterations"));
+}
+
 TEST_CASE("An interruption ends the program while it reads, too")
 {
   const Folder folder;
@@ -1507,6 +1522,14 @@ TEST_CASE("A tangled mesh is improved within its boundary")
   CHECK(folder.soup("mended.mesh").points.size() > flat.points.size());
   CHECK(folder.run("mended.mesh --to ball --refine") == 0);
   CHECK(folder.run("flat.mesh --improve --refine=all -o mended.vtu") == 0);
+
+  Soup sliver = cube(2); // whose volumes are positive in exact arithmetic only
+  for(Point& p : sliver.points)
+    p[2] *= 1e-320;
+  folder.write("sliver.mesh", sliver);
+  CHECK(folder.run("sliver.mesh sliver.mesh") == 2);
+  CAPTURE(folder.text("stderr"));
+  CHECK(folder.text("stderr").find(" --improve -o FILE moves vertices inside") != std::string::npos);
 
   CHECK(folder.run("flat.mesh --improve --to ball") == 2);
   CHECK(folder.run("flat.mesh --improve --boundary soft") == 2);

@@ -16,6 +16,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -39,6 +40,28 @@ struct Impatient_visitor
     if(++number_of_questions == n)
       since_the_end.start();
     return number_of_questions < n;
+  }
+};
+
+// Keeps the steps that it is told of, and ends the computation with the last of some.
+struct Recording_visitor
+{
+  std::size_t last = (std::numeric_limits<std::size_t>::max)();
+  std::vector<VMP::Parameterization_step> steps = {};
+
+  bool after_step(const VMP::Parameterization_step& step)
+  {
+    steps.push_back(step);
+    return steps.size() < last;
+  }
+
+  // Tells whether all are numbered rounds of a phase.
+  bool has_rounds_only(const VMP::Phase phase) const
+  {
+    for(std::size_t i = 0; i < steps.size(); ++i)
+      if(steps[i].kind != VMP::Step_kind::ROUND || steps[i].phase != phase || steps[i].iteration != i + 1 || steps[i].attempt.empty())
+        return false;
+    return !steps.empty();
   }
 };
 
@@ -163,6 +186,50 @@ TEST_CASE("Maps of boundaries")
   check(VMP::Ball_boundary_parameterizer_3());
   check(VMP::Cube_boundary_parameterizer_3());
   check(VMP::Polycube_boundary_parameterizer_3());
+}
+
+TEST_CASE("A visitor is told of rounds over the boundary and over hexahedra, and may end them")
+{
+  const auto check = [](const VMP::Phase phase, const auto& call)
+  {
+    Recording_visitor all;
+    CHECK(call(all) == VMP::OK);
+    CHECK(all.has_rounds_only(phase));
+    Recording_visitor some = { 1 };
+    CHECK(call(some) == VMP::ERROR_INTERRUPTED);
+    CHECK(some.steps.size() == 1);
+  };
+  const auto check_boundary = [&](const auto& parameterizer)
+  {
+    check(VMP::Phase::BOUNDARY, [&](Recording_visitor& visitor)
+    {
+      const Cube_complex<> complex(cube_mesh(6));
+      Cube_complex<>::Point_map target;
+      return parameterizer.parameterize(complex.c3t3, VMP::make_vertex_point_map(target), params::visitor(std::ref(visitor)));
+    });
+  };
+  check_boundary(VMP::Ball_boundary_parameterizer_3());
+  check_boundary(VMP::Cube_boundary_parameterizer_3());
+  check_boundary(VMP::Polycube_boundary_parameterizer_3());
+  const VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(4));
+  check(VMP::Phase::HEXAHEDRA, [&](Recording_visitor& visitor)
+  {
+    VMP::Hexahedron_soup_3 mesh;
+    const VMP::Hexahedral_mesh_result result
+      = VMP::hexahedral_mesh(soup, soup.points, 1, mesh, params::visitor(std::ref(visitor)));
+    return result.is_interrupted ? VMP::ERROR_INTERRUPTED : result.status;
+  });
+
+  // rounds are no steps of the map
+  Cube_complex<> complex(cube_mesh(5));
+  Recording_visitor visitor;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    complex.c3t3, complex.uvw_map(), params::visitor(std::ref(visitor)));
+  std::size_t number_of_rounds = 0;
+  for(const VMP::Parameterization_step& step : visitor.steps)
+    number_of_rounds += step.phase == VMP::Phase::BOUNDARY;
+  CHECK(number_of_rounds > 0);
+  CHECK(visitor.steps.size() == number_of_rounds + result.number_of_iterations);
 }
 
 TEST_CASE("A mesh that is read")

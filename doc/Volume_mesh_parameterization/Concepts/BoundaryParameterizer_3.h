@@ -44,7 +44,7 @@ model leaves this to the caller, as `CGAL::Volume_mesh_parameterization::Surface
     \cgalParamDefault{no limit}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{may end the computation, by its optional function `goes_on()`}
+    \cgalParamDescription{may end the computation, and is told of its rounds (`Step_kind::ROUND`)}
     \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`CGAL::Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd

@@ -19,8 +19,9 @@ public:
   /// \name Operations
   /// @{
 
-  /// is called after each step, of Newton's method or of a patch (see `Parameterization_step::kind`), by the thread that
-  /// called the parameterization. Exceptions pass through; no image is then written.
+  /// is called after each step, of Newton's method or of a patch, and where a round begins of a loop over the boundary or over
+  /// hexahedra (see `Parameterization_step::kind`), by the thread that called the function. Exceptions pass through; no image
+  /// is then written.
   ///
   /// \return `false` to end the computation, which then has the status `ERROR_INTERRUPTED`. The map reached so far
   ///         is written if no cell is inverted.

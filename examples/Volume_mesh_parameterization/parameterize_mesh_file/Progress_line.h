@@ -73,8 +73,15 @@ public:
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
-    m_steps.push_back(step);
     std::ostringstream text;
+    if(step.kind == VMP::Step_kind::ROUND)
+    {
+      text << (step.phase == VMP::Phase::BOUNDARY ? "mapping the boundary" : "making hexahedra") << " (" << step.attempt << "), round "
+           << step.iteration;
+      show(text.str());
+      return goes_on();
+    }
+    m_steps.push_back(step);
     text << (step.phase == VMP::Phase::UNTANGLING ? "untangling" : "minimizing") << " (" << step.attempt << "), step "
          << step.iteration << ", " << step.number_of_inverted_cells << " inverted cells";
     if(step.kind == VMP::Step_kind::NEWTON)

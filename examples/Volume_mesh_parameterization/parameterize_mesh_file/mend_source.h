@@ -105,6 +105,10 @@ inline void turn_tangled_cells(Source& source)
   }
 }
 
+// Advises where cells are inverted or flat, behind the reason.
+const std::string advice_to_improve = "--improve -o FILE moves vertices inside such that no cell is inverted or flat, and with "
+  "--refine also splits cells whose vertices are all on the boundary";
+
 // Orients the cells. A cell that is turned alone stays so; if all are turned, files are written with the orientation of the
 // file.
 inline void turn_cells(Source& source, const bool may_be_tangled)
@@ -120,8 +124,7 @@ inline void turn_cells(Source& source, const bool may_be_tangled)
   catch(const VMP::Input_error& error)
   {
     if(!may_be_tangled)
-      throw VMP::Input_error(error.what() + std::string("; --improve -o FILE moves vertices inside such that no cell is inverted or "
-                             "flat, and with --refine also splits cells whose vertices are all on the boundary"));
+      throw VMP::Input_error(error.what() + ("; " + advice_to_improve));
     turn_tangled_cells(source);
     return;
   }

@@ -80,6 +80,8 @@ Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, 
   result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
     result.message += " If TARGET has displacements, --displacements tells this.";
+  if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
+    result.message += " " + advice_to_improve + ".";
   if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !refinement.do_refine
      && result.message.find("No refinement helps") == std::string::npos)
     result.message += " With --refine, such cells are split.";

@@ -22,8 +22,10 @@ namespace CGAL::Volume_mesh_parameterization {
 enum class Phase
 {
   START,       ///< before the first step
+  BOUNDARY,    ///< a boundary parameterizer finds the images of the boundary
   UNTANGLING,  ///< cells are inverted, and an energy that is finite for them is minimized
-  MINIMIZATION ///< no cell is inverted, and the energy is minimized
+  MINIMIZATION, ///< no cell is inverted, and the energy is minimized
+  HEXAHEDRA    ///< `hexahedral_mesh()` improves hexahedra
 };
 
 /// \ingroup PkgVolumeMeshParameterizationResults
@@ -32,6 +34,7 @@ enum class Step_kind
 {
   NEWTON, ///< a Newton step over all vertices that move
   PATCH,  ///< inverted cells with the cells around them are untangled, as a problem of their own
+  ROUND,  ///< a round of a loop over the boundary or over hexahedra begins, of which only name, number and time are told
   SPLIT   ///< an attempt to untangle a patch with edges split, which finds the edges that must be
 };
 
@@ -43,7 +46,7 @@ The report of a step to a visitor: see the named parameter `visitor` of
 */
 struct Parameterization_step
 {
-  std::size_t iteration = 0;                ///< number of steps so far, in all stages
+  std::size_t iteration = 0;                ///< number of steps so far, in all stages; rounds have numbers of their own
   Phase phase = Phase::START;               ///< the phase that the step belonged to
   Step_kind kind = Step_kind::NEWTON;       ///< the kind of the step; only Newton steps have energy, gradient, decrement and length
   std::string attempt;                      ///< the name of the stage or of the attempt to untangle, for a progress bar

@@ -136,7 +136,7 @@ corners are positive.
                     not reproducible.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{may end the computation, as the limit of time does: only its function `goes_on()` is called}
+    \cgalParamDescription{may end the computation, as the limit of time does, and is told of rounds (`Step_kind::ROUND`)}
     \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd

@@ -110,7 +110,7 @@ struct Visitor_of_budget
 {
   const Budget& budget;
 
-  bool after_step(const Parameterization_step&) { return goes_on(); }
+  bool after_step(const Parameterization_step& step) { return budget.tell(step); }
   bool goes_on() const { return !budget.is_exhausted(); }
 };
 

@@ -65,7 +65,9 @@ public:
     const auto solver = make_symmetric_sparse_solver();
     State state = evaluate(m_images, 1);
     m_epsilon = first_epsilon(state.smallest_determinant);
-    for(int iteration = 0; iteration < 100 && !budget.is_exhausted() && m_number_of_unknowns > 0; ++iteration)
+    constexpr int maximal_number_of_steps = 100;
+    for(int step = 0; step < maximal_number_of_steps && m_number_of_unknowns > 0
+        && budget.may_begin_round(Phase::BOUNDARY, "relaxation of a chart"); ++step)
     {
       state = evaluate(m_images, m_epsilon);
       const State next = newton_step(state, *solver);

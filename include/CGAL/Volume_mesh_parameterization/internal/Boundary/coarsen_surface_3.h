@@ -137,7 +137,7 @@ inline std::vector<std::vector<Removed_vertex> > coarsen_surface_3(Vertex_rings_
                                                                    const Budget& budget)
 {
   std::vector<std::vector<Removed_vertex> > levels;
-  for(int remaining = rings.number_of_vertices(); remaining > 4 && !budget.is_exhausted(); )
+  for(int remaining = rings.number_of_vertices(); remaining > 4 && budget.may_begin_round(Phase::BOUNDARY, "coarsening"); )
   {
     levels.emplace_back();
     std::vector<bool> is_touched(rings.number_of_vertices(), false);

@@ -212,7 +212,8 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
     result = evaluate();
   }
   std::size_t fewest_inverted_corners = result.number_of_inverted_corners;
-  for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted(); ++round)
+  for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience
+      && budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
   {
     const bool are_few = result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * result.number_of_cells;
     if(in_vain == patience - 1 && are_few && hexahedra.leave_lines())

@@ -31,25 +31,54 @@ class Budget
 {
 public:
   explicit Budget(const double seconds = (std::numeric_limits<double>::infinity)(),
-                  std::function<bool()> may_continue = [] { return true; })
-    : m_seconds(seconds), m_may_continue(std::move(may_continue))
+                  std::function<bool()> may_continue = [] { return true; },
+                  std::function<bool(const Parameterization_step&)> after_step = [](const auto&) { return true; })
+    : m_seconds(seconds), m_may_continue(std::move(may_continue)), m_after_step(std::move(after_step))
   { m_timer.start(); }
 
   double seconds() const { return m_timer.time(); } // time since the construction
 
   bool is_exhausted() const
   {
-    *m_is_exhausted = *m_is_exhausted || seconds() > m_seconds || !m_may_continue();
-    return *m_is_exhausted;
+    m_state->is_exhausted = m_state->is_exhausted || seconds() > m_seconds || !m_may_continue();
+    return m_state->is_exhausted;
   }
 
-  void exhaust() { *m_is_exhausted = true; }
+  // Tells those who look on of a round of a loop without Newton steps, and returns whether it may begin.
+  bool may_begin_round(const Phase phase, const char* name) const
+  {
+    if(is_exhausted())
+      return false;
+    Parameterization_step step;
+    step.iteration = ++m_state->number_of_rounds;
+    step.phase = phase;
+    step.kind = Step_kind::ROUND;
+    step.attempt = name;
+    step.seconds = seconds();
+    return tell(step);
+  }
+
+  // Tells of a step that was made elsewhere.
+  bool tell(const Parameterization_step& step) const
+  {
+    m_state->is_exhausted = m_state->is_exhausted || !m_after_step(step);
+    return !m_state->is_exhausted;
+  }
+
+  void exhaust() { m_state->is_exhausted = true; }
 
 private:
+  struct State
+  {
+    bool is_exhausted = false;
+    std::size_t number_of_rounds = 0;
+  };
+
   double m_seconds;
   std::function<bool()> m_may_continue;
+  std::function<bool(const Parameterization_step&)> m_after_step;
   Real_timer m_timer;
-  std::shared_ptr<bool> m_is_exhausted = std::make_shared<bool>(false);
+  std::shared_ptr<State> m_state = std::make_shared<State>();
 };
 
 // Type for a named parameter that will be modified: a copy if it was passed by value, a reference if by std::ref().
@@ -81,10 +110,11 @@ public:
   // Returns a budget that begins now. A visitor need not have the function `goes_on()`.
   Budget budget()
   {
+    const auto after_step = [this](const Parameterization_step& step) { return m_visitor.after_step(step); };
     if constexpr(boost::is_detected<Answer_between_steps, Visitor>::value)
-      return Budget(m_seconds, [this] { return m_visitor.goes_on(); });
+      return Budget(m_seconds, [this] { return m_visitor.goes_on(); }, after_step);
     else
-      return Budget(m_seconds);
+      return Budget(m_seconds, [] { return true; }, after_step);
   }
 
 private:

@@ -119,7 +119,7 @@ public:
   {
     sort_edges_by_distance();
     Random random(0);
-    for(int attempt = 0; attempt < 100 && !m_budget.is_exhausted(); ++attempt)
+    for(int attempt = 0; attempt < 100 && m_budget.may_begin_round(Phase::BOUNDARY, "edges of a box"); ++attempt)
     {
       if(route_all())
         return true;

@@ -38,7 +38,7 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
   {
     std::vector<std::size_t> candidate = costs.closest();
     costs.minimize(smoothing, candidate);
-    for(int attempt = 0; attempt < 10 && !budget.is_exhausted(); ++attempt)
+    for(int attempt = 0; attempt < 10 && budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
     {
       if(!repair_labels_3(mesh, costs, smoothing, candidate, budget) || !tried.insert(candidate).second)
         break;

@@ -124,7 +124,7 @@ public:
   void relax(const int number_of_sweeps, const double tolerance)
   {
     fit_area_scale();
-    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+    for(int sweep = 0; sweep < number_of_sweeps && m_budget.may_begin_round(Phase::BOUNDARY, "relaxation of a sphere"); ++sweep)
       if(relax_all() < tolerance)
         break;
   }

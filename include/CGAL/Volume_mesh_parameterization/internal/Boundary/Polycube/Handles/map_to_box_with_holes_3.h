@@ -60,7 +60,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
   const std::vector<double> coordinates_of_box
     = box_with_holes.coordinates(may_be_long, { -box.center() / size, spacing / size });
   std::vector<std::size_t> labels = labels_of_box;
-  for(int attempt = 0; attempt < maximal_number_of_attempts && !budget.is_exhausted(); ++attempt)
+  for(int attempt = 0; attempt < maximal_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with holes"); ++attempt)
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
@@ -140,7 +140,8 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const Eig
   Meridians_3 meridians(cells);
   bool has_meridians = false;
   Map_to_box_with_holes_3 best;
-  for(std::size_t i = 0, number_of_maps = 0; i < maximal_number_of_cuts && number_of_maps < maximal_number_of_maps && !budget.is_exhausted(); ++i)
+  for(std::size_t i = 0, number_of_maps = 0; i < maximal_number_of_cuts && number_of_maps < maximal_number_of_maps
+      && budget.may_begin_round(Phase::BOUNDARY, "cuts of a body with handles"); ++i)
   {
     std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_handles, i * cells.size() / maximal_number_of_cuts, budget);
     if(loops.size() < number_of_handles)
