@@ -109,11 +109,18 @@ inline Target_points target_points(const Source& source, Points points, const Op
   const Inside inside = named_inside(options.inside);
   const bool are_interfaces_alone = inside == Inside::AUTO && are_all_told(soup, result.points);
   std::vector<char> is_met = vertices_to_meet(soup, result.points, are_interfaces_alone);
-  complete_boundary(soup, named_others(options.others), result, is_met);
-  bool has_moved = false;
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    has_moved = has_moved || (is_met[v] && result.points[v] != soup.points[v]);
-  if(inside == Inside::FREE || (are_interfaces_alone && !has_moved))
+  const auto has_moved = [&]
+  {
+    for(std::size_t v = 0; v < soup.points.size(); ++v)
+      if(is_met[v] && result.points[v] != soup.points[v])
+        return true;
+    return false;
+  };
+  const Others others = named_others(options.others);
+  if(are_interfaces_alone && others != Others::SLIDE && !has_moved())
+    return result; // without the boundary, for which facets are matched
+  complete_boundary(soup, others, result, is_met);
+  if(inside == Inside::FREE || (are_interfaces_alone && !has_moved()))
     return result;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(is_met[v])
