@@ -45,6 +45,9 @@ inline std::string advice_for(const std::string& filename)
       + ", and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::SURFACE)
     return "; this is a surface, which a volume mesher fills: tetgen -pqg " + filename + " writes " + renamed(".1.mesh");
+  if(format_of(filename) == Mesh_format::GMSH) // meshio 5.0 fails where parts of a mesh are in no group
+    return "; other formats can be converted: gmsh " + filename + " -save -setnumber Mesh.SaveElementTagType 2 -o "
+      + renamed(".mesh");
   return "; other formats can be converted: meshio convert " + filename + " " + renamed(".vtu");
 }
 
