@@ -153,7 +153,15 @@ inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization
   {
     Gmsh_writer writer(mesh.points, names);
     writer.add(3, 5, mesh.cells, mesh.cell_references);
-    writer.add(2, 3, mesh.facets, mesh.facet_references);
+    std::vector<std::array<std::size_t, 4> > facets; // of groups: meshio 5.0 reads no file with others beside them
+    std::vector<int> references;
+    for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+      if(mesh.facet_references[f] > 0)
+      {
+        facets.push_back(mesh.facets[f]);
+        references.push_back(mesh.facet_references[f]);
+      }
+    writer.add(2, 3, facets, references);
     writer.write(os, is_old);
   });
 }
