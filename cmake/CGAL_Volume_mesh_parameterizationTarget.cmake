@@ -54,6 +54,7 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
   file(CONFIGURE OUTPUT sparse_systems.cpp CONTENT [[
 #define Eigen Eigen_of_Volume_mesh_parameterization
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Solvers/Direct_solver_3_impl.h>
 ]] @ONLY)
   add_library(${PROJECT_NAME}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp
     ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/sparse_systems.cpp)

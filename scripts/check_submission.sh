@@ -92,7 +92,7 @@ find_lines '(?<!static_)\b(assert|abort|exit) ?\(' | { grep '^include' || true; 
 find_lines '^using namespace' | { grep '^[^:]*\.h:' || true; } | forbid "no using namespace in a header"
 # Except in maps of other memory, and where users or the sparse solvers have Eigen's own.
 find_lines 'Eigen::(Matrix|Vector|Array)([23]?X|[24])' | { grep '^include' || true; } |
-  { grep -vE 'Map<|/(Eigen_solver_traits_3|Linear_solver_3|sparse_systems_impl)\.h' || true; } |
+  { grep -vE 'Map<|/(Direct_solver_3_impl|Eigen_solver_traits_3|Linear_solver_3|sparse_systems_impl)\.h' || true; } |
   forbid "its memory or alignment depends on the flags of a unit: see internal/Support/Dynamic_matrix.h"
 find_lines '\t| +$' | forbid "a tab, or blanks at the end of a line"
 find_lines '[^\x00-\x7F]' | forbid "not ASCII"

@@ -57,6 +57,8 @@ public:
   virtual std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) = 0;
   virtual std::size_t number_of_iterations() const { return 0; }      // in all systems; 0 if it does not iterate
   virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
+
+  std::size_t number_of_replaced_solutions = 0; // cut ones, by those of another solver
 };
 
 template <typename Solver, typename Vector>

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_kernels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Direct_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Quadratic_penalty_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -159,34 +160,34 @@ public:
   }
 
   // Solves H d = -g, where H keeps the part `negative_curvature` of negative eigenvalues of each cell. An iterative solver
-  // may end early where the budget is exhausted.
+  // may end early where the budget is exhausted; where it stops at its limit of iterations, a direct solver may take over.
   Newton_direction_3 direction(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                                const double tolerance, const Budget& budget = Budget())
   {
-    return std::visit([&](auto& hessian)
+    if(m_turns.is_direct())
     {
-      Positions gradient;
-      assemble(energy, u, negative_curvature, gradient, hessian);
-      Newton_direction_3 direction = solve(gradient, tolerance, budget);
-      // a semi-definite matrix may fail to be definite by rounding
-      for(double shift = 1e-8; shift < 1e-2 && negative_curvature == 0
-                               && direction.status == Linear_solver_status::NOT_POSITIVE_DEFINITE; shift *= 100)
-      {
-        hessian.scale_diagonal(static_cast<typename std::decay_t<decltype(hessian)>::NT>(shift));
-        direction = solve(gradient, tolerance, budget);
-      }
-      direction.is_of_semidefinite_matrix = negative_curvature == 0;
-      return direction;
-    }, m_system->matrix());
+      Newton_direction_3 exact = direction_by(m_turns.begin_turn(), energy, u, negative_curvature, tolerance, budget);
+      if(exact.is_usable() || negative_curvature > 0)
+        return exact;
+    }
+    const std::size_t iterations_before = m_solver.number_of_iterations();
+    Newton_direction_3 result = direction_by(*m_system, energy, u, negative_curvature, tolerance, budget);
+    const bool is_cut = result.status == Linear_solver_status::ITERATION_LIMIT;
+    return replaced_if(is_cut, std::move(result), iterations_before, energy, u, negative_curvature, budget);
   }
 
-  // Returns a direction by the matrix of the last one, which a convex quadratic energy has everywhere.
+  // Returns a direction by the matrix of the last one, which a convex quadratic energy has everywhere. Negative curvature comes
+  // from rounding then, and a truncated solution may lead far away.
   Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance,
                                     const Budget& budget)
   {
-    Newton_direction_3 direction = solve(gradient(energy, u), tolerance, budget, true);
-    direction.is_of_semidefinite_matrix = true;
-    return direction;
+    const std::size_t iterations_before = m_solver.number_of_iterations();
+    Newton_direction_3 result = solve(*m_last_system, gradient(energy, u), tolerance, budget, true);
+    result.is_of_semidefinite_matrix = true;
+    if(m_last_system != m_system.get())
+      return result;
+    const bool is_inexact = result.status != Linear_solver_status::SUCCESS;
+    return replaced_if(is_inexact, std::move(result), iterations_before, energy, u, 0., budget);
   }
 
   // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
@@ -194,6 +195,45 @@ public:
   { return m_communicator.minimum(largest_step_3(m_packs, u, d)); }
 
 private:
+  // Returns what the solver has found, or the direction of a direct solver if that is inexact, and it takes over.
+  Newton_direction_3 replaced_if(const bool is_inexact, Newton_direction_3 found, const std::size_t iterations_before,
+                                 const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
+                                 const Budget& budget)
+  {
+    if(!m_mesh.is_whole() || budget.is_exhausted()
+       || !m_turns.takes_over(m_system->matrix(), is_inexact, m_solver.number_of_iterations() - iterations_before))
+      return found;
+    Newton_direction_3 exact = direction_by(m_turns.begin_turn(), energy, u, negative_curvature, 0., budget);
+    if(!exact.is_usable())
+    {
+      m_last_system = m_system.get();
+      return found;
+    }
+    m_solver.number_of_replaced_solutions += found.status == Linear_solver_status::ITERATION_LIMIT;
+    return exact;
+  }
+
+  Newton_direction_3 direction_by(Linear_system_3& system, const Cell_energy_3& energy, const Positions& u,
+                                  const double negative_curvature, const double tolerance, const Budget& budget)
+  {
+    m_last_system = &system;
+    return std::visit([&](auto& hessian)
+    {
+      Positions gradient;
+      assemble(energy, u, negative_curvature, gradient, hessian);
+      Newton_direction_3 direction = solve(system, gradient, tolerance, budget);
+      // a semi-definite matrix may fail to be definite by rounding
+      for(double shift = 1e-8; shift < 1e-2 && negative_curvature == 0
+                               && direction.status == Linear_solver_status::NOT_POSITIVE_DEFINITE; shift *= 100)
+      {
+        hessian.scale_diagonal(static_cast<typename std::decay_t<decltype(hessian)>::NT>(shift));
+        direction = solve(system, gradient, tolerance, budget);
+      }
+      direction.is_of_semidefinite_matrix = negative_curvature == 0;
+      return direction;
+    }, system.matrix());
+  }
+
   template <typename NT>
   void assemble(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                 Positions& gradient, Block_sparse_matrix_3<NT>& hessian) const
@@ -208,19 +248,19 @@ private:
     m_unknowns.project(hessian);
   }
 
-  Newton_direction_3 solve(const Positions& columns, const double tolerance, const Budget& budget,
-                           const bool is_factorized = false)
+  Newton_direction_3 solve(Linear_system_3& system, const Positions& columns, const double tolerance, const Budget& budget,
+                           const bool is_factorized = false) const
   {
     const Eigen::Map<const Eigen::VectorXd> gradient(columns.data(), columns.size());
     Newton_direction_3 result;
     result.gradient_norm = std::sqrt(dot(gradient, gradient));
     const bool is_critical = result.gradient_norm == 0; // the matrix may be zero then, as that of a constant energy
-    result.status = is_critical || is_factorized ? Linear_solver_status::SUCCESS : m_system->factorize();
+    result.status = is_critical || is_factorized ? Linear_solver_status::SUCCESS : system.factorize();
     if(result.status != Linear_solver_status::SUCCESS)
       return result;
     VectorXd solution = VectorXd::Zero(gradient.size());
     if(!is_critical)
-      result.status = m_system->solve(-gradient, solution, tolerance, budget);
+      result.status = system.solve(-gradient, solution, tolerance, budget);
     if(result.is_exact() || result.status == Linear_solver_status::ITERATION_LIMIT)
     {
       result.slope = dot(gradient, solution);
@@ -253,6 +293,8 @@ private:
   Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;
   std::unique_ptr<Linear_system_3> m_system;
+  Direct_turns_3 m_turns; // of another system with the same pattern
+  Linear_system_3* m_last_system = nullptr;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
