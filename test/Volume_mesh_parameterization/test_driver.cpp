@@ -265,7 +265,7 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "improve", "landmarks", "merge_points", "separate", "displacements", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
+  "options", "source", "target", "to", "polycube_axes", "improve", "landmarks", "merge_points", "separate", "displacements", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
   "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
@@ -711,6 +711,23 @@ TEST_CASE("The faces of a polycube are multiples of the spacing of hexahedra")
   CHECK(folder.text("stdout").find("35 hexahedra, scaled Jacobian: minimal 1, mean 1") != std::string::npos);
 }
 
+TEST_CASE("A turned source has its own polycube, unless the axes are given")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  for(Point& p : source.points)
+    p = {0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]};
+  folder.write("source.mesh", source);
+  REQUIRE(folder.run("source.mesh --to polycube --report report.json") == 0);
+  CHECK(number(folder.text("report.json"), "boundary_distortion") < 1e-4);
+  CHECK(folder.text("report.json").find("\"polycube_rotation\": [0.8") != std::string::npos);
+  REQUIRE(folder.run("source.mesh --to polycube --polycube-axes given --report report.json") == 0);
+  CHECK(number(folder.text("report.json"), "boundary_distortion") > 0.1);
+  CHECK(folder.text("report.json").find("\"polycube_rotation\": [1, 0, 0, 0, 1, 0, 0, 0, 1]") != std::string::npos);
+  CHECK(folder.run("source.mesh --to ball --polycube-axes given") == 2);
+  CHECK(folder.text("stderr").find("--to polycube is missing") != std::string::npos);
+}
+
 TEST_CASE("Hexahedra that cannot be made leave the map, and say why there are none")
 {
   const Folder folder;
@@ -865,6 +882,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   CHECK(alternatives("target.txt --energy none") == "stretch, symmetric_dirichlet, mips, arap, dirichlet, lscm, lpm\n");
   CHECK(alternatives("target.txt --solver none").find("cg") == 0);
   CHECK(alternatives("target.txt --boundary none") == "auto, fixed, soft\n");
+  CHECK(alternatives("--to polycube --polycube-axes none") == "found, given\n");
   CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube\n");
   // each of them can be chosen; domains are in a test of their own
   for(const std::string option : {"--energy", "--solver", "--boundary", "--refine", "--others"})

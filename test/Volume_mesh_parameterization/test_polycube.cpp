@@ -8,6 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -17,6 +18,8 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/property_map/property_map.hpp>
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
@@ -631,6 +634,155 @@ TEST_CASE("the size and the place of the source do not matter")
   for(const auto& entry : complex.image)
     for(int axis = 0; axis < 3; ++axis)
       CHECK(std::abs(entry.second[axis] - entry.first->point()[axis]) < 1e-12 * scale);
+}
+
+// Body of bricks that are moved, then turned, with its image by arrays.
+struct Turned_body
+{
+  VMP::Tetrahedron_soup_3 soup;
+  std::vector<std::array<double, 3> > image;
+  Polycube::Rotation rotation = {}; // the one that is told
+
+  template <typename IsSolid, typename Move>
+  Turned_body(const IsSolid& is_solid, const Move& move, const Eigen::Matrix3d& turn)
+    : soup(bricks(size, is_solid, [&](const double x, const double y, const double z)
+      {
+        const std::array<double, 3> p = move(x, y, z);
+        const Eigen::Vector3d q = turn * Eigen::Vector3d(p[0], p[1], p[2]);
+        return std::array<double, 3>{ q.x(), q.y(), q.z() };
+      }))
+  {}
+
+  VMP::Error_code parameterize(const VMP::Polycube_axes axes, const double spacing = 0)
+  { return Polycube(spacing, axes, &rotation).parameterize(soup.points, soup.cells, image); }
+
+  Eigen::Vector3d point(const std::size_t v) const { return Eigen::Vector3d(soup.points[v].data()); }
+  Eigen::Vector3d image_of(const std::size_t v) const { return Eigen::Vector3d(image[v].data()); }
+
+  Eigen::Matrix3d told() const
+  {
+    Eigen::Matrix3d result;
+    for(int i = 0; i < 3; ++i)
+      for(int k = 0; k < 3; ++k)
+        result(i, k) = rotation[i][k];
+    return result;
+  }
+
+  double distortion() const
+  {
+    const auto surface = VMP::internal::surface_of(VMP::internal::body_of(soup.points, soup.cells));
+    return VMP::internal::facet_distortion_3(surface.facets,
+                                             [&](const std::size_t v) { return point(surface.vertices[v]); },
+                                             [&](const std::size_t v) { return image_of(surface.vertices[v]); });
+  }
+};
+
+// Returns rotations that are far from all symmetries of the cube.
+std::vector<Eigen::Matrix3d> turns()
+{
+  const auto turn = [](const double x, const double y, const double z)
+  {
+    return (Eigen::AngleAxisd(x, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(y, Eigen::Vector3d::UnitY())
+            * Eigen::AngleAxisd(z, Eigen::Vector3d::UnitZ())).toRotationMatrix();
+  };
+  return { turn(0.4, 0, 0.5), turn(0.9, 0.3, -0.7), turn(-0.2, 2.5, 1.2) };
+}
+
+template <typename IsSolid>
+void check_turned(const IsSolid& is_solid)
+{
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_solid, in_place, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    Eigen::AlignedBox3d box;
+    for(std::size_t v = 0; v < body.soup.points.size(); ++v)
+      box.extend(body.point(v));
+    double largest = 0;
+    for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
+      largest = (std::max)(largest,
+                           (box.center() + body.told() * (body.point(v) - box.center()) - body.image_of(v)).norm());
+    CHECK(largest < 1e-5); // the polycube is the body itself, turned as is told
+    const Eigen::Matrix3d symmetry = body.told() * turn;
+    CHECK((symmetry - symmetry.array().round().matrix()).norm() < 1e-5);
+    CHECK((body.parameterize(VMP::Polycube_axes::GIVEN) != VMP::OK || body.distortion() > 1e-3));
+  }
+}
+
+TEST_CASE("a turned polycube is mapped to itself, and by which rotation is told")
+{
+  check_turned(is_box);
+  check_turned(is_bracket);
+  check_turned(is_ring);
+}
+
+TEST_CASE("a bent body has about the same polycube in each position")
+{
+  Turned_body as_drawn(is_ring, bend, Eigen::Matrix3d::Identity());
+  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_ring, bend, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    CHECK(body.distortion() == Approx(as_drawn.distortion()).epsilon(0.05));
+  }
+}
+
+TEST_CASE("a turned body has the same faces as multiples of a spacing as one that begins at a multiple")
+{
+  const double spacing = 1.3; // no length of the body is a multiple
+  Turned_body as_drawn(is_bracket, in_place, Eigen::Matrix3d::Identity());
+  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::GIVEN, spacing) == VMP::OK);
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_bracket, in_place, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    CHECK(body.distortion() == Approx(as_drawn.distortion()).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("a body that lies well is not turned, and its polycube is the same, bit by bit")
+{
+  const auto check = [](const auto& move)
+  {
+    Turned_body body(is_bracket, move, Eigen::Matrix3d::Identity());
+    REQUIRE(body.parameterize(VMP::Polycube_axes::GIVEN) == VMP::OK);
+    const auto given = body.image;
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    CHECK(body.told() == Eigen::Matrix3d::Identity());
+    for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
+      CHECK(body.image[v] == given[v]);
+  };
+  check(in_place);
+  check([](const double x, const double y, const double z) { return in_place(y, z, x); }); // a symmetry of the cube
+  check([](const double x, const double y, const double z) { return in_place(x + 1e-4 * y, y - 1e-4 * x, z); });
+}
+
+TEST_CASE("given labels keep the axes")
+{
+  const Labelled_complex straight(bricks(size, is_bracket, in_place));
+  Labelled_complex complex(bricks(size, is_bracket, [](const double x, const double y, const double z)
+  { return std::array<double, 3>{ 0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z }; }));
+  copy_labels(straight, complex);
+  REQUIRE(complex.parameterize_with_labels() == VMP::OK);
+  for(const Facet& f : complex.boundary())
+    REQUIRE(direction(complex.image_triangle(f)) == complex.labels.at(f));
+}
+
+TEST_CASE("a ball, which has no directions, has a polycube")
+{
+  const auto ball = [](const double x, const double y, const double z)
+  {
+    const Eigen::Vector3d p = Eigen::Vector3d(x, y, z).cwiseQuotient(Eigen::Vector3d(6, 5, 7)) * 2 - Eigen::Vector3d::Ones();
+    const Eigen::Vector3d q = p.norm() > 0 ? Eigen::Vector3d(p * p.lpNorm<Eigen::Infinity>() / p.norm()) : p;
+    return std::array<double, 3>{ q.x(), q.y(), q.z() };
+  };
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_box, ball, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    CHECK(body.distortion() < 0.5);
+  }
 }
 
 TEST_CASE("labels that no polycube has are named")

@@ -17,7 +17,7 @@
 
 struct Options
 {
-  std::string source, target, domain, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
+  std::string source, target, domain, polycube_axes, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
@@ -132,6 +132,8 @@ inline Command_line command_line(Options& options)
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
      "in place of TARGET: ball, the unit ball; cube, the unit cube; box=X,Y,Z, a box with sides of these lengths; "
      "polycube, one that is close to the source; most meshes need --refine for that")
+    ("polycube-axes", po::value(&options.polycube_axes)->value_name("WHICH")->default_value("found"),
+     "found: the source is turned such that its faces are nearly normal to the axes of the polycube; given: it stays as it is")
     ("improve", po::bool_switch(&options.do_improve),
      "in place of TARGET: vertices of the boundary stay, and those between cells of different references and of triangles inside; "
      "the others move such that no cell is inverted or flat, each as regular as it can be. With --refine, cells are also split "

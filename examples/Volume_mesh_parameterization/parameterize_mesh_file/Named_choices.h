@@ -1,4 +1,4 @@
-// The energies, the linear solvers and the modes of the boundary, chosen by their names at run time.
+// The energies, the linear solvers, the modes of the boundary and the axes of a polycube, chosen by their names at run time.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
 
@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Refinement_mode.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
@@ -60,6 +61,13 @@ inline CGAL::Volume_mesh_parameterization::Boundary_mode named_boundary_mode(con
   using CGAL::Volume_mesh_parameterization::Boundary_mode;
   return find_name<Boundary_mode>("boundary mode", name, {
     {"auto", Boundary_mode::AUTO}, {"fixed", Boundary_mode::FIXED}, {"soft", Boundary_mode::SOFT}});
+}
+
+inline CGAL::Volume_mesh_parameterization::Polycube_axes named_polycube_axes(const std::string& name)
+{
+  using CGAL::Volume_mesh_parameterization::Polycube_axes;
+  return find_name<Polycube_axes>("way to choose axes", name, {
+    {"found", Polycube_axes::FOUND}, {"given", Polycube_axes::GIVEN}});
 }
 
 // Where the program may add vertices, by the parameters of the library and by make_parameterizable().

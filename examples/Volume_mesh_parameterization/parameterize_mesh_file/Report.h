@@ -31,6 +31,7 @@ struct Outcome
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
   std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0, number_of_tangled_cells = 0,
               number_of_separated_vertices = 0, number_of_targets_inside = 0, number_of_free_targets = 0;
+  std::vector<double> polycube_rotation = {}; // by rows, of the source into the axes of a polycube
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
 };
@@ -67,7 +68,7 @@ inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Pa
 inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
-                      .add("improve", options.do_improve)
+                      .add("polycube_axes", options.polycube_axes).add("improve", options.do_improve)
                       .add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
                       .add("separate", options.do_separate).add("displacements", options.are_displacements)
                       .add("others", options.others).add("inside", options.inside).add("initial", options.initial)
@@ -143,6 +144,8 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
           .add("seconds_reading", outcome.seconds_reading)
           .add("seconds_boundary", outcome.seconds_boundary)
           .add("seconds_hexahedra", outcome.seconds_hexahedra);
+    if(!outcome.polycube_rotation.empty())
+      report.add("polycube_rotation", outcome.polycube_rotation);
     if(outcome.hexahedra)
       report.add("hexahedra", json(*outcome.hexahedra));
     report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());

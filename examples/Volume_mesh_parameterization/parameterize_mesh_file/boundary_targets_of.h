@@ -78,13 +78,12 @@ inline Boundary_parameterizer box_parameterizer(const CGAL::Volume_mesh_paramete
   };
 }
 
-inline Boundary_parameterizer polycube_parameterizer(const double spacing)
+using Polycube = CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3;
+
+inline Boundary_parameterizer polycube_parameterizer(const Polycube& polycube)
 {
-  return [spacing](const auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
-  {
-    return CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3(spacing).parameterize(
-      mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress)));
-  };
+  return [polycube](const auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
+  { return polycube.parameterize(mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress))); };
 }
 
 // The lengths of the sides of a box from text such as 1,2,0.5
@@ -99,8 +98,7 @@ inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
   return box_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
 }
 
-// The spacing is that of hexahedra; 0 if none are made.
-inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name, const double spacing)
+inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name, const Polycube& polycube)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   const std::string box = "box=";
@@ -110,7 +108,7 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     {"ball", ball_parameterizer()},
     {"cube", box_parameterizer(VMP::Cube_boundary_parameterizer_3())},
     {"box=X,Y,Z", nullptr},
-    {"polycube", polycube_parameterizer(spacing)}});
+    {"polycube", polycube_parameterizer(polycube)}});
 }
 
 // Reads the triangles of a surface.
@@ -204,12 +202,12 @@ inline Landmarks landmarks_of_file(const std::string& filename,
   return landmarks;
 }
 
-inline Points targets_on_domain(const std::string& domain, const double spacing, const Landmarks& landmarks,
+inline Points targets_on_domain(const std::string& domain, const Polycube& polycube, const Landmarks& landmarks,
                                 const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Points targets;
-  const VMP::Error_code status = named_boundary_parameterizer(domain, spacing)(mesh, landmarks, targets, progress);
+  const VMP::Error_code status = named_boundary_parameterizer(domain, polycube)(mesh, landmarks, targets, progress);
   if(status == VMP::OK)
     return targets;
   if(status == VMP::ERROR_INTERRUPTED)

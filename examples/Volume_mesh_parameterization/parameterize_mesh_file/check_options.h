@@ -68,7 +68,10 @@ inline void check(const Options& options)
   named_boundary_mode(options.boundary);
   named_refinement(options.refinement);
   if(!options.domain.empty())
-    named_boundary_parameterizer(options.domain, Hexahedra_file(options.hexahedra).spacing());
+    named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()));
+  if(named_polycube_axes(options.polycube_axes) != CGAL::Volume_mesh_parameterization::Polycube_axes::FOUND
+     && options.domain != "polycube")
+    throw std::runtime_error("the axes are those of a polycube, and --to polycube is missing");
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
     throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
   if(named_others(options.others) != Others::MISSING && options.target.empty())

@@ -223,11 +223,12 @@ Outcome run(const Options& options, Progress_line& progress)
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
+  Polycube::Rotation rotation = {};
   if(!options.domain.empty())
   {
     progress.begin("mapping the boundary to " + options.domain);
-    const double spacing = Hexahedra_file(options.hexahedra).spacing();
-    target.points = naming(options.source, [&] { return targets_on_domain(options.domain, spacing, landmarks, mesh, progress); });
+    const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes), &rotation);
+    target.points = naming(options.source, [&] { return targets_on_domain(options.domain, polycube, landmarks, mesh, progress); });
     target.is_constrained.resize(mesh.points.size(), false);
   }
   const double seconds_boundary = progress.seconds() - seconds_reading;
@@ -244,6 +245,9 @@ Outcome run(const Options& options, Progress_line& progress)
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
   outcome.seconds_reading = seconds_reading;
   outcome.seconds_boundary = seconds_boundary;
+  if(options.domain == "polycube")
+    for(const auto& row : rotation)
+      outcome.polycube_rotation.insert(outcome.polycube_rotation.end(), row.begin(), row.end());
   outcome.number_of_coinciding_points = source.number_of_coinciding_points;
   outcome.number_of_merged_points = source.number_of_merged_points;
   outcome.number_of_turned_cells = source.number_of_turned_cells;

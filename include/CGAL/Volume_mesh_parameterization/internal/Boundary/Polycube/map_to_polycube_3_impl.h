@@ -15,10 +15,13 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/frames_of_normals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -131,7 +134,8 @@ inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const doub
   {
     body.surface.cells = &body.cells;
     std::vector<Eigen::Vector3d> part;
-    if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, part, budget); status != OK)
+    Eigen::Matrix3d none;
+    if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, false, part, none, budget); status != OK)
       return status;
     Eigen::AlignedBox3d box, other_boxes;
     for(const Eigen::Vector3d& p : part)
@@ -154,22 +158,56 @@ inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const doub
   return OK;
 }
 
-inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numbered_surface_3& surface,
-                                         const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
-                                         const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+// Surface that is turned about the center of its bounding box, and the same as a mesh in the unit box. If there is a spacing, a
+// turned surface begins at multiples of it, so that the same body has the same faces from all positions.
+struct Turned_surface_3
 {
-  if(labels.empty())
+  Eigen::Matrix3d rotation;
+  Numbered_surface_3 surface;
+  Boundary_mesh_3 mesh;
+  Eigen::AlignedBox3d box; // of the surface
+
+  Turned_surface_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh, const Eigen::Matrix3d& rotation,
+                   const double spacing)
+    : rotation(rotation), surface(surface), mesh(mesh)
   {
-    const Error_code status = map_to_proposed_polycube_3(mesh, box, spacing, images, budget);
-    if(status == OK || budget.is_exhausted())
-      return status;
-    const Error_code kind = check_sphere(mesh);
-    if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
-      return map_bodies_apart_3(surface, spacing, images, budget);
-    return kind == OK ? map_to_bounding_box_3(mesh, box, spacing, images, budget)
-                      : map_to_box_with_holes_3(mesh, box, spacing, *surface.cells, surface.vertices, images, budget);
+    if(rotation != Eigen::Matrix3d::Identity()) // which would round
+      turn(bounding_box(mesh).center(), spacing);
+    box = bounding_box(this->mesh);
+    set_points(this->mesh, unit_points(this->mesh));
   }
-  Polycube_map_3 map(mesh, box, labels, spacing);
+
+private:
+  void turn(const Eigen::Vector3d& center, const double spacing)
+  {
+    for(Eigen::Vector3d& p : surface.points)
+      p = center + rotation * (p - center);
+    set_points(mesh, surface.points);
+    if(!(spacing > 0))
+      return;
+    const Eigen::Array3d lower = (bounding_box(mesh).min)();
+    for(Eigen::Vector3d& p : surface.points)
+      p.array() += spacing * (lower / spacing).round() - lower;
+    set_points(mesh, surface.points);
+  }
+};
+
+// Maps a surface for which no labels of a polycube are found.
+inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, std::vector<Eigen::Vector3d>& images,
+                                   const Budget& budget)
+{
+  const Error_code kind = check_sphere(turned.mesh);
+  if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+    return map_bodies_apart_3(turned.surface, spacing, images, budget);
+  return kind == OK ? map_to_bounding_box_3(turned.mesh, turned.box, spacing, images, budget)
+                    : map_to_box_with_holes_3(turned.mesh, turned.box, spacing, *turned.surface.cells,
+                                              turned.surface.vertices, images, budget);
+}
+
+inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
+                                             const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Polycube_map_3 map(turned.mesh, turned.box, labels, spacing);
   Error_code status = map.start(budget);
   if(status == OK)
     status = map.finish(budget);
@@ -178,21 +216,58 @@ inline Error_code map_mesh_to_polycube_3(const Boundary_mesh_3& mesh, const Numb
   return status;
 }
 
+// Takes the frame with the least distortion; if there is no polycube in any, the first one.
+inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing,
+                                  std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
+{
+  double least_distortion = (std::numeric_limits<double>::infinity)();
+  bool has_polycube = false;
+  for(const Turned_surface_3& turned : frames)
+  {
+    std::vector<Eigen::Vector3d> candidate;
+    if(map_to_proposed_polycube_3(turned.mesh, turned.box, spacing, candidate, budget) != OK)
+      continue;
+    const double distortion = facet_distortion_3(
+      turned.surface.facets, [&](const std::size_t v) { return turned.surface.points[v]; },
+      [&](const std::size_t v) { return candidate[v]; });
+    if(has_polycube && !(distortion < least_distortion))
+      continue;
+    has_polycube = true;
+    least_distortion = distortion;
+    images = candidate;
+    rotation = turned.rotation;
+  }
+  if(has_polycube)
+    return OK;
+  rotation = frames.front().rotation;
+  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, images, budget);
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
-                             const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+                             const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
+                             Eigen::Matrix3d& rotation, const Budget& budget)
 {
   Boundary_mesh_3 mesh;
-  Error_code status = build_boundary_mesh_3(surface, mesh);
-  if(status != OK)
+  if(const Error_code status = build_boundary_mesh_3(surface, mesh); status != OK)
     return status;
-  const Eigen::AlignedBox3d box = bounding_box(mesh);
-  set_points(mesh, unit_points(mesh));
-  status = map_mesh_to_polycube_3(mesh, surface, box, labels, spacing, images, budget);
+  rotation.setIdentity();
+  std::vector<Turned_surface_3> frames(1, Turned_surface_3(surface, mesh, rotation, spacing));
+  if(do_find_axes && labels.empty())
+  {
+    const std::vector<Eigen::Matrix3d> rotations = frames_of_normals_3(frames.front().mesh);
+    frames.clear();
+    for(const Eigen::Matrix3d& r : rotations)
+      frames.emplace_back(surface, mesh, r, spacing);
+  }
+  const auto map = [&](const double spacing, std::vector<Eigen::Vector3d>& images)
+  {
+    return labels.empty() ? map_in_frames_3(frames, spacing, images, rotation, budget)
+                          : map_to_labelled_polycube_3(frames.front(), labels, spacing, images, budget);
+  };
+  const Error_code status = map(spacing, images);
   std::vector<Eigen::Vector3d> any;
-  if(status != OK && spacing > 0 && map_mesh_to_polycube_3(mesh, surface, box, labels, 0, any, budget) == OK)
-    return ERROR_SPACING_TOO_COARSE;
-  return status;
+  return status != OK && spacing > 0 && map(0, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
