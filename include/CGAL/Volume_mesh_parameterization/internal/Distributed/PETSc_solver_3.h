@@ -92,10 +92,12 @@ public:
     return static_cast<std::size_t>(result + m_communicator.sum(m_solver_for_patches.number_of_iterations()));
   }
 
+  std::size_t number_of_own_iterations() const override { return m_solver_for_patches.number_of_iterations(); }
+
   std::size_t number_of_cut_solutions() const override
   {
-    return m_number_of_cut_solutions
-         + static_cast<std::size_t>(m_communicator.sum(m_solver_for_patches.number_of_cut_solutions()));
+    const std::size_t of_patches = m_solver_for_patches.number_of_cut_solutions() - number_of_replaced_solutions;
+    return m_number_of_cut_solutions + static_cast<std::size_t>(m_communicator.sum(of_patches));
   }
 
 private:

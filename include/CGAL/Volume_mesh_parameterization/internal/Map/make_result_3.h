@@ -81,7 +81,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
   Parameterization_result result = progress.effort();
   result.status = final_status(found);
   result.message = get_error_message(result.status) + reason_of(result.status, found, check);
-  if(const std::size_t number = solver.number_of_cut_solutions() - solver.number_of_replaced_solutions; number > 0)
+  if(const std::size_t number = solver.number_of_cut_solutions(); number > 0)
     result.message += sentence(" The linear solver has reached its limit of iterations ", number, " times, and steps were the "
                                "shorter for it; ", mesh.is_whole() ? "CHOLMOD_solver_traits_3 has no limit."
                                                                    : "PETSc's option -ksp_max_it sets it.");

@@ -56,7 +56,8 @@ public:
   // The pattern is that of the rows of this process, if it is not alone.
   virtual std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) = 0;
   virtual std::size_t number_of_iterations() const { return 0; }      // in all systems; 0 if it does not iterate
-  virtual std::size_t number_of_cut_solutions() const { return 0; }   // those that are not as exact as asked for
+  virtual std::size_t number_of_own_iterations() const { return number_of_iterations(); } // asks no other process
+  virtual std::size_t number_of_cut_solutions() const { return 0; }   // those not as exact as asked for, and not replaced
 
   std::size_t number_of_replaced_solutions = 0; // cut ones, by those of another solver
 };
@@ -96,7 +97,7 @@ public:
 
   std::string name() const override { return boost::typeindex::type_id<Solver>().pretty_name(); }
   std::size_t number_of_iterations() const override { return m_number_of_iterations; }
-  std::size_t number_of_cut_solutions() const override { return m_number_of_cut_solutions; }
+  std::size_t number_of_cut_solutions() const override { return m_number_of_cut_solutions - number_of_replaced_solutions; }
 
   std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3&) override
   { return std::make_unique<System>(*this, std::move(pattern)); }

@@ -170,7 +170,7 @@ public:
       if(exact.is_usable() || negative_curvature > 0)
         return exact;
     }
-    const std::size_t iterations_before = m_solver.number_of_iterations();
+    const std::size_t iterations_before = m_solver.number_of_own_iterations();
     Newton_direction_3 result = direction_by(*m_system, energy, u, negative_curvature, tolerance, budget);
     const bool is_cut = result.status == Linear_solver_status::ITERATION_LIMIT;
     return replaced_if(is_cut, std::move(result), iterations_before, energy, u, negative_curvature, budget);
@@ -181,7 +181,7 @@ public:
   Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance,
                                     const Budget& budget)
   {
-    const std::size_t iterations_before = m_solver.number_of_iterations();
+    const std::size_t iterations_before = m_solver.number_of_own_iterations();
     Newton_direction_3 result = solve(*m_last_system, gradient(energy, u), tolerance, budget, true);
     result.is_of_semidefinite_matrix = true;
     if(m_last_system != m_system.get())
@@ -201,7 +201,7 @@ private:
                                  const Budget& budget)
   {
     if(!m_mesh.is_whole() || budget.is_exhausted()
-       || !m_turns.takes_over(m_system->matrix(), is_inexact, m_solver.number_of_iterations() - iterations_before))
+       || !m_turns.takes_over(m_system->matrix(), is_inexact, m_solver.number_of_own_iterations() - iterations_before))
       return found;
     Newton_direction_3 exact = direction_by(m_turns.begin_turn(), energy, u, negative_curvature, 0., budget);
     if(!exact.is_usable())
