@@ -35,15 +35,16 @@ void mark_facets(const C3t3& c3t3, Tetrahedron_soup_3& soup)
 {
   using Patch = typename C3t3::Surface_patch_index;
   std::vector<Patch> patches;
+  std::vector<std::size_t> sides;
   std::size_t c = 0;
   for(auto cell = c3t3.cells_in_complex_begin(); cell != c3t3.cells_in_complex_end(); ++cell, ++c)
     for(int i = 0; i < 4; ++i)
       if(!c3t3.is_in_complex(cell->neighbor(i)) && c3t3.is_in_complex(cell, i))
       {
-        const auto corner = [&](const int k) { return soup.cells[c][static_cast<std::size_t>((i + k) % 4)]; };
-        soup.facets.push_back({ corner(1), corner(2), corner(3) });
+        sides.push_back(4 * c + static_cast<std::size_t>(i));
         patches.push_back(c3t3.surface_patch_index(cell, i));
       }
+  soup.facets = facets_of_sides(soup.cells, sides);
   if constexpr(std::is_integral<Patch>::value)
     soup.facet_references.assign(patches.begin(), patches.end());
   else

@@ -38,9 +38,10 @@ class Body_surface_3
 public:
   Body_surface_3(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells,
                  const std::vector<std::array<double, 3> >& images)
+    : m_facets(boundary_facets_3(cells))
   {
     constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
-    const std::vector<std::array<std::size_t, 3> > facets = boundary_facets_3(cells);
+    const std::vector<std::array<std::size_t, 3> >& facets = m_facets;
     const auto triangle = [&](const std::size_t f, const std::vector<std::array<double, 3> >& positions)
     {
       const auto& [a, b, c] = facets[f];
@@ -88,9 +89,9 @@ public:
          : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
-  // Returns the index of the facet nearest to a point, as `boundary_facets_3()` numbers them.
-  std::size_t nearest_facet(const Eigen::Vector3d& p) const
-  { return static_cast<std::size_t>(m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()); }
+  // Returns the vertices of the facet nearest to a point.
+  const std::array<std::size_t, 3>& nearest_facet(const Eigen::Vector3d& p) const
+  { return m_facets[m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()]; }
 
   // Returns the projector onto the directions in which a vertex may move from a point where it may be.
   Eigen::Matrix3d projector(const Eigen::Vector3d& p, const Freedom_3 freedom) const
@@ -121,8 +122,9 @@ private:
     return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized();
   }
 
+  std::vector<std::array<std::size_t, 3> > m_facets;
   std::vector<Eigen::Vector3d> m_vertices;
-  Triangles m_triangles;
+  Triangles m_triangles; // of the facets
   Segments m_segments;
   double m_rounding; // distance of points on lines from the lines, by rounding
   Tree<AABB_triangle_primitive<Kernel, Triangles::const_iterator> > m_surface;

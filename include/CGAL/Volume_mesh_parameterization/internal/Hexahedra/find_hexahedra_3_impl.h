@@ -23,11 +23,10 @@ inline void set_facet_references(const Tetrahedron_soup_3& soup, const Body_surf
   std::map<std::array<std::size_t, 3>, int> references;
   for(std::size_t f = 0; f < soup.facets.size(); ++f)
     references.emplace(sorted(soup.facets[f]), soup.facet_references[f]);
-  const std::vector<std::array<std::size_t, 3> > facets = boundary_facets_3(soup.cells);
   for(const std::array<std::size_t, 4>& q : mesh.facets)
   {
     const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q[i]]); };
-    const auto found = references.find(sorted(facets[surface.nearest_facet((point(0) + point(1) + point(2) + point(3)) / 4)]));
+    const auto found = references.find(sorted(surface.nearest_facet((point(0) + point(1) + point(2) + point(3)) / 4)));
     mesh.facet_references.push_back(found == references.end() ? 0 : found->second);
   }
 }

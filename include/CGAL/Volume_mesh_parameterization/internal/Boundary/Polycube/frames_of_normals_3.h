@@ -37,9 +37,8 @@ public:
     double area = 0;
     for(const auto f : mesh.faces())
     {
-      const auto h = mesh.halfedge(f);
-      const Eigen::Vector3d a = eigen_point(mesh, mesh.source(h)), b = eigen_point(mesh, mesh.target(h)),
-                            c = eigen_point(mesh, mesh.target(mesh.next(h))), normal = (b - a).cross(c - a);
+      const Small_matrix<3, 2> X = edges_of_face(mesh, f);
+      const Eigen::Vector3d normal = X.col(0).cross(X.col(1));
       const Eigen::Vector3d bin = (resolution * normal.normalized()).array().round();
       sums.emplace(std::array{ bin.x(), bin.y(), bin.z() }, Eigen::Vector3d::Zero()).first->second += normal;
       area += normal.norm();

@@ -28,7 +28,7 @@ struct Patch_3
   std::vector<std::size_t> cells;
 };
 
-// So many inverted cells of a mesh are exceptions, which patches can mend: a guess.
+// Returns how many inverted cells of a mesh are exceptions, which patches can mend: a guess.
 inline std::size_t maximal_number_of_exceptions(const double number_of_cells)
 { return static_cast<std::size_t>((std::max)(100., number_of_cells / 100)); }
 
