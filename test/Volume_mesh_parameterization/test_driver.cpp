@@ -681,6 +681,8 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
 
   for(const char* option : {"1", "0 no.mesh", "1x no.mesh", "1 no.txt", "1 target.mesh"})
     CHECK(folder.run("source.mesh target.mesh --hexahedra " + std::string(option)) == 2);
+  CHECK(folder.run("source.mesh --to ball -o no.mesh --hexahedra 1 no.vtu") == 2);
+  CHECK(folder.text("stderr").find("--to polycube in place of ball") != std::string::npos); // before there is a map
   Soup sheared = source;
   for(Point& p : sheared.points)
     p[0] += 0.1 * p[1];

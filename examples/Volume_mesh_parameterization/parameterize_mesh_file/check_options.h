@@ -74,6 +74,8 @@ inline void check(const Options& options)
     throw std::runtime_error("the axes are those of a polycube, and --to polycube is missing");
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
     throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
+  if(!options.hexahedra.empty() && options.domain == "ball")
+    throw std::runtime_error("hexahedra fill a box or a polycube: --to cube, --to box=X,Y,Z or --to polycube in place of ball");
   if(named_others(options.others) != Others::MISSING && options.target.empty())
     throw std::runtime_error("other vertices than those of TARGET are told by --others, which is missing");
   if(named_inside(options.inside) != Inside::AUTO && options.target.empty())
