@@ -99,8 +99,10 @@ public:
   /// the rows of a rotation matrix
   using Rotation = std::array<std::array<double, 3>, 3>;
 
-  /// chooses the spacing of the grid, in the units of the complex, 0 for faces with any coordinates; and the axes.
+  /// chooses the grid, the axes, and where the rotation is told.
   ///
+  /// \param spacing the spacing of the grid, in the units of the complex; 0 for faces with any coordinates
+  /// \param axes the axes of the polycube
   /// \param rotation receives, with each polycube that is found, the rotation of the body into the axes of the polycube: the
   ///        identity for given axes or labels
   ///
