@@ -8,7 +8,8 @@ A set is a name and a folder:
 - wrapd: folders with *_rest and *_soln of TetGen (.node, .ele): the boundary of each is the target of the other
 - hexahedra: NAME.mesh and NAME_polycube.mesh, or NAME_model.mesh and NAME_polycube.mesh, of the same hexahedra (polycube
   papers in HexaLab): each hexahedron becomes six tetrahedra
-- poses: *.mesh of one connectivity in each folder: the first one, by name, is mapped to the boundary of each of the others
+- poses: NAME.mesh and NAME-*.obj, each with a position for each vertex (flip-free parametrization): NAME is mapped to the
+  boundary of each
 """
 from pathlib import Path
 
@@ -103,14 +104,17 @@ def cases_of_hexahedra(source, output):
                 yield write_case(output, f"{stem}_polycube", points, tetrahedra_of(hexahedra), targets)
 
 
+def points_of_OBJ(filename):
+    return [tuple(map(float, line.split()[1:4])) for line in Path(filename).read_text().splitlines() if line.startswith("v ")]
+
+
 def cases_of_poses(source, output):
-    for folder in sorted({path.parent for path in Path(source).rglob("*.mesh")}):
-        first, *others = sorted(folder.glob("*.mesh"))
-        points, cells = read_MEDIT(first, "Tetrahedra", 4)
-        for other in others:
-            targets, same = read_MEDIT(other, "Tetrahedra", 4)
-            if same == cells:
-                yield write_case(output, f"{first.stem}_to_{other.stem}", points, cells, targets)
+    for mesh in sorted(Path(source).rglob("*.mesh")):
+        points, cells = read_MEDIT(mesh, "Tetrahedra", 4)
+        for pose in sorted(mesh.parent.glob(f"{mesh.stem}-*.obj")):
+            targets = points_of_OBJ(pose)
+            if len(targets) == len(points):
+                yield write_case(output, pose.stem, points, cells, targets)
 
 
 READERS = {"volmap": lambda source, _: find_cases(volmap=source), "pairs": lambda source, _: find_cases(pairs=source),

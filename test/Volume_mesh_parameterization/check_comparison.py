@@ -46,8 +46,9 @@ def write_sets(folder):
     write_TetGen(folder / "wrapd/flat_soln", points, cells, 0)
     write_MEDIT(folder / "hexahedra/cube.mesh", sheared, "Hexahedra", hexahedra)
     write_MEDIT(folder / "hexahedra/cube_polycube.mesh", points, "Hexahedra", hexahedra)
-    for i, pose in enumerate((points, sheared, sheared)):
-        write_MEDIT(folder / f"poses/pose_{i}.mesh", pose, "Tetrahedra", cells)
+    write_MEDIT(folder / "poses/cube.mesh", points, "Tetrahedra", cells)
+    for name, pose in (("cube-0", sheared), ("cube-1", sheared), ("cube-part", sheared[:5])):  # the last is left out
+        (folder / f"poses/{name}.obj").write_text("# a pose\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in pose) + "f 1 2 3\n")
 
 
 def check_forms(script, driver, folder):
@@ -57,7 +58,7 @@ def check_forms(script, driver, folder):
     table = json.loads((folder / "forms.json").read_text())
     names = {name: [row["case"] for row in table[name]["cases"]] for name in table}
     assert names == {"wrapd": ["cube_to_solution", "cube_to_rest", "flat_to_rest"], "hexahedra": ["cube_polycube"],
-                     "poses": ["pose_0_to_pose_1", "pose_0_to_pose_2"]}, names
+                     "poses": ["cube-0", "cube-1"]}, names
     for name in table:
         for row in table[name]["cases"]:
             is_flat = row["case"] == "flat_to_rest"  # a target without volume has no map
