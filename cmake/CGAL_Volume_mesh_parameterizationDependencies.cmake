@@ -1,7 +1,9 @@
 # The dependencies of the headers; read by the build of this package and by projects that use the installed one.
 include(CMakeFindDependencyMacro)
 find_dependency(CGAL)
-find_dependency(Eigen3) # 3.3 or newer; asking for that version would refuse version 5
+# 3.3 or newer; asking for that version would refuse version 5. The file that CGAL has for Eigen defines no target Eigen3::Eigen,
+# for which users look, who find Eigen after this package.
+find_dependency(Eigen3 CONFIG)
 include(CGAL_Eigen3_support)
 
 # Compilers without #include_next find CGAL's list of named parameters by a header that names its place.

@@ -6,7 +6,7 @@
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -77,7 +77,7 @@ TEST_CASE("limits of time are kept on a bumpy body")
   const auto target = boost::make_assoc_property_map(image);
   const auto check = [&](const auto& parameterizer)
   {
-    CGAL::Real_timer timer;
+    CGAL::Timer timer;
     timer.start();
     CHECK(parameterizer.parameterize(c3t3, target, params::maximum_running_time(0.01)) == VMP::ERROR_INTERRUPTED);
     CHECK(timer.time() < 5);

@@ -9,7 +9,7 @@
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 
 #include <cstddef>
 #include <functional>
@@ -27,7 +27,7 @@ namespace {
 struct Impatient_visitor
 {
   std::size_t n, number_of_questions = 0, number_of_later_steps = 0;
-  CGAL::Real_timer since_the_end = {};
+  CGAL::Timer since_the_end = {};
 
   bool after_step(const VMP::Parameterization_step&)
   {

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -362,6 +363,31 @@ TEST_CASE("targets that allow no map are told apart")
   problem = problem_of(ring(4));
   CHECK(end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(0))
           .find(std::to_string(VMP::ERROR_NOT_FLIP_FREE) + ":") == 0);
+}
+
+// An octahedron of four cells around an edge, which is outside of the target, as an equatorial vertex is beyond it. Distributed
+// meshes cannot be refined in the call, and who is told so can do it before.
+TEST_CASE("a mesh that was made parameterizable before can be mapped")
+{
+  Problem problem;
+  problem.soup.points = { {0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0} };
+  for(std::size_t i = 0; i < 4; ++i)
+    problem.soup.cells.push_back({ 0, 1, 2 + i, 2 + (i + 1) % 4 });
+  problem.soup.cell_references.assign(4, 0);
+  problem.targets = problem.soup.points;
+  problem.targets[2] = { -0.2, 0, 0 };
+  const auto np = params::number_of_iterations(200);
+  CHECK(end_of(problem.slice(), problem.slice_of_targets(), np)
+          .find(std::to_string(VMP::ERROR_PRESCRIBED_CELL_INVERTED) + ":") == 0);
+
+  CHECK(VMP::make_parameterizable(problem.soup, params::boundary_map(CGAL::make_property_map(problem.targets))) == 1);
+  problem.targets.push_back({ none, none, none });
+  Points slice;
+  const Result result
+    = CGAL::stretch_minimizing_volume_parameterization(problem.slice(), problem.slice_of_targets(), slice, np);
+  CHECK(result.status == VMP::OK);
+  CHECK(result.number_of_cells == 8);
+  CHECK(is_valid(problem.soup, whole(slice)));
 }
 
 TEST_CASE("each process reads a part of the files")
