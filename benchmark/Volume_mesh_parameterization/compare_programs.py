@@ -37,6 +37,18 @@ from tables import write_csv, write_json
 COLUMNS = ["case", "program", "status", "seconds_to_first_valid", "seconds", "megabytes", "angle_mean", "angle_max", "volume_mean",
            "volume_max"]
 TIMES = COLUMNS[3:5]
+HEADINGS = {"flip_free": "valid", "seconds_to_first_valid": "first", "megabytes": "MB", "angle_mean": "angles", "angle_max": "largest",
+            "volume_mean": "volumes", "volume_max": "largest", "ratio_of_seconds_to_first_valid": "ratio of first",
+            "ratio_of_seconds": "ratio of seconds"}
+INTRODUCTION = """\
+Exact are maps without inverted cells that meet the prescribed boundary bit by bit, valid are those without inverted cells, by
+rational numbers on the files written. Seconds are those of the processor for the whole program, with its files; "first" those
+until no cell was inverted. MB is the largest memory in use. Distortions are those of angles, s1 / s3 + s3 / s1, and of volumes,
+det + 1 / det: means over the volume of the source, and the largest. Tables of programs have medians over the common cases, which
+all programs map that map any; ratios are relative to the first program, medians over the cases that both map. Programs may
+have other aims: some stop at the first valid map.
+
+"""
 OURS = "parameterize_mesh_file"
 
 
@@ -171,11 +183,13 @@ def summary(rows, programs):
 
 
 def cell_text(value):
-    return "" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
+    return "" if value is None else f"{value:.3g}" if isinstance(value, float) else str(value)
 
 
 def table(rows, columns):
-    lines = [columns, ["---"] * len(columns), *([cell_text(row.get(column)) for column in columns] for row in rows)]
+    rules = ["---" if column in ("case", "program", "status", "message") else "---:" for column in columns]
+    lines = [[HEADINGS.get(column, column) for column in columns], rules,
+             *([cell_text(row.get(column)) for column in columns] for row in rows)]
     return "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n"
 
 
@@ -190,8 +204,9 @@ def machine():
 def page(programs, driver, sets):
     """Everything that was run: `sets` has the name, the rows and the number of cases left out of each."""
     version = subprocess.run([driver, "--version"], stdout=subprocess.PIPE, text=True, check=False).stdout.split("\n")[0]
-    text = "# Maps of public sets\n\n" + "\n".join(f"- {line}" for line in [*machine(), f"{OURS}: {version}"]) + "\n"
-    text += "".join(f"- {name}: `{command}`\n" for name, (command, _) in programs.items()) + "\n"
+    lines = [*machine(), f"{OURS}: {version}", *(f"{name}: `{command}`" for name, (command, _) in programs.items())]
+    text = "# Maps of Public Sets {#PkgVolumeMeshParameterizationPublicSets}\n\n" + INTRODUCTION
+    text += "".join(f"- {line}\n" for line in lines) + "\n"
     for name, rows, number_left_out in sets:
         lines = summary(rows, programs)
         text += f"## {name}\n\n" + table(lines, list(lines[0]))
