@@ -15,7 +15,7 @@
 namespace CGAL::Volume_mesh_parameterization {
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationResults
 
 Which vertices refinement may add: see the named parameter `refinement_mode` of
 `CGAL::stretch_minimizing_volume_parameterization()`.

@@ -161,7 +161,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes a map of arrays to the boundary that the named parameter `boundary_parameterizer` finds, by default the unit sphere.
 Arrays that are not constant may be refined, unless `do_refine(false)` is passed.
@@ -220,7 +220,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
 }
 
 /*!
-\ingroup PkgVolumeMeshParameterizationRef
+\ingroup PkgVolumeMeshParameterizationFunctions
 
 computes a map of a soup to the boundary that a boundary parameterizer finds, as for arrays.
 */
