@@ -30,7 +30,7 @@ for concept in $doc/Concepts/*.h; do
   name=$(basename "$concept" .h)
   sed -i "s/$name Class Reference/$name Concept Reference/; /#include.*Concepts\/$name/d" "$output/html/class${name//_/__}.html"
 done
-sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/' $output/html/*.js
+sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/; s/"Volume_mesh_parameterization\/([^"]*\.(cpp|h)")/"\1/' $output/html/*.js
 echo "Open $PWD/$output/html/index.html"
 if [ "${1:-}" = --open ]; then
   xdg-open "$PWD/$output/html/index.html"
