@@ -71,9 +71,9 @@ inline Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
   Unknowns_3 unknowns(goals.projectors);
   if(unknowns.size() == 0 || budget.is_exhausted())
     return mesh.target;
-  const Scaled_cells_3 boxes = box_corners_3(mesh, goals);
+  Scaled_cells_3 boxes = box_corners_3(mesh, goals);
   const Quadratic_penalty_3 penalty = penalty_of_goals_3(mesh, goals, unknowns, boxes.unit);
-  Newton_system_3 system(mesh, boxes, std::move(unknowns), solver, &penalty);
+  Newton_system_3 system(mesh, std::move(boxes), std::move(unknowns), solver, &penalty);
   Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
   Matrix3Xd positions = mesh.target;
   if(inverted_cells(mesh, positions).number > 0)

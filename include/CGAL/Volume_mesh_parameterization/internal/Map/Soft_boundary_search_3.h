@@ -63,9 +63,8 @@ public:
     : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
       m_patience(start.patience), m_number_of_raises(start.number_of_raises),
       m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
-      m_scaled(cells_scaled_to_length(mesh, m_length)),
-      m_penalty(all_constraints(constraints), factor_of(parameters.weight), m_scaled.unit),
-      m_system(mesh, m_scaled, all_vertices(mesh), solver, &m_penalty)
+      m_penalty(all_constraints(constraints), factor_of(parameters.weight), unit_of_length(m_length)),
+      m_system(mesh, cells_scaled_to_length(mesh, m_length), all_vertices(mesh), solver, &m_penalty)
   {
     minimize(start.stage == Search_start_3::Stage::SOFT_BOUNDARY ? start.positions : m_aligned_source);
     if(!m_minimizer->iterate().evaluation.is_flip_free())
@@ -181,7 +180,6 @@ private:
   std::size_t m_number_of_raises;
   Matrix3Xd m_aligned_source;
   double m_length;        // cube root of the volume of the target
-  Scaled_cells_3 m_scaled;
   Quadratic_penalty_3 m_penalty;
   Newton_system_3 m_system;
   std::optional<Penalty_minimizer_3> m_minimizer;

@@ -57,10 +57,13 @@ inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh
   return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
 }
 
+// Gives a body whose volume has this cube root a volume near 1.
+inline double unit_of_length(const double length) { return std::exp2(-std::round(std::log2(length))); }
+
 // The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
 inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
 {
-  const double unit = std::exp2(-std::round(std::log2(length)));
+  const double unit = unit_of_length(length);
   const double factor = std::cbrt(source_volume(mesh)) / (unit * length);
   return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }

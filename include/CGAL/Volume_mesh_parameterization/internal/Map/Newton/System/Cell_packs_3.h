@@ -25,8 +25,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Cell_packs_3
 {
 public:
-  // The cells with the lowest rows come first; those without an unknown vertex are apart.
-  Cell_packs_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, const Unknowns_3& unknowns,
+  // The cells with the lowest rows come first; those without an unknown vertex are apart. Takes the scaled cells by value, as
+  // they need half the memory of the packs, and are to be gone when the caller goes on.
+  Cell_packs_3(const Numbered_mesh_3& mesh, Scaled_cells_3 scaled, const Unknowns_3& unknowns,
                const Sparsity_pattern_3& pattern)
     : m_is_parallel(mesh.is_parallel)
   {
@@ -44,6 +45,7 @@ public:
       result.insert(result.end(), cells.items.data() + cells.begin[first], cells.items.data() + cells.begin[last]);
       append_padding(cells_per_pack, result);
     };
+    m_cells.reserve(mesh.cells.size() + cells_per_pack);
     append_rows(0, n, m_cells);
     if(cells.begin[n + 1] != cells.begin[2 * n + 1])
       append_padding(cells_per_pack * packs_per_chunk, m_cells);

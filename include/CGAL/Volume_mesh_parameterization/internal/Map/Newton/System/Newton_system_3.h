@@ -93,13 +93,13 @@ public:
     : Newton_system_3(mesh, cells_scaled_to_target(mesh), std::move(unknowns), solver)
   {}
 
-  Newton_system_3(const Numbered_mesh_3& mesh, const Scaled_cells_3& scaled, Unknowns_3 unknowns,
+  Newton_system_3(const Numbered_mesh_3& mesh, Scaled_cells_3 scaled, Unknowns_3 unknowns,
                   Linear_solver_3& solver, const Quadratic_penalty_3* const penalty = nullptr)
     : m_mesh(mesh), m_communicator(*mesh.communicator), m_solver(solver),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
       m_penalty(penalty), m_unit(scaled.unit),
       m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups())),
-      m_packs(mesh, scaled, m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator))
+      m_packs(mesh, std::move(scaled), m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
 
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
