@@ -44,6 +44,25 @@ struct Truncating_iterations
   }
 };
 
+// Answers the first right-hand side, and finds all other matrices indefinite.
+struct Rounding_iterations
+{
+  using NT = double;
+  using Matrix = VMP::Block_sparse_matrix_3<NT>;
+
+  bool has_answered = false;
+
+  void analyze_pattern(const Matrix&) {}
+  Linear_solver_status factorize(const Matrix&) { return Linear_solver_status::SUCCESS; }
+  int number_of_iterations() const { return 1; }
+
+  Linear_solver_status solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double)
+  {
+    x = b;
+    return std::exchange(has_answered, true) ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::SUCCESS;
+  }
+};
+
 // Harmonic systems of a cube of n^3 cubes, whose (n - 1)^3 vertices inside are unknown.
 template <typename Solver = Precise_solver>
 class Cube_systems
@@ -90,6 +109,16 @@ TEST_CASE("The matrix of a convex energy is factorized where iterations meet neg
   Cube_systems truncated(3, Truncating_iterations());
   CHECK(truncated.direction().status == Linear_solver_status::TRUNCATED);
   const internal::Newton_direction_3 expected = exact.direction(), direction = truncated.next_direction();
+  CHECK(direction.status == Linear_solver_status::SUCCESS);
+  CHECK((direction.vectors - expected.vectors).norm() <= 1e-8 * expected.vectors.norm());
+}
+
+TEST_CASE("A semi-definite matrix is factorized where iterations, which have solved others, find it indefinite by rounding")
+{
+  Cube_systems exact(3, Precise_solver());
+  Cube_systems rounded(3, Rounding_iterations());
+  REQUIRE(rounded.direction().status == Linear_solver_status::SUCCESS);
+  const internal::Newton_direction_3 expected = exact.direction(), direction = rounded.direction();
   CHECK(direction.status == Linear_solver_status::SUCCESS);
   CHECK((direction.vectors - expected.vectors).norm() <= 1e-8 * expected.vectors.norm());
 }

@@ -160,7 +160,8 @@ public:
   }
 
   // Solves H d = -g, where H keeps the part `negative_curvature` of negative eigenvalues of each cell. An iterative solver
-  // may end early where the budget is exhausted; where it stops at its limit of iterations, a direct solver may take over.
+  // may end early where the budget is exhausted; where it stops at its limit of iterations, or fails by rounding, a direct
+  // solver may take over.
   Newton_direction_3 direction(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                                const double tolerance, const Budget& budget = Budget())
   {
@@ -173,7 +174,10 @@ public:
     const std::size_t iterations_before = m_solver.number_of_own_iterations();
     Newton_direction_3 result = direction_by(*m_system, energy, u, negative_curvature, tolerance, budget);
     const bool is_cut = result.status == Linear_solver_status::ITERATION_LIMIT;
-    return replaced_if(is_cut, std::move(result), iterations_before, energy, u, negative_curvature, budget);
+    // rounding makes a semi-definite matrix indefinite, and there is none of less negative curvature to be tried
+    const bool is_lost = result.status == Linear_solver_status::NOT_POSITIVE_DEFINITE && negative_curvature == 0
+      && iterations_before > 0;
+    return replaced_if(is_cut || is_lost, std::move(result), iterations_before, energy, u, negative_curvature, budget);
   }
 
   // Returns a direction by the matrix of the last one, which a convex quadratic energy has everywhere. Negative curvature comes
@@ -200,8 +204,9 @@ private:
                                  const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                                  const Budget& budget)
   {
-    if(!m_mesh.is_whole() || budget.is_exhausted()
-       || !m_turns.takes_over(m_system->matrix(), is_inexact, m_solver.number_of_own_iterations() - iterations_before))
+    const std::size_t number_of_iterations = found.is_usable() ? m_solver.number_of_own_iterations() - iterations_before
+                                                               : (std::numeric_limits<std::size_t>::max)(); // whatever it takes
+    if(!m_mesh.is_whole() || budget.is_exhausted() || !m_turns.takes_over(m_system->matrix(), is_inexact, number_of_iterations))
       return found;
     Newton_direction_3 exact = direction_by(m_turns.begin_turn(), energy, u, negative_curvature, 0., budget);
     if(!exact.is_usable())
