@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
+#include <string>
 #include <vector>
 
 TEST_CASE("A map with inverted cells is untangled")
@@ -200,6 +202,47 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
   attempt.few_cells = mesh.cells.size();
   CHECK(!Untangling_search_3(system, evaluated_map(mesh, start), progress).is_in_vain(attempt));
+}
+
+TEST_CASE("Few cells that the first attempt leaves inverted are left to splits, where these are allowed, and many are not")
+{
+  using namespace VMP::internal;
+  // the corner at the origin is drawn beyond the opposite one; or the middle of the top below the bottom
+  const auto tangled_cube = [](const bool has_few_inverted_cells)
+  {
+    Numbered_mesh_3 mesh = cube_mesh(3);
+    const double size = mesh.source.maxCoeff();
+    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+    {
+      const Vector3d p = mesh.source.col(v);
+      const bool is_in_middle = p[2] == size && p.head(2).minCoeff() > 0 && p.head(2).maxCoeff() < size;
+      if(has_few_inverted_cells && p.isZero())
+        mesh.target.col(v).setConstant(1.5 * size);
+      else if(!has_few_inverted_cells && is_in_middle)
+        mesh.target(2, v) = -0.5 * size;
+    }
+    return mesh;
+  };
+  const auto number_of_attempts = [](const Numbered_mesh_3& mesh, const bool may_leave_cells)
+  {
+    Solver<> solver;
+    Linear_solver_of<Solver<> > linear_solver(solver);
+    Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
+    std::set<std::string> attempts; // at the whole mesh
+    Progress_3 progress(Budget(), 1000, [&](const VMP::Parameterization_step& step)
+    {
+      if(step.kind == VMP::Step_kind::NEWTON)
+        attempts.insert(step.attempt);
+      return true;
+    });
+    const Matrix3Xd start = snapped(mesh, mesh.source);
+    const Found_map_3 found = untangle_map_3(system, evaluated_map(mesh, start), start, may_leave_cells, progress);
+    CHECK(found.status == VMP::ERROR_NOT_FLIP_FREE);
+    return attempts.size();
+  };
+  CHECK(number_of_attempts(tangled_cube(true), true) == 1);
+  CHECK(number_of_attempts(tangled_cube(true), false) == untangling_attempts.size());
+  CHECK(number_of_attempts(tangled_cube(false), true) == untangling_attempts.size());
 }
 
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")

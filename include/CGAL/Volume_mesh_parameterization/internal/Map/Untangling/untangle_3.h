@@ -107,22 +107,19 @@ private:
 };
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
-// from the start, until no cell is inverted. The cells of the source take longest, and seldom help where few cells are left,
-// so these are rather left to splits of edges, if they may be.
+// from the start, until no cell is inverted. Where the first one leaves few cells, others of the whole mesh mostly leave as
+// many, so these are rather left to splits of edges, if they may be.
 inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
                                   const bool may_leave_cells, Progress_3& progress)
 {
-  constexpr std::size_t few_to_split = 10; // a guess
   Untangling_search_3 search(system, start, progress);
   search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
-    if(may_leave_cells && attempt.references == Reference_cells::SOURCE
-       && search.best().map.number_of_inverted_cells <= few_to_split)
-      break;
     if(search.is_unsolved())
       search.untangle(attempt, start.positions);
-    if(search.is_in_vain(attempt))
+    const std::size_t number = search.best().map.number_of_inverted_cells;
+    if(search.is_in_vain(attempt) || (may_leave_cells && number > 0 && number <= attempt.few_cells))
       break;
   }
   return search.finish();
