@@ -19,7 +19,7 @@ std::vector<T> array_of(const std::string& file, const std::string& name, const 
   REQUIRE(declared != std::string::npos);
   const std::size_t offset = file.find(appended, declared);
   const std::string between = file.substr(declared + declaration.size(), offset - declared - declaration.size());
-  REQUIRE((between.empty() || between == " NumberOfComponents=\"3\""));
+  REQUIRE((between.empty() || between == " NumberOfComponents=\"3\"" || between == " NumberOfComponents=\"2\""));
   const std::size_t begin = file.find("encoding=\"raw\">\n_") + 17 + std::stoul(file.substr(offset + appended.size()));
   std::uint64_t number_of_bytes = 0;
   REQUIRE(begin + sizeof(number_of_bytes) <= file.size());

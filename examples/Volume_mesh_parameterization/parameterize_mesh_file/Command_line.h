@@ -19,6 +19,7 @@ struct Options
 {
   std::string source, target, domain, polycube_axes, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
+  bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
   bool do_improve, do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
@@ -119,6 +120,7 @@ inline Command_line command_line(Options& options)
      "the source (*.mesh, *.msh) with the vertices that --refine has added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
      "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu, *.msh or *.inp)")
+    ("staircases", po::bool_switch(&options.are_staircases), "let hexahedra not follow the interfaces between subdomains")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
   po::options_description source("Source", width);

@@ -6,6 +6,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
 
 #include <gmsh.h>
@@ -151,7 +152,8 @@ inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization
 {
   with_Gmsh([&]
   {
-    Gmsh_writer writer(mesh.points, names);
+    std::map<std::pair<int, int>, std::string> names_of_groups = names;
+    Gmsh_writer writer(mesh.points, names_of_groups);
     writer.add(3, 5, mesh.cells, mesh.cell_references);
     std::vector<std::array<std::size_t, 4> > facets; // of groups: meshio 5.0 reads no file with others beside them
     std::vector<int> references;
@@ -161,6 +163,16 @@ inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization
         facets.push_back(mesh.facets[f]);
         references.push_back(mesh.facet_references[f]);
       }
+    const std::vector<int> at_interfaces
+      = CGAL::Volume_mesh_parameterization::internal::references_at_interfaces(mesh, mesh.facet_references);
+    for(std::size_t i = 0; i < at_interfaces.size(); ++i)
+    {
+      const auto [first, second] = CGAL::Volume_mesh_parameterization::internal::subdomains_at_interface(mesh, i);
+      names_of_groups.emplace(std::make_pair(2, at_interfaces[i]),
+                              "interface_" + std::to_string(first) + "_" + std::to_string(second));
+      facets.push_back(mesh.interface_facets[i]);
+      references.push_back(at_interfaces[i]);
+    }
     writer.add(2, 3, facets, references);
     writer.write(os, is_old);
   });

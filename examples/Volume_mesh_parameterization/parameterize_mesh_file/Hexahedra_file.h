@@ -43,12 +43,12 @@ public:
   // Writes the file only if there is a valid mesh.
   CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
   write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
-        const std::vector<std::array<double, 3> >& uvw, Progress_line& progress) const
+        const std::vector<std::array<double, 3> >& uvw, const bool are_staircases, Progress_line& progress) const
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
-      source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)));
+      source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases));
     if(result.has_valid_mesh)
     {
       Output_file file(m_name);

@@ -71,7 +71,7 @@ inline JSON_object json(const Options& options)
                       .add("polycube_axes", options.polycube_axes).add("improve", options.do_improve)
                       .add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
                       .add("separate", options.do_separate).add("displacements", options.are_displacements)
-                      .add("others", options.others).add("inside", options.inside).add("initial", options.initial)
+                      .add("staircases", options.are_staircases).add("others", options.others).add("inside", options.inside).add("initial", options.initial)
                       .add("boundary", options.boundary).add("refine", options.refinement)
                       .add("slide", options.do_slide).add("energy", options.energy)
                       .add("volume_weights", options.use_volume_weights)
@@ -88,10 +88,26 @@ inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_resu
 {
   std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimal_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << "\n";
+  if(result.volumes.size() > 1)
+  {
+    for(const CGAL::Volume_mesh_parameterization::Subdomain_volumes& volumes : result.volumes)
+      std::cout << "subdomain " << volumes.reference << ": volume " << volumes.of_tetrahedra << ", of hexahedra " << volumes.of_hexahedra
+                << "\n";
+    std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
+  }
+  if(result.status == CGAL::Volume_mesh_parameterization::OK && result.volumes.size() > 1)
+    std::cout << result.message << "\n";
 }
 
 inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
 {
+  std::vector<double> subdomains, of_tetrahedra, of_hexahedra;
+  for(const CGAL::Volume_mesh_parameterization::Subdomain_volumes& volumes : result.volumes)
+  {
+    subdomains.push_back(volumes.reference);
+    of_tetrahedra.push_back(volumes.of_tetrahedra);
+    of_hexahedra.push_back(volumes.of_hexahedra);
+  }
   return JSON_object().add("status", result.message).add("status_code", error_code_name(result.status))
                       .add("vertices", result.number_of_vertices)
                       .add("boundary_vertices", result.number_of_boundary_vertices)
@@ -99,7 +115,9 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
                       .add("inverted_corners", result.number_of_inverted_corners)
                       .add("padding", result.has_padding)
                       .add("minimal_scaled_jacobian", result.minimal_scaled_jacobian)
-                      .add("mean_scaled_jacobian", result.mean_scaled_jacobian);
+                      .add("mean_scaled_jacobian", result.mean_scaled_jacobian)
+                      .add("subdomains", subdomains).add("volumes_of_tetrahedra", of_tetrahedra)
+                      .add("volumes_of_hexahedra", of_hexahedra).add("interface_distance", result.interface_distance);
 }
 
 inline std::string list(const std::vector<std::string>& names)

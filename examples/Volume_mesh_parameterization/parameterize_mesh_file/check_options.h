@@ -82,6 +82,8 @@ inline void check(const Options& options)
     throw std::runtime_error("vertices inside with a target are told by --inside, which is missing");
   if(options.are_displacements && options.target.empty())
     throw std::runtime_error("displacements are those of TARGET, which is missing");
+  if(options.are_staircases && options.hexahedra.empty())
+    throw std::runtime_error("--staircases is for hexahedra (--hexahedra)");
   if(options.do_improve && (!options.initial.empty() || !options.hexahedra.empty() || options.boundary == "soft"))
     throw std::runtime_error("--improve starts from SOURCE.mesh, keeps its boundary, and makes no hexahedra");
   if(options.number_of_iterations < 0)

@@ -130,7 +130,7 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
   progress.show("making hexahedra");
   const double begin = progress.seconds();
   const Hexahedra_file file(options.hexahedra);
-  const VMP::Hexahedral_mesh_result hexahedra = file.write(mesh, uvw, progress);
+  const VMP::Hexahedral_mesh_result hexahedra = file.write(mesh, uvw, options.are_staircases, progress);
   outcome.hexahedra = hexahedra;
   outcome.seconds_hexahedra = progress.seconds() - begin;
   if(hexahedra.has_valid_mesh)

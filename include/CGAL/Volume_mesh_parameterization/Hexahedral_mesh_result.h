@@ -17,8 +17,19 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+/// \ingroup PkgVolumeMeshParameterizationHexahedra
+///
+/// The volumes of a subdomain.
+struct Subdomain_volumes
+{
+  int reference = 0;              ///< the index of the subdomain
+  double of_tetrahedra = 0;       ///< the volume of its tetrahedra
+  double of_hexahedra = 0;        ///< the volume of its hexahedra, whose quadrangles are bilinear
+};
 
 /*!
 \ingroup PkgVolumeMeshParameterizationHexahedra
@@ -44,6 +55,10 @@ struct Hexahedral_mesh_result
   double minimal_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the mean of all hexahedra; not a number if there is none
   double mean_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Subdomain_volumes> volumes; ///< the volumes of each subdomain before and after, by ascending references
+  /// the largest distance between interfaces of the subdomains and the quadrangles there: from the vertices, the middles of edges
+  /// and the centers of quadrangles, and from the vertices of the interfaces; 0 if there is no interface, not a number if there are no hexahedra
+  double interface_distance = std::numeric_limits<double>::quiet_NaN();
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

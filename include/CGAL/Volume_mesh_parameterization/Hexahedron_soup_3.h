@@ -22,7 +22,9 @@ namespace CGAL::Volume_mesh_parameterization {
 ///
 /// A mesh of hexahedra as arrays, with its blocks: the planes of all faces of a polycube cut it into blocks, and a block is a
 /// regular grid of hexahedra. The part of a layer of padding over a face of one block, or of another layer, is a block, too.
-/// Blocks and faces are numbered from 1.
+/// Blocks and faces are numbered from 1. Where hexahedra follow interfaces, their layers are blocks, too, one for each side of
+/// the hexahedra of a block, and such a block need not be complete: two hexahedra of a block whose indices are neighbors share
+/// a quadrangle, but not each triple of indices has a hexahedron.
 struct Hexahedron_soup_3
 {
   std::vector<std::array<double, 3> > points; ///< the coordinates of the vertices
@@ -40,6 +42,12 @@ struct Hexahedron_soup_3
   std::vector<std::size_t> facet_patches;     ///< the face of the polycube of each quadrangle
   /// the reference of each quadrangle: that of the facet of the body nearest to its center, 0 if this has none
   std::vector<int> facet_references;
+  /// the quadrangles of interfaces, between hexahedra of two subdomains, counterclockwise seen from the larger one
+  std::vector<std::array<std::size_t, 4> > interface_facets = {};
+  /// the hexahedra on both sides of each, first that of the subdomain with the smaller index
+  std::vector<std::array<std::size_t, 2> > interface_cells = {};
+  /// the reference of each: that of the facet of the interface nearest to its center, 0 if this has none
+  std::vector<int> interface_references = {};
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -29,7 +29,7 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// Marks the facets of the boundary by their surface patches, in a soup that has been made of the complex.
+// Marks the facets of the boundary and of interfaces by their surface patches, in a soup that has been made of the complex.
 template <typename C3t3>
 void mark_facets(const C3t3& c3t3, Tetrahedron_soup_3& soup)
 {
@@ -39,7 +39,7 @@ void mark_facets(const C3t3& c3t3, Tetrahedron_soup_3& soup)
   std::size_t c = 0;
   for(auto cell = c3t3.cells_in_complex_begin(); cell != c3t3.cells_in_complex_end(); ++cell, ++c)
     for(int i = 0; i < 4; ++i)
-      if(!c3t3.is_in_complex(cell->neighbor(i)) && c3t3.is_in_complex(cell, i))
+      if(c3t3.is_in_complex(cell, i)) // from both sides on interfaces
       {
         sides.push_back(4 * c + static_cast<std::size_t>(i));
         patches.push_back(c3t3.surface_patch_index(cell, i));
@@ -62,7 +62,7 @@ template <typename ConcurrencyTag, typename NamedParameters>
 Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const double spacing, Hexahedron_soup_3& mesh,
                                               const NamedParameters& np)
 {
-  check_named_parameters<internal_np::minimal_scaled_jacobian_t>(np);
+  check_named_parameters<internal_np::minimal_scaled_jacobian_t, internal_np::do_keep_interfaces_t>(np);
   require(spacing > 0, "The spacing of a grid is positive.");
   constexpr double poor = 0.01; // a guess; solvers of finite elements want more, but take it
   const double bound = parameter_or(np, internal_np::minimal_scaled_jacobian, poor);
@@ -70,7 +70,8 @@ Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const do
   Limits<NamedParameters> limits(np);
   Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
   Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
-  return find_hexahedra_3(map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), limits.budget(), bound, mesh);
+  return find_hexahedra_3(map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), limits.budget(), bound,
+                          parameter_or(np, internal_np::do_keep_interfaces, true), mesh);
 }
 
 } // namespace internal
@@ -101,8 +102,19 @@ in the end, the search is made again with one layer along the whole boundary, or
 corners are still inverted, both are tried again with vertices that may leave the boundary at first, where corners are
 untangled easily: a growing weight draws the vertices back, while Newton steps invert no corner again.
 
-Quadrangles of the boundary have the references of the marked facets of the soup, or of the surface patches of the complex,
-that they lie on.
+Hexahedra follow the interfaces between subdomains. Each has at first the subdomain that its center is mapped to; some are given
+to a neighboring one, such that the surfaces between subdomains are manifolds. The vertices of quadrangles between subdomains
+go to the nearest points of the interface: those on the boundary to the line where the interface ends, those between patches
+that meet at a sharp edge, with more than 60 degrees between their normals, to the edge, and one to each of its corners;
+likewise where more than two subdomains meet. If a hexahedron has two quadrangles in one smooth patch, its subdomain gets a
+layer of hexahedra along all interfaces that are joined to this patch. Then these vertices slide, too, and in the end those
+inside of curved patches move off the interface by a part of the distances of the quadrangles around them, such that both
+subdomains keep their volumes. Where the smallest scaled Jacobian would be below 0.02, vertices leave the interface. If corners
+remain inverted, interfaces become staircases, as with `do_keep_interfaces(false)`. The result has the volumes of the subdomains
+and the distance of the interfaces, and its message tells where this is more than a tenth of the edges.
+
+Quadrangles of the boundary and of interfaces have the references of the marked facets of the soup, or of the surface patches
+of the complex, that they lie on.
 
 The best of all meshes is returned: the one with the fewest inverted corners, or, among several, with the largest sum of the
 mean scaled Jacobian and the minimal one, which counts up to 0.3. Exact predicates on the coordinates written check that all
@@ -128,6 +140,11 @@ corners are positive.
     \cgalParamType{`double`}
     \cgalParamDefault{0.01}
     \cgalParamPrecondition{at most 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{do_keep_interfaces}
+    \cgalParamDescription{whether hexahedra follow the interfaces between subdomains; otherwise these are staircases}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_running_time}
     \cgalParamDescription{a limit for the running time in seconds, after which the best mesh so far is returned}

@@ -53,7 +53,9 @@ namespace IO {
 ///
 /// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each reference of
 /// quadrangles but 0 the set `SURFACE_1`, ... of its nodes, for supports, and the surface of the same name, of faces of elements,
-/// for pressures; likewise for each face of the polycube `PATCH_1`, `PATCH_2`, ... The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
+/// for pressures; likewise for each face of the polycube `PATCH_1`, `PATCH_2`, ... For each
+/// interface of two subdomains, such as 1 and 2, these are `INTERFACE_1_2`, of faces of the elements in subdomain 1, and
+/// `INTERFACE_2_1`, the same faces of those in 2. The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
 ///
 /// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
 /// a negative exponent, fewer are written, but at least 13.
@@ -95,22 +97,34 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
   for(const auto& [reference, cells] : subdomains)
     internal::write_INP_set(writer, "*ELSET, ELSET=SUBDOMAIN_" + std::to_string(reference), cells);
 
-  std::map<std::string, std::vector<std::size_t> > parts;
+  std::map<std::string, std::vector<internal::Quadrangle_of_hexahedron> > parts;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
-    parts["PATCH_" + std::to_string(mesh.facet_patches[f])].push_back(f);
+    const internal::Quadrangle_of_hexahedron q = { mesh.facet_cells[f], internal::side_of_facet(mesh, f) };
+    parts["PATCH_" + std::to_string(mesh.facet_patches[f])].push_back(q);
     if(mesh.facet_references[f] != 0)
-      parts["SURFACE_" + std::to_string(mesh.facet_references[f])].push_back(f);
+      parts["SURFACE_" + std::to_string(mesh.facet_references[f])].push_back(q);
   }
-  for(const auto& [name, facets] : parts)
+  for(std::size_t i = 0; i < mesh.interface_facets.size(); ++i)
+    for(const std::size_t k : { 0, 1 })
+    {
+      const std::size_t c = mesh.interface_cells[i][k];
+      const internal::Quadrangle_of_hexahedron q = { c, internal::side_of_quadrangle(mesh, c, mesh.interface_facets[i]) };
+      const std::array<int, 2> subdomains = internal::subdomains_at_interface(mesh, i);
+      parts["INTERFACE_" + std::to_string(subdomains[k]) + "_" + std::to_string(subdomains[1 - k])].push_back(q);
+      if(k == 0 && mesh.interface_references[i] != 0)
+        parts["SURFACE_" + std::to_string(mesh.interface_references[i])].push_back(q);
+    }
+  for(const auto& [name, quadrangles] : parts)
   {
     std::set<std::size_t> vertices;
-    for(const std::size_t f : facets)
-      vertices.insert(mesh.facets[f].begin(), mesh.facets[f].end());
+    for(const internal::Quadrangle_of_hexahedron& q : quadrangles)
+      for(const std::size_t v : internal::vertices_of(mesh, q))
+        vertices.insert(v);
     internal::write_INP_set(writer, "*NSET, NSET=" + name, vertices);
     writer << "*SURFACE, TYPE=ELEMENT, NAME=" << name << "\n";
-    for(const std::size_t f : facets) // the faces of an element are numbered as its quadrangles here
-      writer << mesh.facet_cells[f] + 1 << ", S" << internal::side_of_facet(mesh, f) + 1 << "\n";
+    for(const internal::Quadrangle_of_hexahedron& q : quadrangles) // the faces of an element are numbered as its quadrangles here
+      writer << q.cell + 1 << ", S" << q.side + 1 << "\n";
   }
   return writer.finish();
 }

@@ -129,6 +129,8 @@ inline bool write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 ///
 /// writes hexahedra and the quadrangles of their boundary in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". The
 /// references of hexahedra are their subdomains, those of quadrangles the ones of the body if there are any, else their patches.
+/// Quadrangles of interfaces follow, with their references; those without one have a number for each pair of subdomains, in
+/// ascending order, that follow all others.
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
@@ -142,11 +144,14 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, mesh.points);
   internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, mesh.cell_references);
-  const std::vector<int>& references = mesh.facet_references;
-  if(std::count(references.begin(), references.end(), 0) < std::ptrdiff_t(references.size()))
-    internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, references);
-  else
-    internal::write_MEDIT_cells(writer, "Quadrilaterals", mesh.facets, mesh.facet_patches);
+  std::vector<std::array<std::size_t, 4> > quadrangles = mesh.facets;
+  std::vector<int> references = mesh.facet_references;
+  if(std::count(references.begin(), references.end(), 0) == std::ptrdiff_t(references.size()))
+    references.assign(mesh.facet_patches.begin(), mesh.facet_patches.end());
+  const std::vector<int> at_interfaces = internal::references_at_interfaces(mesh, references);
+  quadrangles.insert(quadrangles.end(), mesh.interface_facets.begin(), mesh.interface_facets.end());
+  references.insert(references.end(), at_interfaces.begin(), at_interfaces.end());
+  internal::write_MEDIT_cells(writer, "Quadrilaterals", quadrangles, references);
   writer << "End\n";
   return writer.finish();
 }

@@ -40,33 +40,28 @@ public:
                  const std::vector<std::array<double, 3> >& images)
     : m_facets(boundary_facets_3(cells))
   {
-    constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
-    const std::vector<std::array<std::size_t, 3> >& facets = m_facets;
-    const auto triangle = [&](const std::size_t f, const std::vector<std::array<double, 3> >& positions)
+    std::vector<std::array<std::size_t, 2> > lines;
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
-      const auto& [a, b, c] = facets[f];
-      return Kernel::Triangle_3(exact_point(positions[a]), exact_point(positions[b]), exact_point(positions[c]));
-    };
-    std::set<std::size_t> vertices;
-    for(std::size_t f = 0; f < facets.size(); ++f)
-    {
-      m_triangles.push_back(triangle(f, points));
-      vertices.insert(facets[f].begin(), facets[f].end());
-    }
-    for(const std::size_t v : vertices)
-      m_vertices.push_back(to_vector(points[v]));
-    for_each_edge(facets, [&](const auto begin, const auto end)
-    {
-      const std::size_t f = begin->second[0] / 3, g = (end - 1)->second[0] / 3;
-      if(normal(m_triangles[f]).dot(normal(m_triangles[g])) < cosine_of_sharp_edge
-         && normal(triangle(f, images)).dot(normal(triangle(g, images))) < cosine_of_sharp_edge)
-        m_segments.emplace_back(exact_point(points[begin->first[0]]), exact_point(points[begin->first[1]]));
+      const std::array<std::size_t, 3>&f = m_facets[begin->second[0] / 3], &g = m_facets[(end - 1)->second[0] / 3];
+      if(is_sharp(points, f, g) && is_sharp(images, f, g))
+        lines.push_back(begin->first);
     });
-    m_surface.rebuild(m_triangles.begin(), m_triangles.end());
-    m_surface.accelerate_distance_queries();
-    m_lines.rebuild(m_segments.begin(), m_segments.end());
-    const Bbox_3 box = m_surface.bbox();
-    m_rounding = 1e-9 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+    build(points, lines);
+  }
+
+  // Takes any facets, and edges as lines.
+  Body_surface_3(const std::vector<std::array<double, 3> >& points, std::vector<std::array<std::size_t, 3> > facets,
+                 const std::vector<std::array<std::size_t, 2> >& lines)
+    : m_facets(std::move(facets))
+  { build(points, lines); }
+
+  // Tells whether the edge between two facets that are oriented alike is sharp.
+  static bool is_sharp(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 3>& f,
+                       const std::array<std::size_t, 3>& g)
+  {
+    constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
+    return normal(triangle(points, f)).dot(normal(triangle(points, g))) < cosine_of_sharp_edge;
   }
 
   const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
@@ -77,10 +72,13 @@ public:
   {
     if(number_of_planes == 0)
       return Freedom_3::SPACE;
-    const bool is_on_line = number_of_planes > 1 && !m_segments.empty()
-      && m_lines.squared_distance(exact_point(p)) <= m_rounding * m_rounding;
-    return !is_on_line ? Freedom_3::SURFACE : number_of_planes == 2 ? Freedom_3::LINE : Freedom_3::NONE;
+    return number_of_planes == 1 || !is_on_line(p) ? Freedom_3::SURFACE : number_of_planes == 2 ? Freedom_3::LINE : Freedom_3::NONE;
   }
+
+  bool is_on_line(const Eigen::Vector3d& p) const
+  { return !m_segments.empty() && m_lines.squared_distance(exact_point(p)) <= m_rounding * m_rounding; }
+
+  bool has_lines() const { return !m_segments.empty(); }
 
   // Returns the point nearest to p among those where a vertex may be.
   Eigen::Vector3d nearest(const Eigen::Vector3d& p, const Freedom_3 freedom) const
@@ -93,12 +91,24 @@ public:
   const std::array<std::size_t, 3>& nearest_facet(const Eigen::Vector3d& p) const
   { return m_facets[m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()]; }
 
+  // Returns the normal of the facet nearest to a point.
+  Eigen::Vector3d normal(const Eigen::Vector3d& p) const
+  { return normal(*m_surface.closest_point_and_primitive(exact_point(p)).second); }
+
+  // Returns the distance of a point from the box around the surface, a bound of that from the surface.
+  double distance_of_box(const Eigen::Vector3d& p) const
+  {
+    const Bbox_3 box = m_surface.bbox();
+    return (Eigen::Vector3d(box.xmin(), box.ymin(), box.zmin()) - p).cwiseMax(p - Eigen::Vector3d(box.xmax(), box.ymax(), box.zmax()))
+           .cwiseMax(0).norm();
+  }
+
   // Returns the projector onto the directions in which a vertex may move from a point where it may be.
   Eigen::Matrix3d projector(const Eigen::Vector3d& p, const Freedom_3 freedom) const
   {
     if(freedom == Freedom_3::SURFACE)
     {
-      const Eigen::Vector3d n = normal(*m_surface.closest_point_and_primitive(exact_point(p)).second);
+      const Eigen::Vector3d n = normal(p);
       return Eigen::Matrix3d::Identity() - n * n.transpose();
     }
     if(freedom == Freedom_3::LINE)
@@ -116,6 +126,31 @@ private:
   using Segments = std::vector<Kernel::Segment_3>;
   template <typename Primitive>
   using Tree = AABB_tree<AABB_traits<Kernel, Primitive> >;
+
+  void build(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 2> >& lines)
+  {
+    std::set<std::size_t> vertices;
+    for(const std::array<std::size_t, 3>& facet : m_facets)
+    {
+      m_triangles.push_back(triangle(points, facet));
+      vertices.insert(facet.begin(), facet.end());
+    }
+    for(const std::size_t v : vertices)
+      m_vertices.push_back(to_vector(points[v]));
+    for(const auto& [v, w] : lines)
+      m_segments.emplace_back(exact_point(points[v]), exact_point(points[w]));
+    m_surface.rebuild(m_triangles.begin(), m_triangles.end());
+    m_surface.accelerate_distance_queries();
+    m_lines.rebuild(m_segments.begin(), m_segments.end());
+    const Bbox_3 box = m_surface.bbox();
+    m_rounding = 1e-9 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  }
+
+  static Kernel::Triangle_3 triangle(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 3>& facet)
+  {
+    const auto& [a, b, c] = facet;
+    return Kernel::Triangle_3(exact_point(points[a]), exact_point(points[b]), exact_point(points[c]));
+  }
 
   static Eigen::Vector3d normal(const Kernel::Triangle_3& triangle)
   {

@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Interface_positions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pull_to_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/smooth_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
@@ -24,20 +26,30 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // tried, and corners below the third one are almost flat, which steps avoid.
 constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1;
 
-// Hexahedra of a body whose vertices move inside, on its boundary and along its lines.
+// Hexahedra of a body whose vertices move inside, on its boundary and along its lines; likewise on its interfaces, whose
+// vertices have positions.
 class Sliding_hexahedra_3
 {
 public:
   Sliding_hexahedra_3(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedom, const Body_surface_3& surface,
-                      Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
-    : m_mesh(mesh), m_surface(surface), m_solver(solver), m_budget(budget)
+                      Linear_solver_3& solver, const bool is_parallel, const Budget& budget,
+                      const Interface_positions_3& positions = {})
+    : m_mesh(mesh), m_solver(solver), m_budget(budget)
   {
     Matrix3Xd points(3, mesh.points.size());
+    const std::vector<bool> is_outer = is_on_boundary(mesh);
+    std::vector<Freedom_3> freedom_of_vertices = freedom;
+    std::vector<const Body_surface_3*> surface_of_vertices(mesh.points.size(), &surface);
     std::vector<bool> is_fixed;
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       points.col(v) = to_vector(mesh.points[v]);
-      is_fixed.push_back(freedom[v] == Freedom_3::NONE);
+      if(v < positions.of_vertices.size() && positions.of_vertices[v].surface != nullptr)
+      {
+        freedom_of_vertices[v] = positions.of_vertices[v].freedom;
+        surface_of_vertices[v] = positions.of_vertices[v].surface;
+      }
+      is_fixed.push_back(freedom_of_vertices[v] == Freedom_3::NONE);
     }
     std::vector<std::array<int, 4> > corners;
     for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
@@ -48,11 +60,16 @@ public:
     std::tie(m_numbered, m_order) = ordered_mesh_3(corners, points, is_fixed, is_parallel);
     m_numbered.target = m_numbered.source;
     for(const std::size_t v : m_order)
-      m_freedom.push_back(freedom[v]);
+    {
+      m_freedom.push_back(freedom_of_vertices[v]);
+      m_surfaces.push_back(surface_of_vertices[v]);
+      m_is_on_boundary.push_back(is_outer[v]);
+    }
+    constexpr double tolerance_of_boundary = 0.2, tolerance_of_interface = 0.05; // guesses
     const std::vector<int> index = inverse_order(m_order);
-    for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
-      for(const std::size_t k : { 1, 2 })
-        m_boundary.push_back({ index[quadrangle[0]], index[quadrangle[k]], index[quadrangle[k + 1]] });
+    m_covered.push_back(covered_surface_3(surface, mesh.facets, index, tolerance_of_boundary));
+    for(const auto& [interface, quadrangles] : positions.covered)
+      m_covered.push_back(covered_surface_3(*interface, quadrangles, index, tolerance_of_interface));
   }
 
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
@@ -66,16 +83,19 @@ public:
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
       const bool stays = !do_slide && m_freedom[i] != Freedom_3::SPACE;
-      goals.projectors.push_back(m_surface.projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
+      goals.projectors.push_back(m_surfaces[i]->projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
     }
     set_edges(goals);
     const bool is_valid = inverted_cells(m_numbered, m_numbered.target).number == 0;
     if(do_slide)
     {
       hold_boundary(goals);
-      cover_boundary(goals);
-      if(is_valid)
-        approach_surface(goals);
+      for(const Covered_surface_3& covered : m_covered)
+      {
+        pull_to_vertices_3(covered, m_numbered.target, goals);
+        if(is_valid)
+          pull_middles_3(covered, m_numbered.target, goals);
+      }
     }
     put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget), is_valid);
     write_points();
@@ -93,7 +113,8 @@ public:
                                number_of_steps };
       set_edges(goals);
       hold_boundary(goals);
-      cover_boundary(goals);
+      for(const Covered_surface_3& covered : m_covered)
+        pull_to_vertices_3(covered, m_numbered.target, goals);
       return_to_surface(std::sqrt(weight / pull), goals);
       m_numbered.target = improve_corners_3(m_numbered, goals, m_solver, m_budget);
       write_points();
@@ -106,9 +127,10 @@ public:
   // Moves the vertices of corners whose scaled Jacobian is below the target, one after the other.
   void smooth(const double target)
   {
-    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surface,
-                       covers_of_vertices_3(m_surface.vertices(), m_boundary, m_numbered.target), target, m_budget,
-                       m_numbered.target);
+    std::vector<Cover_of_vertex_3> covers(m_order.size());
+    for(const Covered_surface_3& covered : m_covered)
+      add_covers_3(covered.surface->vertices(), covered.triangles, m_numbered.target, covers);
+    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surfaces, covers, target, m_budget, m_numbered.target);
     write_points();
   }
 
@@ -123,9 +145,33 @@ public:
           if(m_freedom[v] == Freedom_3::LINE || m_freedom[v] == Freedom_3::NONE)
           {
             m_freedom[v] = Freedom_3::SURFACE;
+            if(m_is_on_boundary[v]) // also where it leaves an interface there
+              m_surfaces[v] = m_covered[0].surface;
             is_on_line = true;
           }
     return is_on_line;
+  }
+
+  // Lets vertices of corners whose scaled Jacobian is below a bound leave the interfaces: first their lines, then the surfaces.
+  // Vertices on the boundary stay there. Returns whether any vertex was on an interface.
+  bool leave_interfaces(const double bound)
+  {
+    std::vector<bool> is_at_poor(m_order.size(), false);
+    for(const std::array<int, 4>& corner : m_numbered.cells)
+      if(scaled_jacobian(edge_matrix(m_numbered.target, corner)) < bound)
+        for(const int v : corner)
+          is_at_poor[v] = true;
+    bool is_on_interface = false;
+    for(std::size_t i = 0; i < m_order.size(); ++i)
+    {
+      if(!is_at_poor[i] || m_freedom[i] == Freedom_3::SPACE || m_surfaces[i] == m_covered[0].surface)
+        continue;
+      is_on_interface = true;
+      if(m_is_on_boundary[i])
+        m_surfaces[i] = m_covered[0].surface;
+      m_freedom[i] = m_freedom[i] == Freedom_3::SURFACE && !m_is_on_boundary[i] ? Freedom_3::SPACE : Freedom_3::SURFACE;
+    }
+    return is_on_interface;
   }
 
 private:
@@ -166,8 +212,8 @@ private:
   // Returns the point nearest to a vertex among those where it may be: the first position of one that may not move.
   Eigen::Vector3d nearest(const std::size_t i) const
   {
-    return m_surface.nearest(m_freedom[i] == Freedom_3::NONE ? m_numbered.source.col(i) : m_numbered.target.col(i),
-                             m_freedom[i]);
+    return m_surfaces[i]->nearest(m_freedom[i] == Freedom_3::NONE ? m_numbered.source.col(i) : m_numbered.target.col(i),
+                                  m_freedom[i]);
   }
 
   // Pulls vertices to the nearest points where they may be, mostly in the directions in which they may not move there.
@@ -180,54 +226,10 @@ private:
         continue;
       const Eigen::Vector3d p = nearest(i);
       const Eigen::Matrix3d way
-        = factor * (Eigen::Matrix3d::Identity() - (1 - part_along) * m_surface.projector(p, m_freedom[i]));
+        = factor * (Eigen::Matrix3d::Identity() - (1 - part_along) * m_surfaces[i]->projector(p, m_freedom[i]));
       for(int axis = 0; axis < 3; ++axis)
         goals.constraints.push_back({ { { static_cast<int>(i), way.col(axis) } }, way.col(axis).dot(p) });
     }
-  }
-
-  // Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
-  // may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
-  // multiple range images, 1992).
-  void pull_point(const Eigen::Vector3d& q, const std::array<int, 3>& triangle, const Eigen::Vector3d& p,
-                  Corner_goals_3& goals) const
-  {
-    constexpr double smallest_distance = 0.2, longest_pull = 1; // guesses; relative to the mean edge
-    const double factor = std::sqrt(200.);                      // a guess; scales the residual
-    const double distance = (p - q).norm();
-    if(distance < smallest_distance * goals.mean_edge)
-      return;
-    const auto& [a, b, c] = triangle;
-    Small_matrix<3, 2> sides;
-    sides << m_numbered.target.col(b) - m_numbered.target.col(a), m_numbered.target.col(c) - m_numbered.target.col(a);
-    const Small_matrix<2, 2> products = sides.transpose() * sides;
-    if(!(products.determinant() > 0))
-      return;
-    const Small_matrix<2, 2> inverse = products.inverse();
-    const Small_matrix<2, 1> st = inverse * (sides.transpose() * (q - m_numbered.target.col(a)));
-    const Eigen::Vector3d way = factor * (p - q) / distance;
-    goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
-                                  way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
-  }
-
-  // Pulls quadrangles to the vertices of the body's surface.
-  void cover_boundary(Corner_goals_3& goals) const
-  {
-    for_each_nearest(m_surface.vertices(), m_boundary, m_numbered.target,
-                     [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
-                     { pull_point(q, triangle, p, goals); });
-  }
-
-  // Pulls the middles of quadrangles and of their edges to the body's surface: a quadrangle that spans a valley has its middle
-  // far away.
-  void approach_surface(Corner_goals_3& goals) const
-  {
-    for(const std::array<int, 3>& triangle : m_boundary)
-      for(const auto& [a, b] : { std::make_pair(0, 1), std::make_pair(1, 2), std::make_pair(2, 0) })
-      {
-        const Eigen::Vector3d q = (m_numbered.target.col(triangle[a]) + m_numbered.target.col(triangle[b])) / 2;
-        pull_point(q, triangle, m_surface.nearest(q, Freedom_3::SURFACE), goals);
-      }
   }
 
   // Takes positions, put back onto the boundary. Where a corner would be inverted, or so flat that the next steps would serve
@@ -250,7 +252,7 @@ private:
     {
       for(std::size_t i = 0; i < m_order.size(); ++i)
         m_numbered.target.col(i) = part[i] == 0 ? Eigen::Vector3d(before.col(i))
-          : m_surface.nearest(before.col(i) + part[i] * (moved.col(i) - before.col(i)), m_freedom[i]);
+          : m_surfaces[i]->nearest(before.col(i) + part[i] * (moved.col(i) - before.col(i)), m_freedom[i]);
       std::vector<bool> is_at_bad(m_order.size(), false);
       bool is_valid = true;
       for(std::size_t c = 0; c < least.size(); ++c)
@@ -275,11 +277,12 @@ private:
   }
 
   Hexahedron_soup_3 m_mesh;
-  const Body_surface_3& m_surface;
   Numbered_mesh_3 m_numbered; // corners as cells; the source has the first positions of vertices, the target the present ones
   std::vector<std::size_t> m_order;
   std::vector<Freedom_3> m_freedom; // freedom of the vertices in `m_order`
-  Triangles_of_boundary m_boundary; // two triangles of each quadrangle, by indices in `m_order`
+  std::vector<const Body_surface_3*> m_surfaces; // on which they move
+  std::vector<bool> m_is_on_boundary;
+  std::vector<Covered_surface_3> m_covered; // first the boundary, then the patches of interfaces
   Linear_solver_3& m_solver;
   const Budget& m_budget;
 };

@@ -63,21 +63,18 @@ struct Cover_of_vertex_3
   std::vector<Eigen::Vector3d> points;
 };
 
-inline std::vector<Cover_of_vertex_3> covers_of_vertices_3(const std::vector<Eigen::Vector3d>& points,
-                                                           const Triangles_of_boundary& triangles,
-                                                           const Matrix3Xd& positions)
+inline void add_covers_3(const std::vector<Eigen::Vector3d>& points, const Triangles_of_boundary& triangles,
+                         const Matrix3Xd& positions, std::vector<Cover_of_vertex_3>& covers)
 {
-  std::vector<Cover_of_vertex_3> result(positions.cols());
   for(const std::array<int, 3>& triangle : triangles)
     for(const int v : triangle)
-      result[v].triangles.push_back(triangle);
+      covers[v].triangles.push_back(triangle);
   for_each_nearest(points, triangles, positions,
                    [&](const Eigen::Vector3d& p, const Eigen::Vector3d&, const std::array<int, 3>& triangle)
   {
     for(const int v : triangle)
-      result[v].points.push_back(p);
+      covers[v].points.push_back(p);
   });
-  return result;
 }
 
 // Returns the sum of the squares of the distances of points from the triangles, as far as they exceed a tolerance.

@@ -13,22 +13,56 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/balance_interfaces_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/fit_interfaces_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/measure_interfaces_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Gives the quadrangles of the boundary the references of the facets of the body nearest to their centers.
-inline void set_facet_references(const Tetrahedron_soup_3& soup, const Body_surface_3& surface, Hexahedron_soup_3& mesh)
+// Gives quadrangles the references of the facets of the body nearest to their centers: those of the boundary, and those of
+// interfaces, which it collects.
+inline void set_facet_references(const Tetrahedron_soup_3& soup, const Body_surface_3& boundary, Body_interfaces_3& interfaces,
+                                 Hexahedron_soup_3& mesh)
 {
   std::map<std::array<std::size_t, 3>, int> references;
   for(std::size_t f = 0; f < soup.facets.size(); ++f)
     references.emplace(sorted(soup.facets[f]), soup.facet_references[f]);
-  for(const std::array<std::size_t, 4>& q : mesh.facets)
+  const auto reference = [&](const std::array<std::size_t, 4>& q, const Body_surface_3& surface)
   {
     const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q[i]]); };
     const auto found = references.find(sorted(surface.nearest_facet((point(0) + point(1) + point(2) + point(3)) / 4)));
-    mesh.facet_references.push_back(found == references.end() ? 0 : found->second);
+    return found == references.end() ? 0 : found->second;
+  };
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    mesh.facet_references.push_back(reference(q, boundary));
+  for(const Interface_quadrangle_3& q : interface_quadrangles_3(mesh))
+  {
+    mesh.interface_facets.push_back(q.vertices);
+    mesh.interface_cells.push_back({ q.sides[0].cell, q.sides[1].cell });
+    mesh.interface_references.push_back(reference(q.vertices, interfaces.surface_of_pair(pair_of(mesh, q))));
   }
+}
+
+// Tells how well interfaces and subdomains are kept, in numbers, and in sentences if they are not.
+inline void evaluate_interfaces(const Tetrahedron_soup_3& soup, const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
+                                const bool may_be_staircases, Hexahedral_mesh_result& result)
+{
+  constexpr double tolerance = 0.1; // a guess; relative to the edges of quadrangles at interfaces
+  result.volumes = volumes_of_subdomains(soup, mesh);
+  for(const Subdomain_volumes& volumes : result.volumes)
+    if(volumes.of_hexahedra == 0)
+      result.message += sentence(" Subdomain ", volumes.reference, " has no hexahedron; make the spacing smaller.");
+  const Interface_distance_3 farthest = interface_distance_3(mesh, interfaces);
+  result.interface_distance = farthest.distance;
+  double area = 0;
+  for(const std::array<std::size_t, 4>& q : mesh.interface_facets)
+    area += (to_vector(mesh.points[q[2]]) - to_vector(mesh.points[q[0]]))
+            .cross(to_vector(mesh.points[q[3]]) - to_vector(mesh.points[q[1]])).norm() / 2;
+  const double edge = std::sqrt(area / static_cast<double>(mesh.interface_facets.size()));
+  if(!may_be_staircases && farthest.distance > tolerance * edge)
+    result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
+                               " of the edges there; it is the largest at ", describe(farthest.point), ".");
 }
 
 // Names the hexahedron of the least scaled Jacobian if this is below a bound.
@@ -46,10 +80,42 @@ inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hex
                             describe(to_vector(mesh.points[worst[0]])), ".");
 }
 
+// Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
+// keep interfaces if there are any.
+inline Best_hexahedra_3 best_hexahedra_3(const Volume_map_3& map, const Hexahedron_soup_3& boxes, const Body_surface_3& surface,
+                                         Body_interfaces_3* const interfaces, Linear_solver_3& solver, const bool is_parallel,
+                                         const Budget& budget)
+{
+  Best_hexahedra_3 best
+    = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
+  const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(map, boxes, is_parallel, budget)).layers();
+  const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
+  for(const std::vector<Layer_3>& layers : { chosen, other })
+  {
+    if(budget.is_exhausted() || best.result.minimal_scaled_jacobian >= poor_scaled_jacobian)
+      break;
+    Hexahedron_soup_3 candidate = boxes;
+    for(const Layer_3& layer : layers)
+      candidate = padded(candidate, layer);
+    Interface_positions_3 positions;
+    candidate = interfaces != nullptr
+      ? fitted_to_interfaces(map, candidate, surface, *interfaces, is_parallel, budget, positions)
+      : pulled_back(map, candidate, is_parallel, budget);
+    for(const bool may_leave_surface : { false, true })
+    {
+      if(budget.is_exhausted() || (may_leave_surface && best.result.has_valid_mesh))
+        break;
+      Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget, positions);
+      improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
+    }
+  }
+  return best;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing, Linear_solver_3& solver,
                                         const bool is_parallel, const Budget& budget, const double minimal_scaled_jacobian,
-                                        Hexahedron_soup_3& mesh)
+                                        const bool do_keep_interfaces, Hexahedron_soup_3& mesh)
 {
   const Input_check_3 check = check_map_3(soup);
   if(check.status != OK)
@@ -72,33 +138,30 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
                                        get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
 
   const Body_surface_3 surface(soup.points, soup.cells, soup.images);
-  Best_hexahedra_3 best
-    = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
-  const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(map, boxes, is_parallel, budget)).layers();
-  const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
-  for(const std::vector<Layer_3>& layers : { chosen, other })
+  Body_interfaces_3 interfaces(soup, surface);
+  Best_hexahedra_3 best;
+  const bool may_keep_interfaces = do_keep_interfaces && !interfaces.empty();
+  if(may_keep_interfaces)
   {
-    if(budget.is_exhausted() || best.result.minimal_scaled_jacobian >= poor_scaled_jacobian)
-      break;
-    Hexahedron_soup_3 candidate = boxes;
-    for(const Layer_3& layer : layers)
-      candidate = padded(candidate, layer);
-    candidate = pulled_back(map, candidate, is_parallel, budget);
-    for(const bool may_leave_surface : { false, true })
-    {
-      if(budget.is_exhausted() || (may_leave_surface && best.result.has_valid_mesh))
-        break;
-      Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget);
-      improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
-    }
+    Hexahedron_soup_3 separated = boxes;
+    Subdomain_separation_3(separated).run();
+    best = best_hexahedra_3(map, separated, surface, &interfaces, solver, is_parallel, budget);
+    if(best.result.has_valid_mesh)
+      balance_interfaces_3(interfaces, best.mesh);
   }
-  Hexahedral_mesh_result result = best.result;
+  const bool are_staircases = !may_keep_interfaces || (!best.result.has_valid_mesh && !budget.is_exhausted());
+  if(are_staircases)
+    best = best_hexahedra_3(map, boxes, surface, nullptr, solver, is_parallel, budget);
+  Hexahedral_mesh_result result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
   {
     set_images(map, is_parallel, best.mesh);
-    set_facet_references(soup, surface, best.mesh);
+    set_facet_references(soup, surface, interfaces, best.mesh);
     check_quality(best.mesh, minimal_scaled_jacobian, result);
+    if(may_keep_interfaces && are_staircases)
+      result.message += " Interfaces between subdomains are staircases, as corners were inverted where they were kept.";
+    evaluate_interfaces(soup, best.mesh, interfaces, are_staircases, result);
     mesh = std::move(best.mesh);
   }
   else if(result.is_interrupted)

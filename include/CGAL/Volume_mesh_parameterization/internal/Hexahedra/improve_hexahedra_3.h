@@ -185,7 +185,7 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
 // gains little. Where corners are inverted or almost flat in between, or poor in the end, their vertices move one after the
 // other. Rounds that do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines. If
-// vertices may leave the surface, they do so before all else.
+// vertices may leave the surface, they do so before all else. Where corners stay poor, vertices leave the interfaces in the end.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
@@ -193,6 +193,7 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
   constexpr std::size_t first_steps = 10, steps = 3;                             // guesses
   constexpr std::size_t corners_per_inverted_corner = 100; // a guess; with fewer, not lines but the map is to blame
   constexpr double gain = 0.2;                             // a target far above the worst corners would not serve them most
+  constexpr double least_scaled_jacobian_at_interfaces = 0.02; // a guess
   constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
   const auto evaluate = [&]
   {
@@ -230,7 +231,13 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
       break;
   }
   if(result.minimal_scaled_jacobian < sufficient_scaled_jacobian && !budget.is_exhausted())
-    smooth(result);
+    result = smooth(result);
+  for(int round = 0; round < patience && result.minimal_scaled_jacobian < least_scaled_jacobian_at_interfaces
+      && budget.may_begin_round(Phase::HEXAHEDRA, "interfaces") && hexahedra.leave_interfaces(flat_scaled_jacobian); ++round)
+  {
+    hexahedra.improve(steps, true, 2);
+    result = smooth(evaluate());
+  }
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -46,8 +46,8 @@ inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_
 // scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
 // search (Hooke and Jeeves 1961). Uncovered points of the surface have a price, or vertices would leave tips.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
-                               const Body_surface_3& surface, const std::vector<Cover_of_vertex_3>& covers,
-                               const double target, const Budget& budget, Matrix3Xd& positions)
+                               const std::vector<const Body_surface_3*>& surfaces,
+                               const std::vector<Cover_of_vertex_3>& covers, const double target, const Budget& budget, Matrix3Xd& positions)
 {
   constexpr int number_of_sweeps = 10;                         // a guess
   constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges
@@ -74,7 +74,7 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       for(int i = 0; i < 27; ++i)
       {
         positions.col(v)
-          = surface.nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
+          = surfaces[v]->nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
         double next = shortage(positions, corners_of_vertex[v], target, least);
         if(next < least)
           next += price_of_uncovered(v);

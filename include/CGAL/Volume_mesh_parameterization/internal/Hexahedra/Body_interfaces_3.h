@@ -1,0 +1,191 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BODY_INTERFACES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BODY_INTERFACES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+#include <map>
+#include <memory>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Patches that meet at a place, from 1; 0 stands for the boundary of the body.
+using Patches_3 = std::set<std::size_t>;
+
+// Surfaces between the subdomains of a body, cut into smooth patches of two subdomains each, which end at lines: sharp edges,
+// edges on the boundary of the body, and those where more than two subdomains meet.
+class Body_interfaces_3
+{
+public:
+  using Pair = std::array<int, 2>; // subdomains, the smaller reference first
+
+  // Corner of lines.
+  struct Corner
+  {
+    Eigen::Vector3d point;
+    Patches_3 patches;
+  };
+
+  Body_interfaces_3(const Tetrahedron_soup_3& soup, const Body_surface_3& boundary)
+    : m_points(soup.points)
+  {
+    collect_facets(soup);
+    number_patches();
+    collect_lines(boundary_facets_3(soup.cells), boundary);
+  }
+
+  bool empty() const { return m_facets.empty(); }
+
+  const std::vector<Corner>& corners() const { return m_corners; }
+
+  const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
+
+  // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: the nearest one, if normals
+  // differ, as far as twice the width at most. Returns 0 if the subdomains have no interface.
+  std::size_t patch_of_quadrangle(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const double width, const Pair& pair)
+  {
+    std::pair<double, std::size_t> best = { (std::numeric_limits<double>::infinity)(), 0 };
+    const auto consider = [&](const std::size_t patch)
+    {
+      const Body_surface_3& candidate = surface({ patch });
+      if(candidate.distance_of_box(center) > best.first)
+        return;
+      const double distance = (candidate.nearest(center, Freedom_3::SURFACE) - center).norm();
+      best = (std::min)(best, { distance + width * (1 - candidate.normal(center).dot(normal)), patch });
+    };
+    if(const auto found = m_patches_of_pair.find(pair); found != m_patches_of_pair.end())
+    {
+      consider(m_patch_of_facet.at(sorted(surface(found->second).nearest_facet(center))));
+      for(const std::size_t patch : found->second)
+        consider(patch);
+    }
+    return best.second;
+  }
+
+  // Returns the interface of two subdomains; all interfaces if they have none.
+  const Body_surface_3& surface_of_pair(const Pair& pair)
+  {
+    const auto found = m_patches_of_pair.find(pair);
+    return surface(found != m_patches_of_pair.end() ? found->second : Patches_3(m_patches.begin(), m_patches.end()));
+  }
+
+  // Returns a surface of the patches that meet at a place. Its lines are those where just these meet, or, if there is none, those
+  // where some of them meet.
+  const Body_surface_3& surface(const Patches_3& patches)
+  {
+    std::unique_ptr<Body_surface_3>& result = m_surfaces[patches];
+    if(!result)
+    {
+      std::vector<std::array<std::size_t, 3> > facets;
+      for(std::size_t f = 0; f < m_facets.size(); ++f)
+        if(patches.count(m_patches[f]) > 0)
+          facets.push_back(m_facets[f]);
+      std::vector<std::array<std::size_t, 2> > lines;
+      for(const bool is_exact : { true, false })
+        if(lines.empty())
+          for(const auto& [edge, meeting] : m_lines)
+            if(is_exact ? meeting == patches : std::includes(patches.begin(), patches.end(), meeting.begin(), meeting.end()))
+              lines.push_back(edge);
+      result = std::make_unique<Body_surface_3>(m_points, facets, lines);
+    }
+    return *result;
+  }
+
+  // Tells whether there are lines where just these patches meet.
+  bool has_line(const Patches_3& patches) const
+  { return std::any_of(m_lines.begin(), m_lines.end(), [&](const auto& line) { return line.second == patches; }); }
+
+private:
+  void collect_facets(const Tetrahedron_soup_3& soup)
+  {
+    const auto facet_of_side = [&](const std::size_t side) { return facet_of_cell(soup.cells[side / 4], side % 4); };
+    for_each_group(4 * soup.cells.size(), [&](const std::size_t side) { return std::make_pair(sorted(facet_of_side(side)), side); },
+                   [&](const auto begin, const auto end)
+    {
+      if(end - begin != 2)
+        return;
+      std::size_t side = begin->second, other = (begin + 1)->second;
+      if(soup.cell_references[side / 4] > soup.cell_references[other / 4])
+        std::swap(side, other);
+      const Pair pair = { soup.cell_references[side / 4], soup.cell_references[other / 4] };
+      if(pair[0] == pair[1])
+        return;
+      m_facets.push_back(facet_of_side(side));
+      m_pairs.push_back(pair);
+    });
+  }
+
+  void number_patches()
+  {
+    Disjoint_sets sets(m_facets.size());
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      const std::size_t f = begin->second[0] / 3, g = (end - 1)->second[0] / 3;
+      if(end - begin == 2 && m_pairs[f] == m_pairs[g] && !Body_surface_3::is_sharp(m_points, m_facets[f], m_facets[g]))
+        sets.unite(f, g);
+    });
+    std::map<std::size_t, std::size_t> numbers;
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+    {
+      m_patches.push_back(numbers.emplace(sets.find(f), numbers.size() + 1).first->second);
+      m_patch_of_facet[sorted(m_facets[f])] = m_patches[f];
+      m_patches_of_pair[m_pairs[f]].insert(m_patches[f]);
+    }
+  }
+
+  // Finds lines, and corners: where not two of them meet, or two of different patches, or a line crosses one of the boundary.
+  void collect_lines(const std::vector<std::array<std::size_t, 3> >& boundary_facets, const Body_surface_3& boundary)
+  {
+    std::set<std::array<std::size_t, 2> > edges_of_boundary;
+    for_each_edge(boundary_facets, [&](const auto begin, auto) { edges_of_boundary.insert(begin->first); });
+    std::map<std::size_t, std::vector<Patches_3> > lines_at;
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      Patches_3 patches;
+      for(auto it = begin; it != end; ++it)
+        patches.insert(m_patches[it->second[0] / 3]);
+      if(edges_of_boundary.count(begin->first) > 0)
+        patches.insert(0);
+      if(patches.size() < 2)
+        return;
+      m_lines.emplace_back(begin->first, patches);
+      for(const std::size_t v : begin->first)
+        lines_at[v].push_back(patches);
+    });
+    for(const auto& [v, lines] : lines_at)
+    {
+      Patches_3 patches;
+      for(const Patches_3& line : lines)
+        patches.insert(line.begin(), line.end());
+      const Eigen::Vector3d p = to_vector(m_points[v]);
+      if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && boundary.is_on_line(p)))
+        m_corners.push_back({ p, patches });
+    }
+  }
+
+  const std::vector<std::array<double, 3> >& m_points;
+  std::vector<std::array<std::size_t, 3> > m_facets; // their normals point out of the first subdomain
+  std::vector<Pair> m_pairs;                         // of each facet
+  std::vector<std::size_t> m_patches;                // of each facet
+  std::map<std::array<std::size_t, 3>, std::size_t> m_patch_of_facet;
+  std::map<Pair, Patches_3> m_patches_of_pair;
+  std::vector<std::pair<std::array<std::size_t, 2>, Patches_3> > m_lines;
+  std::vector<Corner> m_corners;
+  std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // that have been asked for
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_BODY_INTERFACES_3_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_INTERFACE_POSITIONS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_INTERFACE_POSITIONS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_interfaces_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Quadrangle between hexahedra of two subdomains, as a side of both, the smaller reference first, and the patch of the
+// body's interfaces that it belongs to; 0 if it has none.
+struct Interface_quadrangle_3
+{
+  std::array<std::size_t, 4> vertices; // in the order in which the first hexahedron has them
+  std::array<Quadrangle_of_hexahedron, 2> sides;
+  std::size_t patch = 0;
+};
+
+// Returns the subdomains on both sides.
+inline Body_interfaces_3::Pair pair_of(const Hexahedron_soup_3& mesh, const Interface_quadrangle_3& q)
+{ return { mesh.cell_references[q.sides[0].cell], mesh.cell_references[q.sides[1].cell] }; }
+
+// Returns the quadrangles between subdomains, in the order of their sorted vertices.
+inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedron_soup_3& mesh)
+{
+  std::vector<Interface_quadrangle_3> result;
+  for_each_group(6 * mesh.cells.size(),
+                 [&](const std::size_t i) { return std::make_pair(sorted(vertices_of(mesh, { i / 6, i % 6 })), i); },
+                 [&](const auto begin, const auto end)
+  {
+    if(end - begin != 2)
+      return;
+    Quadrangle_of_hexahedron q = { begin->second / 6, begin->second % 6 };
+    Quadrangle_of_hexahedron r = { (begin + 1)->second / 6, (begin + 1)->second % 6 };
+    if(mesh.cell_references[q.cell] > mesh.cell_references[r.cell])
+      std::swap(q, r);
+    if(mesh.cell_references[q.cell] != mesh.cell_references[r.cell])
+      result.push_back({ vertices_of(mesh, q), { q, r } });
+  });
+  return result;
+}
+
+// Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
+inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
+                        std::vector<Interface_quadrangle_3>& quadrangles)
+{
+  constexpr int number_of_rounds = 3; // a guess
+  std::vector<Body_interfaces_3::Pair> pairs;
+  std::map<std::array<std::size_t, 2>, std::vector<std::size_t> > at_edges;
+  for(Interface_quadrangle_3& q : quadrangles)
+  {
+    const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q.vertices[i]]); };
+    const Eigen::Vector3d center = (point(0) + point(1) + point(2) + point(3)) / 4;
+    const Eigen::Vector3d area = (point(2) - point(0)).cross(point(3) - point(1)) / 2;
+    for(std::size_t i = 0; i < 4; ++i)
+      at_edges[sorted(std::array<std::size_t, 2>{ q.vertices[i], q.vertices[(i + 1) % 4] })].push_back(pairs.size());
+    pairs.push_back(pair_of(mesh, q));
+    q.patch = interfaces.patch_of_quadrangle(center, area.stableNormalized(), std::sqrt(area.norm()), pairs.back());
+  }
+  for(int round = 0; round < number_of_rounds; ++round)
+  {
+    std::vector<std::map<std::size_t, int> > neighbors(quadrangles.size()); // their number in each patch of the pair
+    for(const auto& [edge, at_edge] : at_edges)
+      for(const std::size_t i : at_edge)
+        for(const std::size_t j : at_edge)
+          if(i != j && pairs[i] == pairs[j])
+            ++neighbors[i][quadrangles[j].patch];
+    for(std::size_t i = 0; i < quadrangles.size(); ++i)
+      for(const auto& [patch, number] : neighbors[i])
+        if(number > 2)
+          quadrangles[i].patch = patch;
+  }
+}
+
+// Where the vertices on interfaces are put, and where they may move.
+struct Interface_positions_3
+{
+  struct Position
+  {
+    const Body_surface_3* surface = nullptr; // none: the vertex is on no interface
+    Freedom_3 freedom = Freedom_3::NONE;
+    Eigen::Vector3d point;
+  };
+
+  std::vector<Position> of_vertices;
+  // The quadrangles of each patch that is to be covered by them.
+  std::vector<std::pair<const Body_surface_3*, std::vector<std::array<std::size_t, 4> > > > covered;
+};
+
+// Finds the positions of vertices on interfaces by the patches that meet there: on a patch; on a line where just these meet, in
+// the body as well; or in a corner that has them, each of which is given to the vertex nearest to it. `freedom` is that of
+// vertices without interfaces: where a line of the boundary holds them, an interface crosses the line in a corner.
+inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
+                                             const std::vector<Freedom_3>& freedom, Body_interfaces_3& interfaces)
+{
+  std::vector<Patches_3> patches(mesh.points.size());
+  std::map<std::size_t, std::vector<std::array<std::size_t, 4> > > of_patches;
+  for(const Interface_quadrangle_3& q : quadrangles)
+    if(q.patch != 0)
+    {
+      of_patches[q.patch].push_back(q.vertices);
+      for(const std::size_t v : q.vertices)
+        patches[v].insert(q.patch);
+    }
+  Interface_positions_3 result;
+  for(const auto& [patch, of_patch] : of_patches)
+    result.covered.emplace_back(&interfaces.surface({ patch }), of_patch);
+
+  result.of_vertices.resize(mesh.points.size());
+  std::vector<std::tuple<double, std::size_t, std::size_t> > ways; // squared distance, vertex, corner
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    if(patches[v].empty())
+      continue;
+    if(freedom[v] != Freedom_3::SPACE)
+      patches[v].insert(0);
+    Interface_positions_3::Position& position = result.of_vertices[v];
+    const Eigen::Vector3d p = to_vector(mesh.points[v]);
+    position.surface = &interfaces.surface(patches[v]);
+    position.freedom = patches[v].size() > 1 && position.surface->has_lines() ? Freedom_3::LINE : Freedom_3::SURFACE;
+    position.point = position.surface->nearest(p, position.freedom);
+    const bool is_on_line_of_boundary = freedom[v] == Freedom_3::LINE || freedom[v] == Freedom_3::NONE;
+    if(patches[v].size() > 1 && (is_on_line_of_boundary || !interfaces.has_line(patches[v])))
+      for(std::size_t c = 0; c < interfaces.corners().size(); ++c)
+        if(const Body_interfaces_3::Corner& corner = interfaces.corners()[c]; corner.patches == patches[v])
+          ways.emplace_back((p - corner.point).squaredNorm(), v, c);
+  }
+  std::sort(ways.begin(), ways.end());
+  std::vector<bool> is_taken(interfaces.corners().size(), false);
+  for(const auto& [squared_distance, v, c] : ways)
+    if(Interface_positions_3::Position& position = result.of_vertices[v]; !is_taken[c] && position.freedom != Freedom_3::NONE)
+    {
+      is_taken[c] = true;
+      position.freedom = Freedom_3::NONE;
+      position.point = interfaces.corners()[c].point;
+    }
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_HEXAHEDRA_INTERFACE_POSITIONS_3_H
