@@ -265,7 +265,8 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "polycube_axes", "improve", "landmarks", "merge_points", "separate", "displacements", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
+  "options", "source", "target", "to", "polycube_axes", "improve", "landmarks", "merge_points",
+  "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
   "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
@@ -702,6 +703,31 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   CHECK(keys(folder.text("report.json")) == report_keys_with(hexahedra_keys));
   CHECK(folder.text("report.json").find("\"has_valid_map\": true") != std::string::npos);
   CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_DOMAIN_NOT_AXIS_PARALLEL\"") != std::string::npos);
+}
+
+TEST_CASE("Hexahedra keep the interface of two subdomains, whose volumes are told, unless staircases are asked for")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+  {
+    double sum = 0;
+    for(const std::size_t v : source.cells[c])
+      sum += source.points[v][2];
+    source.cell_references[c] = sum < 4 ? 1 : 2;
+  }
+  for(Point& p : source.points)
+    p[2] = p[2] == 1 ? 1.3 : p[2];
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", source);
+  REQUIRE(folder.run("source.mesh target.mesh --inside free --hexahedra 1 hexahedra.mesh --report report.json") == 0);
+  CHECK(folder.text("stdout").find("subdomain 1: volume 11.7, of hexahedra 11.7\n") != std::string::npos);
+  CHECK(number(hexahedra_of(folder.text("report.json")), "interface_distance") < 1e-9);
+  CHECK(folder.text("hexahedra.mesh").find("\nQuadrilaterals\n63\n") != std::string::npos);
+  REQUIRE(folder.run("source.mesh target.mesh --inside free --staircases --hexahedra 1 hexahedra.mesh --report report.json") == 0);
+  CHECK(folder.text("stdout").find("subdomain 1: volume 11.7, of hexahedra 9") != std::string::npos);
+  CHECK(number(hexahedra_of(folder.text("report.json")), "interface_distance") > 0.25);
+  CHECK(folder.run("source.mesh target.mesh --staircases") == 2);
 }
 
 TEST_CASE("The faces of a polycube are multiples of the spacing of hexahedra")

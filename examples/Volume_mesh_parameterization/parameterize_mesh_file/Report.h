@@ -95,8 +95,9 @@ inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_resu
                 << "\n";
     std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
   }
-  if(result.status == CGAL::Volume_mesh_parameterization::OK && result.volumes.size() > 1)
-    std::cout << result.message << "\n";
+  const std::string success = CGAL::Volume_mesh_parameterization::get_error_message(CGAL::Volume_mesh_parameterization::OK);
+  if(result.status == CGAL::Volume_mesh_parameterization::OK && result.message.size() > success.size())
+    std::cout << result.message.substr(success.size() + 1) << "\n"; // sentences on interfaces
 }
 
 inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
