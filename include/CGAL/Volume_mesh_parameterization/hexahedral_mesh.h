@@ -107,7 +107,8 @@ to a neighboring one, such that the surfaces between subdomains are manifolds. T
 go to the nearest points of the interface: those on the boundary to the line where the interface ends, those between patches
 that meet at a sharp edge, with more than 60 degrees between their normals, to the edge, and one to each of its corners;
 likewise where more than two subdomains meet. If a hexahedron has two quadrangles in one smooth patch, its subdomain gets a
-layer of hexahedra along all interfaces that are joined to this patch. Then these vertices slide, too, and in the end those
+layer of hexahedra along all interfaces that are joined to this patch. If a quadrangle has two edges in one smooth line between
+patches, a further layer encloses the hexahedra on both sides of its patch. Then these vertices slide, too, and in the end those
 inside of curved patches move off the interface by a part of the distances of the quadrangles around them, such that both
 subdomains keep their volumes. Where the smallest scaled Jacobian would be below 0.02, vertices leave the interface. If corners
 remain inverted, interfaces become staircases, as with `do_keep_interfaces(false)`. The result has the volumes of the subdomains

@@ -1290,6 +1290,37 @@ TEST_CASE("Layers keep their plane interfaces without more hexahedra, also besid
   }
 }
 
+TEST_CASE("A turned box in a box keeps its edges and corners, with a layer around each of its sides")
+{
+  const Vector3d middle = Vector3d::Constant(3);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  const Body body = box_of_subdomains(6, [&](const Vector3d& p) -> Vector3d // turned in the middle, not on the boundary
+  {
+    const Vector3d q = p - middle;
+    const double t = (std::min)(1., 3 - q.lpNorm<Eigen::Infinity>());
+    return middle + t * (turn * q) + (1 - t) * q;
+  },
+  [&](const Vector3d& p) { return (p - middle).lpNorm<Eigen::Infinity>() < 2 ? 2 : 1; });
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.message == VMP::get_error_message(VMP::OK));
+  CHECK(result.minimal_scaled_jacobian > 0.2); // without layers around sides, two edges of a quadrangle are in one line
+  CHECK(smallest_determinant(mesh) > 0);
+  check_conformity(mesh);
+  check_boundary(mesh, body);
+  const auto distance = [&](const Vector3d& p) { return (turn.transpose() * (p - middle)).lpNorm<Eigen::Infinity>() - 2; };
+  CHECK(distance_of_interface(mesh, distance) < 1e-12);
+  CHECK(result.interface_distance < 1e-12);
+  CHECK(volumes_by_centers(mesh).at(2) == Approx(64));
+  for(int k = 0; k < 8; ++k)
+  {
+    const Vector3d corner = middle + turn * Vector3d(k % 2 ? 2 : -2, k / 2 % 2 ? 2 : -2, k / 4 ? 2 : -2);
+    CHECK(std::any_of(mesh.points.begin(), mesh.points.end(), [&](const std::array<double, 3>& p)
+                      { return (vector(p) - corner).norm() < 1e-12; }));
+  }
+}
+
 TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted until surfaces between them are manifolds")
 {
   const Body cube(3, 0, same);
@@ -1315,14 +1346,14 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
   for(const Set& others : { Set{ {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {2, 1, 1} }, Set{ {1, 1, 1}, {2, 2, 2}, {1, 1, 2}, {0, 0, 0}, {0, 1, 0} } })
   {
     set(others);
-    VMP::internal::Subdomain_separation_3(boxes).run();
+    VMP::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
     for(const auto& [edge, number] : quadrangles_at_edges())
       CHECK(number <= 2);
     CHECK(std::count(boxes.cell_references.begin(), boxes.cell_references.end(), 2) >= 3);
   }
   set({ {1, 1, 1}, {2, 1, 1} }); // already a manifold
   const std::vector<int> before = boxes.cell_references;
-  VMP::internal::Subdomain_separation_3(boxes).run();
+  VMP::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
   CHECK(boxes.cell_references == before);
 }
 

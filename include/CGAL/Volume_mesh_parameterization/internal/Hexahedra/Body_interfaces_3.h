@@ -31,13 +31,6 @@ class Body_interfaces_3
 public:
   using Pair = std::array<int, 2>; // subdomains, the smaller reference first
 
-  // Corner of lines.
-  struct Corner
-  {
-    Eigen::Vector3d point;
-    Patches_3 patches;
-  };
-
   Body_interfaces_3(const Tetrahedron_soup_3& soup, const Body_surface_3& boundary)
     : m_points(soup.points)
   {
@@ -48,7 +41,8 @@ public:
 
   bool empty() const { return m_facets.empty(); }
 
-  const std::vector<Corner>& corners() const { return m_corners; }
+  // Returns the corners of lines where just these patches meet.
+  const std::vector<Eigen::Vector3d>& corners(const Patches_3& patches) { return m_corners[patches]; }
 
   const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
 
@@ -104,8 +98,7 @@ public:
   }
 
   // Tells whether there are lines where just these patches meet.
-  bool has_line(const Patches_3& patches) const
-  { return std::any_of(m_lines.begin(), m_lines.end(), [&](const auto& line) { return line.second == patches; }); }
+  bool has_line(const Patches_3& patches) const { return m_patches_at_lines.count(patches) > 0; }
 
 private:
   void collect_facets(const Tetrahedron_soup_3& soup)
@@ -161,6 +154,7 @@ private:
       if(patches.size() < 2)
         return;
       m_lines.emplace_back(begin->first, patches);
+      m_patches_at_lines.insert(patches);
       for(const std::size_t v : begin->first)
         lines_at[v].push_back(patches);
     });
@@ -171,7 +165,7 @@ private:
         patches.insert(line.begin(), line.end());
       const Eigen::Vector3d p = to_vector(m_points[v]);
       if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && boundary.is_on_line(p)))
-        m_corners.push_back({ p, patches });
+        m_corners[patches].push_back(p);
     }
   }
 
@@ -182,7 +176,8 @@ private:
   std::map<std::array<std::size_t, 3>, std::size_t> m_patch_of_facet;
   std::map<Pair, Patches_3> m_patches_of_pair;
   std::vector<std::pair<std::array<std::size_t, 2>, Patches_3> > m_lines;
-  std::vector<Corner> m_corners;
+  std::set<Patches_3> m_patches_at_lines;
+  std::map<Patches_3, std::vector<Eigen::Vector3d> > m_corners; // by the patches that meet there
   std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // that have been asked for
 };
 

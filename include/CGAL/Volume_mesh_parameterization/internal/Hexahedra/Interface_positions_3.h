@@ -30,8 +30,8 @@ struct Interface_quadrangle_3
 inline Body_interfaces_3::Pair pair_of(const Hexahedron_soup_3& mesh, const Interface_quadrangle_3& q)
 { return { mesh.cell_references[q.sides[0].cell], mesh.cell_references[q.sides[1].cell] }; }
 
-// Returns the quadrangles between subdomains, in the order of their sorted vertices.
-inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedron_soup_3& mesh)
+// Returns the quadrangles between parts of the hexahedra, in the order of their sorted vertices.
+inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedron_soup_3& mesh, const std::vector<int>& parts)
 {
   std::vector<Interface_quadrangle_3> result;
   for_each_group(6 * mesh.cells.size(),
@@ -42,13 +42,16 @@ inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahed
       return;
     Quadrangle_of_hexahedron q = { begin->second / 6, begin->second % 6 };
     Quadrangle_of_hexahedron r = { (begin + 1)->second / 6, (begin + 1)->second % 6 };
-    if(mesh.cell_references[q.cell] > mesh.cell_references[r.cell])
+    if(parts[q.cell] > parts[r.cell])
       std::swap(q, r);
-    if(mesh.cell_references[q.cell] != mesh.cell_references[r.cell])
+    if(parts[q.cell] != parts[r.cell])
       result.push_back({ vertices_of(mesh, q), { q, r } });
   });
   return result;
 }
+
+inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedron_soup_3& mesh)
+{ return quadrangles_between_3(mesh, mesh.cell_references); }
 
 // Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
 inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
@@ -117,7 +120,7 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
     result.covered.emplace_back(&interfaces.surface({ patch }), of_patch);
 
   result.of_vertices.resize(mesh.points.size());
-  std::vector<std::tuple<double, std::size_t, std::size_t> > ways; // squared distance, vertex, corner
+  std::vector<std::tuple<double, std::size_t, std::size_t> > ways; // squared distance, vertex, corner of those with its patches
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     if(patches[v].empty())
@@ -131,18 +134,17 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
     position.point = position.surface->nearest(p, position.freedom);
     const bool is_on_line_of_boundary = freedom[v] == Freedom_3::LINE || freedom[v] == Freedom_3::NONE;
     if(patches[v].size() > 1 && (is_on_line_of_boundary || !interfaces.has_line(patches[v])))
-      for(std::size_t c = 0; c < interfaces.corners().size(); ++c)
-        if(const Body_interfaces_3::Corner& corner = interfaces.corners()[c]; corner.patches == patches[v])
-          ways.emplace_back((p - corner.point).squaredNorm(), v, c);
+      for(std::size_t c = 0; c < interfaces.corners(patches[v]).size(); ++c)
+        ways.emplace_back((p - interfaces.corners(patches[v])[c]).squaredNorm(), v, c);
   }
   std::sort(ways.begin(), ways.end());
-  std::vector<bool> is_taken(interfaces.corners().size(), false);
+  std::set<std::pair<Patches_3, std::size_t> > taken;
   for(const auto& [squared_distance, v, c] : ways)
-    if(Interface_positions_3::Position& position = result.of_vertices[v]; !is_taken[c] && position.freedom != Freedom_3::NONE)
+    if(Interface_positions_3::Position& position = result.of_vertices[v];
+       position.freedom != Freedom_3::NONE && taken.emplace(patches[v], c).second)
     {
-      is_taken[c] = true;
       position.freedom = Freedom_3::NONE;
-      position.point = interfaces.corners()[c].point;
+      position.point = interfaces.corners(patches[v])[c];
     }
   return result;
 }

@@ -144,7 +144,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   if(may_keep_interfaces)
   {
     Hexahedron_soup_3 separated = boxes;
-    Subdomain_separation_3(separated).run();
+    Subdomain_separation_3(separated).run(budget);
     best = best_hexahedra_3(map, separated, surface, &interfaces, solver, is_parallel, budget);
     if(best.result.has_valid_mesh)
       balance_interfaces_3(interfaces, best.mesh);

@@ -46,7 +46,19 @@ inline Hexahedron_soup_3 fitted_to_interfaces(const Volume_map_3& map, Hexahedro
   positions = interface_positions_3(body, quadrangles, freedoms_3(body, surface), interfaces);
   move_to_images_of_positions(map, positions, domain);
   const Interface_layers_3 layers = interface_layers_3(domain, quadrangles);
-  body = pulled_back(map, Interface_padding_3(domain, quadrangles, layers).result(), is_parallel, budget);
+  domain = Interface_padding_3(domain, domain.cell_references, quadrangles, layers).result();
+  std::vector<Interface_quadrangle_3> padded_quadrangles = interface_quadrangles_3(domain); // in the order of those before
+  for(std::size_t i = 0; i < quadrangles.size(); ++i)
+    padded_quadrangles[i].patch = quadrangles[i].patch;
+  if(const Patches_3 patches = patches_with_straight_corners(padded_quadrangles, positions); !patches.empty())
+  {
+    domain = with_enclosed_patches(domain, patches, padded_quadrangles);
+    body = pulled_back(map, domain, is_parallel, budget);
+    if(!body.cells.empty())
+      positions = interface_positions_3(body, padded_quadrangles, freedoms_3(body, surface), interfaces);
+  }
+  else
+    body = pulled_back(map, domain, is_parallel, budget);
   for(std::size_t v = 0; v < positions.of_vertices.size() && !body.cells.empty(); ++v)
     if(positions.of_vertices[v].surface != nullptr)
       body.points[v] = coordinates(positions.of_vertices[v].point);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <set>
 
@@ -45,10 +46,10 @@ public:
     });
   }
 
-  // Makes the changes, as long as each of them leaves fewer bad vertices.
-  void run()
+  // Makes the changes, as long as each of them leaves fewer defects.
+  void run(const Budget& budget)
   {
-    for(bool has_changed = true; has_changed; )
+    for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
     {
       has_changed = false;
       for(std::size_t v = 0; v < m_cells_at.size(); ++v)
@@ -94,11 +95,12 @@ private:
   // Returns by how much the parts of subdomains and of their complements at a vertex are too many.
   int defects(const std::size_t v)
   {
+    const auto is_like_first = [&](const std::size_t c) { return reference(c) == reference(m_cells_at[v][0]); };
+    if(std::all_of(m_cells_at[v].begin(), m_cells_at[v].end(), is_like_first))
+      return 0;
     std::map<int, std::vector<std::size_t> > subdomains;
     for(const std::size_t c : m_cells_at[v])
       subdomains[reference(c)].push_back(c);
-    if(subdomains.size() < 2)
-      return 0;
     int result = 0;
     for(const auto& [subdomain, cells] : subdomains)
     {
