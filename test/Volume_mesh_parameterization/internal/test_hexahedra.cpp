@@ -1292,12 +1292,12 @@ TEST_CASE("Layers keep their plane interfaces without more hexahedra, also besid
 
 TEST_CASE("A turned box in a box keeps its edges and corners, with a layer around each of its sides")
 {
-  const Vector3d middle = Vector3d::Constant(3);
+  const Vector3d middle = Vector3d::Constant(4);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  const Body body = box_of_subdomains(6, [&](const Vector3d& p) -> Vector3d // turned in the middle, not on the boundary
+  const Body body = box_of_subdomains(8, [&](const Vector3d& p) -> Vector3d // turned in the middle, not on the boundary
   {
     const Vector3d q = p - middle;
-    const double t = (std::min)(1., 3 - q.lpNorm<Eigen::Infinity>());
+    const double t = (std::min)(1., 2 - q.lpNorm<Eigen::Infinity>() / 2);
     return middle + t * (turn * q) + (1 - t) * q;
   },
   [&](const Vector3d& p) { return (p - middle).lpNorm<Eigen::Infinity>() < 2 ? 2 : 1; });
