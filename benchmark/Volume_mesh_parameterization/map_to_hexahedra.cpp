@@ -4,8 +4,12 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
@@ -73,6 +77,29 @@ Triangles boundary(const VMP::Hexahedron_soup_3& mesh)
   return result;
 }
 
+// Returns the part of the sharp edges of the body, by length, whose quarters have their middles within a tenth of the spacing of
+// edges of quadrangles; 1 if there are none.
+double part_of_sharp_edges(const VMP::Tetrahedron_soup_3& soup, const VMP::Hexahedron_soup_3& mesh, const double spacing)
+{
+  std::vector<K::Segment_3> edges;
+  const std::vector<Point_3> ends = points_of(mesh.points), points = points_of(soup.points);
+  for(const auto& f : mesh.facets)
+    for(std::size_t k = 0; k < 4; ++k)
+      edges.emplace_back(ends[f[k]], ends[f[(k + 1) % 4]]);
+  using Primitive = CGAL::AABB_segment_primitive<K, std::vector<K::Segment_3>::const_iterator>;
+  const CGAL::AABB_tree<CGAL::AABB_traits<K, Primitive> > tree(edges.cbegin(), edges.cend());
+  double all = 0, near = 0;
+  for(const auto& [v, w] : VMP::internal::sharp_edges_3(boundary(soup), soup.edges,
+                                                        [&](const std::size_t i) { return VMP::internal::to_vector(soup.points[i]); }))
+    for(const double part : { 0.125, 0.375, 0.625, 0.875 })
+    {
+      const double length = std::sqrt(CGAL::squared_distance(points[v], points[w])) / 4;
+      all += length;
+      near += tree.squared_distance(points[v] + part * (points[w] - points[v])) <= spacing * spacing / 100 ? length : 0;
+    }
+  return all > 0 ? near / all : 1;
+}
+
 VMP::Error_code map_boundary(const C3t3& c3t3, const std::string& domain, const double spacing, Point_map& target)
 {
   const auto target_map = VMP::make_vertex_point_map(target);
@@ -126,6 +153,8 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
             << "\nminimal_scaled_jacobian: " << result.minimal_scaled_jacobian
             << "\nmean_scaled_jacobian: " << result.mean_scaled_jacobian
             << "\nseconds_map: " << map.seconds_total << "\nseconds_hexahedra: " << timer.time() << std::endl;
+  if(result.status == VMP::OK)
+    std::cout << "sharp_edges: " << part_of_sharp_edges(soup, mesh, longest / number) << std::endl;
   if(result.status == VMP::OK)
     std::cout << "hausdorff_distance: "
               << PMP::approximate_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(

@@ -175,7 +175,9 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
                           the targets describe is planar. As soon as a map with the boundary at its targets inverts no cell,
                           a vertex whose facets are coplanar moves in their plane, one whose facets lie in two planes along
-                          their common line, and every other one stays. So the images of planar regions, of the edges
+                          their common line, and every other one stays. Inside of a plane, vertices of sharp edges
+                          of the body whose targets lead along an axis move along it only, as lines of polycubes do
+                          (\ref VMPBoundaryTarget). So the images of planar regions, of the edges
                           between them and of the complex remain the same, and remain one to one.}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}

@@ -265,7 +265,7 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "polycube_axes", "improve", "landmarks", "merge_points",
+  "options", "source", "target", "to", "polycube_axes", "improve", "features", "landmarks", "merge_points",
   "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
   "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
@@ -283,7 +283,7 @@ const std::vector<std::string> report_keys = {
 const std::vector<std::string> hexahedra_keys = {
   "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "padding",
   "minimal_scaled_jacobian", "mean_scaled_jacobian", "subdomains", "volumes_of_tetrahedra", "volumes_of_hexahedra",
-  "interface_distance"};
+  "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals"};
 
 // Returns the keys of a report with other ones, which come before the steps.
 std::vector<std::string> report_keys_with(const std::vector<std::string>& others)
@@ -743,6 +743,39 @@ TEST_CASE("The faces of a polycube are multiples of the spacing of hexahedra")
   folder.write("source.mesh", source);
   REQUIRE(folder.run("source.mesh --to polycube --hexahedra 1 hexahedra.mesh") == 0);
   CHECK(folder.text("stdout").find("35 hexahedra, scaled Jacobian: minimal 1, mean 1") != std::string::npos);
+}
+
+TEST_CASE("Hexahedra follow a ridge that is in a list of features")
+{
+  const Folder folder;
+  Soup roof = cube(4); // whose top falls by 15 degrees on both sides of y = 1, where no plane of the grid is
+  std::string ridge = "4\n";
+  for(double x = 0; x < 4; ++x)
+  {
+    const auto vertex = [&](const Point& p) { return std::find(roof.points.begin(), roof.points.end(), p) - roof.points.begin(); };
+    ridge += std::to_string(vertex({x, 1, 4})) + " " + std::to_string(vertex({x + 1, 1, 4})) + "\n";
+  }
+  for(Point& p : roof.points)
+    p[2] *= 1 - 0.268 * std::abs(p[1] - 1) / 4;
+  folder.write("source.mesh", roof);
+  folder.write("ridge.feat", ridge);
+  folder.write("triangles.sharp", "1\n0 5 2\n");
+  const auto vertices_on_ridge = [&](const std::string& options)
+  {
+    REQUIRE(folder.run("source.mesh --to polycube --slide --hexahedra 2 hexahedra.mesh" + options) == 0);
+    std::istringstream mesh(folder.text("hexahedra.mesh"));
+    std::string word;
+    while(mesh >> word && word != "Vertices") {}
+    int size, number = 0;
+    mesh >> size;
+    for(double x, y, z, reference; size > 0 && mesh >> x >> y >> z >> reference; --size)
+      number += std::hypot(y - 1, z - 4) < 0.2;
+    return number;
+  };
+  CHECK(vertices_on_ridge(" --features ridge.feat") == 3);
+  CHECK(vertices_on_ridge("") == 0);
+  CHECK(folder.run("source.mesh --to polycube --features triangles.sharp") == 2);
+  CHECK(folder.text("stderr").find("triangles.sharp: line 2: '2' follows the two vertices of an edge") != std::string::npos);
 }
 
 TEST_CASE("A turned source has its own polycube, unless the axes are given")

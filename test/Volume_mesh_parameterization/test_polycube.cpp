@@ -8,7 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -453,7 +453,7 @@ TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too
   const Eigen::AlignedBox3d box = bounding_box(mesh);
   set_points(mesh, unit_points(mesh));
   std::vector<Eigen::Vector3d> images;
-  const VMP::Error_code status = map_to_box_with_holes_3(mesh, box, 0, *surface.cells, surface.vertices, images, Budget());
+  const VMP::Error_code status = map_to_box_with_holes_3(mesh, are_among(mesh, surface.sharp_edges), box, 0, *surface.cells, surface.vertices, images, Budget());
   CHECK((status == VMP::OK || status == VMP::ERROR_BOUNDARY_TOO_COARSE));
   CHECK(images.size() == (status == VMP::OK ? surface.points.size() : 0));
 }
@@ -606,7 +606,7 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const Budget budget;
-  const std::vector<std::size_t> labels = Normal_labels_3(mesh, budget).closest();
+  const std::vector<std::size_t> labels = Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest();
   std::vector<std::size_t> folded = labels; // on the top, a part has the label of the face y = 4
   for(const auto f : mesh.faces())
   {
@@ -617,7 +617,8 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
   for(Eigen::Vector3d& p : surface.points)
     p[2] *= 0.2 + 0.2 * p[1];
   set_points(mesh, surface.points);
-  const Normal_labels_3 costs(mesh, budget);
+  const auto position = [&](const std::size_t v) { return surface.points[v]; };
+  const Normal_labels_3 costs(mesh, are_among(mesh, sharp_edges_3(surface.facets, {}, position)), budget);
   CHECK(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded)); // the line leads up, and down along the top
   CHECK(folded == labels);
   CHECK_FALSE(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded));
@@ -842,7 +843,7 @@ TEST_CASE("a face of a polycube whose hole would be beside it is impossible")
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const Budget budget;
-  const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, budget).closest());
+  const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest());
   const Grid_planes_3 any_planes;
   Polycube_coordinates_3 inside(mesh, charts, any_planes, budget);
   CHECK(inside.run());

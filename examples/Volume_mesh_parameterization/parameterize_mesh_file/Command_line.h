@@ -17,7 +17,7 @@
 
 struct Options
 {
-  std::string source, target, domain, polycube_axes, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
+  std::string source, target, domain, polycube_axes, features, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations;
@@ -126,6 +126,9 @@ inline Command_line command_line(Options& options)
   po::options_description source("Source", width);
   source.add_options()
     ("merge-points", po::bool_switch(&options.do_merge_points), "join cells where several points have one place")
+    ("features", po::value(&options.features)->value_name("FILE"),
+     "the sharp edges of the source: lines with two vertices, counted from 0, in place of the edges that SOURCE.mesh marks. "
+     "If none are marked, edges with more than 60 degrees between the normals are sharp")
     ("separate", po::bool_switch(&options.do_separate),
      "where the body touches itself at a vertex or an edge, give each of its parts there vertices of its own");
 
@@ -218,7 +221,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
               << ")\n";
     return false;
   }
-  for(std::string* name : { &options.source, &options.target, &options.landmarks, &options.initial })
+  for(std::string* name : { &options.source, &options.target, &options.features, &options.landmarks, &options.initial })
     if(*name == "-")
       *name = "/dev/stdin";
   if(!options.hexahedra.empty() && options.hexahedra.back() == "-")

@@ -69,7 +69,7 @@ inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
                       .add("polycube_axes", options.polycube_axes).add("improve", options.do_improve)
-                      .add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
+                      .add("features", options.features).add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
                       .add("separate", options.do_separate).add("displacements", options.are_displacements)
                       .add("staircases", options.are_staircases).add("others", options.others).add("inside", options.inside).add("initial", options.initial)
                       .add("boundary", options.boundary).add("refine", options.refinement)
@@ -100,6 +100,22 @@ inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_resu
     std::cout << result.message.substr(success.size() + 1) << "\n"; // sentences on interfaces
 }
 
+// The table of patches, a list for each column; centers and normals have three numbers for each patch.
+inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_patch>& patches)
+{
+  std::vector<double> references, quadrangles, areas, centers, normals;
+  for(const auto& patch : patches)
+  {
+    references.push_back(patch.reference);
+    quadrangles.push_back(static_cast<double>(patch.number_of_quadrangles));
+    areas.push_back(patch.area);
+    centers.insert(centers.end(), patch.center.begin(), patch.center.end());
+    normals.insert(normals.end(), patch.normal.begin(), patch.normal.end());
+  }
+  return JSON_object().add("references", references).add("quadrangles", quadrangles).add("areas", areas)
+                      .add("centers", centers).add("normals", normals);
+}
+
 inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
 {
   std::vector<double> subdomains, of_tetrahedra, of_hexahedra;
@@ -118,7 +134,8 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
                       .add("minimal_scaled_jacobian", result.minimal_scaled_jacobian)
                       .add("mean_scaled_jacobian", result.mean_scaled_jacobian)
                       .add("subdomains", subdomains).add("volumes_of_tetrahedra", of_tetrahedra)
-                      .add("volumes_of_hexahedra", of_hexahedra).add("interface_distance", result.interface_distance);
+                      .add("volumes_of_hexahedra", of_hexahedra).add("interface_distance", result.interface_distance)
+                      .add("patches", json(result.patches));
 }
 
 inline std::string list(const std::vector<std::string>& names)

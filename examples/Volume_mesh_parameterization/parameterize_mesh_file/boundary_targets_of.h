@@ -83,7 +83,7 @@ using Polycube = CGAL::Volume_mesh_parameterization::Polycube_boundary_parameter
 inline Boundary_parameterizer polycube_parameterizer(const Polycube& polycube)
 {
   return [polycube](const auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
-  { return polycube.parameterize(mesh.points, mesh.cells, targets, CGAL::parameters::visitor(std::ref(progress))); };
+  { return polycube.parameterize(mesh, targets, CGAL::parameters::visitor(std::ref(progress))); };
 }
 
 // The lengths of the sides of a box from text such as 1,2,0.5

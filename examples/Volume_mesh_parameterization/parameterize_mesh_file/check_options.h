@@ -39,7 +39,7 @@ inline std::vector<std::string> without_empty(std::vector<std::string> names)
 }
 
 inline std::vector<std::string> inputs(const Options& options)
-{ return without_empty({ options.source, options.target, options.landmarks, options.initial }); }
+{ return without_empty({ options.source, options.target, options.features, options.landmarks, options.initial }); }
 
 inline std::vector<std::string> outputs(const Options& options)
 {

@@ -4,6 +4,7 @@
 #include "Mesh_format.h"
 #include "Progress_line.h"
 #include "mend_source.h"
+#include "read_features.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
@@ -55,6 +56,8 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
 inline Source read_source(const Options& options, Progress_line& progress)
 {
   auto soup = read_mesh(options.source, progress);
+  if(!options.features.empty())
+    naming(options.features, [&] { mark_features(options.features, soup); });
   return naming(options.source, [&] { return mended_source(std::move(soup), options); });
 }
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -29,6 +30,21 @@ struct Subdomain_volumes
   int reference = 0;              ///< the index of the subdomain
   double of_tetrahedra = 0;       ///< the volume of its tetrahedra
   double of_hexahedra = 0;        ///< the volume of its hexahedra, whose quadrangles are bilinear
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationHexahedra
+
+The quadrangles with one reference, each taken for two triangles.
+*/
+struct Hexahedral_mesh_patch
+{
+  int reference = 0;                      ///< the reference
+  std::size_t number_of_quadrangles = 0;  ///< how many there are
+  double area = 0;                        ///< the sum of areas, in the squared unit of the points
+  std::array<double, 3> center = {};      ///< the center of mass
+  /// the sum of the areas times the normals, which point outwards, as a unit vector; zero if the sum is, as of a closed patch
+  std::array<double, 3> normal = {};
 };
 
 /*!
@@ -59,6 +75,8 @@ struct Hexahedral_mesh_result
   /// the largest distance between interfaces of the subdomains and the quadrangles there: from the vertices, the middles of edges
   /// and the centers of quadrangles, and from the vertices of the interfaces; 0 if there is no interface, not a number if there are no hexahedra
   double interface_distance = std::numeric_limits<double>::quiet_NaN();
+  /// the patches of the boundary, by ascending reference; none if there is no valid mesh
+  std::vector<Hexahedral_mesh_patch> patches;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

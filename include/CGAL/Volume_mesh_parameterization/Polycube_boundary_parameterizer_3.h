@@ -59,15 +59,23 @@ finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered afterwards,
 The coordinate that is constant on a face has exactly the same bits in all images there. No triangle is flipped or flat, and
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
+Sharp edges inside of a chart become lines in the face that are parallel to an axis, if they do not lead too far across it: parts
+of curves between their turns, with one value of the coordinate across for all lines that meet. The order of lines and edges of
+the polycube stays, and lines that would flip triangles are given up. Sharp edges are the 1-dimensional features of the
+complex, or the marked edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on
+both sides.
+
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
 All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
-faces are merged that an edge keeps apart.
+faces are merged that an edge keeps apart. Coordinates of lines are multiples of the spacing too, or where there is no room of its
+half or quarter.
 
 The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted
 is the map, and the less certain that labels with a polycube are found.
 
 Unless labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13} : those of
-facets, of small regions and of charts are changed as long as that lowers the cost. Where opposite directions would be
+facets, of small regions and of charts are changed as long as that lowers the cost. Lines between charts along sharp edges are
+free. Where opposite directions would be
 neighbors, another one is put between them. Charts that no polycube can have, and their neighbors, get other
 labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
 the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the

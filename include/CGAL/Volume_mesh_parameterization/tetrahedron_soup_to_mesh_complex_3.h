@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 
 #include <set>
@@ -45,6 +46,7 @@ public:
     join_cells();
     close_boundary();
     add_facets();
+    add_edges();
   }
 
 private:
@@ -201,6 +203,25 @@ private:
     }
   }
 
+  // Adds the marked edges of cells as features, if the complex can have any.
+  void add_edges()
+  {
+    if constexpr(boost::is_detected<Edges_of_complex, C3t3>::value)
+    {
+      const int default_reference = unused_reference(m_soup.edge_references);
+      for(std::size_t e = 0; e < m_soup.edges.size(); ++e)
+      {
+        const Vertex_handle v = m_vertices[m_soup.edges[e][0]], w = m_vertices[m_soup.edges[e][1]];
+        Cell_handle cell;
+        int i, k;
+        if(v == Vertex_handle() || w == Vertex_handle() || v == w || !triangulation().is_edge(v, w, cell, i, k))
+          continue;
+        const int reference = m_soup.edge_references[e] == 0 ? default_reference : m_soup.edge_references[e];
+        m_c3t3.add_to_complex(v, w, typename C3t3::Curve_index(reference));
+      }
+    }
+  }
+
   const Tetrahedron_soup_3& m_soup;
   const Facet_matching_3& m_matching;
   C3t3& m_c3t3;
@@ -217,7 +238,8 @@ private:
 /// All cells are in the complex; their subdomain indices are the references of the soup.
 /// In the complex are also the facets of cells that the soup lists, with their references as patch indices,
 /// the other facets of the boundary, and the facets between different subdomains.
-/// Since index 0 means outside the complex, cells and facets with reference 0 and facets without reference
+/// So are the marked edges, as features, if the complex is a model of `MeshComplexWithFeatures_3InTriangulation_3`.
+/// Since index 0 means outside the complex, cells, facets and edges with reference 0 and facets without reference
 /// get the smallest positive number that is not used as a reference.
 ///
 /// The cells may have several connected components and a non-manifold boundary. They are oriented positively

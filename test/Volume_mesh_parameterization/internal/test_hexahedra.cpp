@@ -8,6 +8,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/INP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
 
@@ -310,14 +311,14 @@ struct Sliding_hexahedra
   explicit Sliding_hexahedra(const Body& body, const double spacing = 1) : Sliding_hexahedra(body, boxes(body, spacing)) {}
 
   Sliding_hexahedra(const Body& body, const Hexahedron_soup_3& start)
-    : linear_solver(solver), surface(body.soup.points, body.soup.cells, body.images), start(start),
+    : linear_solver(solver), surface(VMP::internal::Mapped_soup_3(body.soup, body.images)), start(start),
       freedoms(VMP::internal::freedoms_3(start, surface)),
       hexahedra(start, freedoms, surface, linear_solver, false, budget)
   {}
 
   static Hexahedron_soup_3 boxes(const Body& body, const double spacing)
   {
-    const VMP::internal::Box_grid_3 grid(body.soup.cells, body.images, spacing);
+    const VMP::internal::Box_grid_3 grid(body.soup.cells, body.images, {}, spacing);
     const VMP::Volume_map_3 map(body.soup.points, body.soup.cells, body.images);
     const VMP::internal::Budget budget;
     return VMP::internal::pulled_back(map, grid.boxes([&](const Points& centers)
@@ -420,6 +421,85 @@ TEST_CASE("Vertices are held by sharp edges of the body, and leave edges of the 
   CHECK(projected(0.7, Freedom_3::SURFACE).isApprox(Vector3d(1, 2, 0)));
   CHECK(projected(0, Freedom_3::LINE).isApprox(Vector3d(1, 0, 0)));
   CHECK(projected(0.7, Freedom_3::NONE) == Vector3d(0, 0, 0));
+}
+
+namespace {
+
+// A roof: the top of the cube [0, 8]^3 falls by 15 degrees on both sides of a ridge at y = 3, between planes of a grid.
+Vector3d roof(const Vector3d& p) { return Vector3d(p[0], p[1], p[2] * (1 - std::tan(CGAL_PI / 12) * std::abs(p[1] - 3) / 8)); }
+
+// The largest distance of points on the ridge to edges of quadrangles.
+double distance_of_ridge(const Hexahedron_soup_3& mesh)
+{
+  double farthest = 0;
+  for(int i = 0; i <= 80; ++i)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& f : mesh.facets)
+      for(std::size_t k = 0; k < 4; ++k)
+      {
+        const auto point = [&](const std::size_t v) { return K::Point_3(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]); };
+        least = (std::min)(least, CGAL::squared_distance(K::Point_3(i / 10., 3, 8), K::Segment_3(point(f[k]), point(f[(k + 1) % 4]))));
+      }
+    farthest = (std::max)(farthest, std::sqrt(least));
+  }
+  return farthest;
+}
+
+} // namespace
+
+TEST_CASE("Edges of hexahedra follow a blunt ridge that a complex has as a feature")
+{
+  constexpr double spacing = 2;
+  for(const bool has_features : { true, false })
+  {
+    Body body(8, 0, roof);
+    std::map<std::array<double, 3>, std::size_t> vertex_at;
+    for(std::size_t v = 0; v < body.images.size(); ++v)
+      vertex_at[body.images[v]] = v;
+    for(double x = 0; x < 8 && has_features; ++x)
+    {
+      body.soup.edges.push_back({ vertex_at.at({ x, 3, 8 }), vertex_at.at({ x + 1, 3, 8 }) });
+      body.soup.edge_references.push_back(7);
+    }
+    Cube_complex<>::C3t3 c3t3;
+    std::vector<Cube_complex<>::Vertex_handle> vertices;
+    std::vector<Cube_complex<>::Cell_handle> cells;
+    VMP::tetrahedron_soup_to_mesh_complex_3(body.soup, c3t3, vertices, cells);
+    CHECK(c3t3.number_of_edges_in_complex() == (has_features ? 8 : 0));
+    Cube_complex<>::Point_map uvw;
+    const auto uvw_map = VMP::make_vertex_point_map(uvw);
+    REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
+              c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+                                              .do_slide_boundary(true)).status == VMP::OK);
+    Hexahedron_soup_3 mesh;
+    REQUIRE(VMP::hexahedral_mesh(c3t3, uvw_map, spacing, mesh).status == VMP::OK);
+    CHECK((distance_of_ridge(mesh) < 0.1 * spacing) == has_features);
+  }
+}
+
+TEST_CASE("The patches of hexahedra of a box have its areas, centers and normals")
+{
+  Body box(4, 0, [](const Vector3d& p) -> Vector3d { return p.cwiseProduct(Vector3d(1, 2, 3)); });
+  for(const auto& facet : VMP::internal::boundary_facets_3(box.soup.cells))
+  {
+    box.soup.facets.push_back(facet);
+    const bool is_top = std::all_of(facet.begin(), facet.end(), [&](const std::size_t v) { return box.images[v][2] == 4; });
+    box.soup.facet_references.push_back(is_top ? 9 : 2);
+  }
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(box.soup, box.images, 1, mesh);
+  REQUIRE(result.patches.size() == 2);
+  const VMP::Hexahedral_mesh_patch& others = result.patches[0], & top = result.patches[1];
+  CHECK(others.reference == 2);
+  CHECK(others.number_of_quadrangles == 5 * 16);
+  CHECK(std::abs(others.area - (2 * 4 * 12 + 2 * 8 * 12 + 4 * 8)) < 1e-9);
+  CHECK(vector(others.normal).isApprox(Vector3d(0, 0, -1)));
+  CHECK(top.reference == 9);
+  CHECK(top.number_of_quadrangles == 16);
+  CHECK(std::abs(top.area - 4 * 8) < 1e-9);
+  CHECK(vector(top.center).isApprox(Vector3d(2, 4, 12)));
+  CHECK(vector(top.normal).isApprox(Vector3d(0, 0, 1)));
 }
 
 TEST_CASE("Vertices on sharp edges of a bent bar stay on them while others move")

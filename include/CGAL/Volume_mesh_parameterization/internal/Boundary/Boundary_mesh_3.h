@@ -57,6 +57,16 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
   return CGAL::is_closed(mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
 }
 
+// Tells of each edge of a mesh whether it is among those between the given vertices.
+inline std::vector<bool> are_among(const Boundary_mesh_3& mesh, const std::vector<std::array<std::size_t, 2> >& edges)
+{
+  std::vector<bool> result(mesh.number_of_edges(), false);
+  for(const auto& [v, w] : edges)
+    result[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v)),
+                                   Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(w))))] = true;
+  return result;
+}
+
 inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
 { return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()); }
 

@@ -39,6 +39,12 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   { return parameterize_arrays(body_of(points, cells), targets, np, typename Model::Given()); }
 
+  /// writes the image of each point on the boundary of a soup, whose marked edges are its sharp ones.
+  template <typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const Tetrahedron_soup_3& soup, TargetRange& targets,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const
+  { return parameterize_arrays(body_of(soup), targets, np, typename Model::Given()); }
+
   // Finds the image of each point on the boundary of a body, in the order of its points; those of the others are not numbers.
   Error_code find_targets(const Body_3& body, const Budget& budget, std::vector<std::array<double, 3> >& targets) const
   { return find_targets(body, typename Model::Given(), budget, targets); }

@@ -20,6 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+using Held_coordinates = std::vector<std::array<bool, 3> >; // by vertex and axis: coordinates of images that stay
+
 // Moves the inner vertices of a plane image of a chart, first harmonically, then such that no triangle is flipped
 // and the distortion is low. The border stays. The energy is the one of Garanzha et al., Foldover-free maps in 50 lines of
 // code (2021),
@@ -32,7 +34,7 @@ public:
   // Maps the chart harmonically. The axes u and v of the images give positive orientation; the chart is scaled to the area
   // of its image.
   Chart_relaxation_2(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
-                     const std::vector<bool>& is_on_border, const int u, const int v,
+                     const Held_coordinates& is_held, const int u, const int v,
                      std::vector<Eigen::Vector3d>& images)
     : m_u(u), m_v(v)
   {
@@ -44,7 +46,9 @@ public:
     for(std::size_t i = 0; i < m_vertices.size(); ++i)
     {
       m_images.col(i) << images[m_vertices[i]][u], images[m_vertices[i]][v];
-      m_unknown.push_back(is_on_border[m_vertices[i]] ? -1 : m_number_of_unknowns++);
+      m_unknown.emplace_back();
+      for(const int axis : { 0, 1 })
+        m_unknown.back()[axis] = is_held[m_vertices[i]][axis == 0 ? u : v] ? -1 : m_number_of_unknowns++;
     }
     move_to_harmonic_map();
     for(const Triangle& t : m_triangles)
@@ -113,14 +117,36 @@ private:
     m_triangles.push_back(t);
   }
 
-  // Minimizes the sum over triangles of area |J|^2, with one linear system for both coordinates.
+  // Minimizes the sum over triangles of area |J|^2, for each coordinate alone; with one matrix if the same vertices are held.
   void move_to_harmonic_map()
   {
-    if(m_number_of_unknowns == 0)
-      return;
-    std::vector<Sparse_entry> entries;
-    std::array<VectorXd, 2> right;
-    right.fill(VectorXd::Zero(m_number_of_unknowns));
+    std::unique_ptr<Symmetric_sparse_solver> solver;
+    std::vector<int> numbers, numbers_before;
+    for(int axis = 0; axis < 2; ++axis, numbers_before = numbers)
+    {
+      int n = 0;
+      numbers.clear();
+      for(const std::array<int, 2>& unknown : m_unknown)
+        numbers.push_back(unknown[axis] < 0 ? -1 : n++);
+      if(n == 0)
+        continue;
+      const auto [entries, right] = harmonic_system(axis, numbers, n);
+      if(numbers != numbers_before)
+      {
+        solver = make_symmetric_sparse_solver();
+        solver->factorize(n, entries);
+      }
+      const VectorXd solution = solver->solve(right);
+      for(std::size_t i = 0; i < numbers.size(); ++i)
+        if(numbers[i] >= 0)
+          m_images(axis, i) = solution[numbers[i]];
+    }
+  }
+
+  std::pair<std::vector<Sparse_entry>, VectorXd> harmonic_system(const int axis, const std::vector<int>& numbers, const int n) const
+  {
+    std::pair<std::vector<Sparse_entry>, VectorXd> result;
+    result.second = VectorXd::Zero(n);
     Small_matrix<3, 2> difference;
     difference << -1, -1, 1, 0, 0, 1;
     for(const Triangle& t : m_triangles)
@@ -130,23 +156,14 @@ private:
       for(int i = 0; i < 3; ++i)
         for(int k = 0; k < 3; ++k)
         {
-          const int row = m_unknown[t.vertices[i]], column = m_unknown[t.vertices[k]];
+          const int row = numbers[t.vertices[i]], column = numbers[t.vertices[k]];
           if(row >= 0 && column >= 0)
-            entries.push_back({ row, column, K(i, k) });
+            result.first.push_back({ row, column, K(i, k) });
           else if(row >= 0)
-            for(int axis = 0; axis < 2; ++axis)
-              right[axis][row] -= K(i, k) * m_images(axis, t.vertices[k]);
+            result.second[row] -= K(i, k) * m_images(axis, t.vertices[k]);
         }
     }
-    const auto solver = make_symmetric_sparse_solver();
-    solver->factorize(m_number_of_unknowns, entries);
-    for(int axis = 0; axis < 2; ++axis)
-    {
-      const VectorXd solution = solver->solve(right[axis]);
-      for(std::size_t i = 0; i < m_unknown.size(); ++i)
-        if(m_unknown[i] >= 0)
-          m_images(axis, i) = solution[m_unknown[i]];
-    }
+    return result;
   }
 
   void write(std::vector<Eigen::Vector3d>& images) const
@@ -180,17 +197,18 @@ private:
 
   State newton_step(const State& before, Symmetric_sparse_solver& solver)
   {
-    VectorXd gradient = VectorXd::Zero(2 * m_number_of_unknowns);
+    VectorXd gradient = VectorXd::Zero(m_number_of_unknowns);
     std::vector<Sparse_entry> entries;
     for(const Triangle& t : m_triangles)
       add_derivatives(t, gradient, entries);
-    solver.factorize(2 * m_number_of_unknowns, entries);
+    solver.factorize(m_number_of_unknowns, entries);
     const VectorXd solution = solver.solve(-gradient);
 
     Columns_2 direction = Columns_2::Zero(2, m_images.cols());
     for(std::size_t v = 0; v < m_unknown.size(); ++v)
-      if(m_unknown[v] >= 0)
-        direction.col(v) = solution.segment<2>(2 * m_unknown[v]);
+      for(int axis = 0; axis < 2; ++axis)
+        if(m_unknown[v][axis] >= 0)
+          direction(axis, v) = solution[m_unknown[v][axis]];
     for(double length = 1; length > 1e-12; length /= 2)
     {
       const Columns_2 candidate = m_images + length * direction;
@@ -253,13 +271,13 @@ private:
     const Small_matrix<6, 6> h = curved * derivative;
     for(int i = 0; i < 6; ++i)
     {
-      const int row = 2 * m_unknown[t.vertices[i / 2]] + i % 2;
+      const int row = m_unknown[t.vertices[i / 2]][i % 2];
       if(row < 0)
         continue;
       gradient[row] += g[i];
       for(int k = 0; k < 6; ++k)
-        if(m_unknown[t.vertices[k / 2]] >= 0)
-          entries.push_back({ row, 2 * m_unknown[t.vertices[k / 2]] + k % 2, h(i, k) });
+        if(const int column = m_unknown[t.vertices[k / 2]][k % 2]; column >= 0)
+          entries.push_back({ row, column, h(i, k) });
     }
   }
 
@@ -267,7 +285,7 @@ private:
   std::vector<Boundary_mesh_3::Vertex_index> m_vertices; // vertices of the mesh
   std::vector<Triangle> m_triangles;
   Columns_2 m_images;
-  std::vector<int> m_unknown; // number of an inner vertex, or -1
+  std::vector<std::array<int, 2> > m_unknown; // number of each coordinate of a vertex, or -1 if it is held
   int m_number_of_unknowns = 0;
   double m_epsilon = 1;
 };

@@ -26,6 +26,7 @@ struct Numbered_surface_3
 {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::size_t, 3> > facets; // counterclockwise as seen from outside
+  std::vector<std::array<std::size_t, 2> > sharp_edges;
   std::vector<std::size_t> vertices;               // points of the body, each once, in the order of the facets
   const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // cells of the body, by its points
 };

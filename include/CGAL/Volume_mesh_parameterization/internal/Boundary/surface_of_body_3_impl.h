@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -30,6 +30,11 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Bod
   for(std::array<std::size_t, 3>& facet : surface.facets)
     for(std::size_t& v : facet)
       v = static_cast<std::size_t>(numbered.numbers[v]);
+  std::vector<std::array<std::size_t, 2> > marked;
+  for(const auto& [v, w] : body.soup.edges)
+    if(numbered.numbers[v] >= 0 && numbered.numbers[w] >= 0)
+      marked.push_back({ static_cast<std::size_t>(numbered.numbers[v]), static_cast<std::size_t>(numbered.numbers[w]) });
+  surface.sharp_edges = sharp_edges_3(surface.facets, std::move(marked), [&](const std::size_t v) { return surface.points[v]; });
   return surface;
 }
 

@@ -12,7 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/AABB_segment_primitive.h>
@@ -24,6 +25,7 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -32,22 +34,19 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
 
 // Boundary of a body that is mapped to a domain whose facets are orthogonal to the axes, and its lines: the sharp edges that
-// are mapped to edges of the domain.
+// are mapped to edges along an axis, which edges of the domain are, and some in its faces.
 class Body_surface_3
 {
 public:
-  Body_surface_3(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells,
-                 const std::vector<std::array<double, 3> >& images)
-    : m_facets(boundary_facets_3(cells))
+  explicit Body_surface_3(const Mapped_soup_3& soup)
+    : m_facets(boundary_facets_3(soup.cells))
   {
-    std::vector<std::array<std::size_t, 2> > lines;
-    for_each_edge(m_facets, [&](const auto begin, const auto end)
-    {
-      const std::array<std::size_t, 3>&f = m_facets[begin->second[0] / 3], &g = m_facets[(end - 1)->second[0] / 3];
-      if(is_sharp(points, f, g) && is_sharp(images, f, g))
-        lines.push_back(begin->first);
-    });
-    build(points, lines);
+    const auto sharp = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return to_vector(soup.points[v]); });
+    for(const auto& [v, w] : sharp)
+      if((to_vector(soup.images[v]).array() != to_vector(soup.images[w]).array()).count() == 1)
+        m_edges_of_lines.push_back({ v, w });
+    build(soup.points, m_edges_of_lines);
+    find_ends(soup.points);
   }
 
   // Takes any facets, and edges as lines.
@@ -60,19 +59,26 @@ public:
   static bool is_sharp(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 3>& f,
                        const std::array<std::size_t, 3>& g)
   {
-    constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
     return normal(triangle(points, f)).dot(normal(triangle(points, g))) < cosine_of_sharp_edge;
   }
 
   const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
 
+  // Returns the edges of the lines, as points of the soup.
+  const std::vector<std::array<std::size_t, 2> >& lines() const { return m_edges_of_lines; }
+
   // Returns the freedom of a vertex by the number of planes of the boundary of the domain that its image is on. The image may be
-  // on an edge or in a corner: the vertex is held there only if the body has a line there, too.
+  // on an edge or in a corner: the vertex is held there only if the body has a line there, too. It stays also where lines end, turn
+  // or meet.
   Freedom_3 freedom(const Eigen::Vector3d& p, const int number_of_planes) const
   {
     if(number_of_planes == 0)
       return Freedom_3::SPACE;
-    return number_of_planes == 1 || !is_on_line(p) ? Freedom_3::SURFACE : number_of_planes == 2 ? Freedom_3::LINE : Freedom_3::NONE;
+    if(!is_on_line(p))
+      return Freedom_3::SURFACE;
+    const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Eigen::Vector3d& end)
+                                    { return (end - p).norm() <= m_rounding; });
+    return is_end || number_of_planes > 2 ? Freedom_3::NONE : Freedom_3::LINE;
   }
 
   bool is_on_line(const Eigen::Vector3d& p) const
@@ -121,6 +127,22 @@ public:
   }
 
 private:
+  // Finds the points where lines end or turn, or more than two edges of them meet.
+  void find_ends(const std::vector<std::array<double, 3> >& points)
+  {
+    const double cosine_of_turn = std::sqrt(0.5); // a guess; 45 degrees, below which a curve is smooth
+    std::map<std::size_t, std::vector<Eigen::Vector3d> > directions;
+    for(const auto& [v, w] : m_edges_of_lines)
+    {
+      const Eigen::Vector3d d = (to_vector(points[w]) - to_vector(points[v])).stableNormalized();
+      directions[v].push_back(d);
+      directions[w].push_back(-d);
+    }
+    for(const auto& [v, d] : directions)
+      if(d.size() != 2 || -d[0].dot(d[1]) < cosine_of_turn)
+        m_ends.push_back(to_vector(points[v]));
+  }
+
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Segments = std::vector<Kernel::Segment_3>;
@@ -160,7 +182,9 @@ private:
   std::vector<std::array<std::size_t, 3> > m_facets;
   std::vector<Eigen::Vector3d> m_vertices;
   Triangles m_triangles; // of the facets
-  Segments m_segments;
+  std::vector<std::array<std::size_t, 2> > m_edges_of_lines;
+  Segments m_segments; // of the lines
+  std::vector<Eigen::Vector3d> m_ends;
   double m_rounding; // distance of points on lines from the lines, by rounding
   Tree<AABB_triangle_primitive<Kernel, Triangles::const_iterator> > m_surface;
   Tree<AABB_segment_primitive<Kernel, Segments::const_iterator> > m_lines;

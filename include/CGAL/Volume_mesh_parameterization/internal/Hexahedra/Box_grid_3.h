@@ -15,16 +15,19 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 
+#include <set>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the
-// grid, and between two of them planes are put at equal distances near the spacing. So no box is partly inside the domain.
+// grid, those through lines along the axes are where there is room for them, and between two of them planes are put at equal
+// distances near the spacing. So no box is partly inside the domain.
 class Box_grid_3
 {
 public:
-  // Finds the planes for the domain, the image of the cells.
+  // Finds the planes for the domain, the image of the cells, and for lines in its faces.
   Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& images,
-             const double spacing)
+             const std::vector<std::array<std::size_t, 2> >& lines, const double spacing)
   {
     for(const std::array<std::size_t, 3>& facet : boundary_facets_3(cells))
       if(!add_plane_of(facet, images))
@@ -34,6 +37,7 @@ public:
       std::sort(planes.begin(), planes.end());
       planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
     }
+    add_planes_of(lines, images, spacing);
     if(check_number_of_boxes(spacing))
       for(std::size_t axis = 0; axis < 3; ++axis)
         divide(axis, spacing);
@@ -108,6 +112,30 @@ private:
     return false;
   }
 
+  // Adds the planes across lines that leave room for a part of the spacing on both sides.
+  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<std::array<double, 3> >& images,
+                     const double spacing)
+  {
+    constexpr double smallest_part = 0.2; // a guess; less than lines of polycubes leave
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::set<double> planes;
+      for(const auto& [v, w] : lines)
+        if(images[v][axis] == images[w][axis])
+          planes.insert(images[v][axis]);
+      for(const double plane : planes)
+      {
+        const auto next = std::lower_bound(m_planes[axis].begin(), m_planes[axis].end(), plane);
+        if(next != m_planes[axis].begin() && next != m_planes[axis].end()
+           && (std::min)(*next - plane, plane - *(next - 1)) >= smallest_part * spacing)
+        {
+          m_planes[axis].insert(next, plane);
+          m_planes_of_lines[axis].insert(plane);
+        }
+      }
+    }
+  }
+
   // Refuses more boxes than memory has room for: 4 kB a box while hexahedra are improved, if all boxes are inside.
   bool check_number_of_boxes(const double spacing)
   {
@@ -155,10 +183,12 @@ private:
   {
     const std::vector<double> planes = m_planes[axis];
     m_planes[axis].resize(planes.empty() ? 0 : 1);
+    std::size_t first = 0;
     for(std::size_t i = 1; i < planes.size(); ++i)
     {
       const double n = number_of_parts(planes[i] - planes[i - 1], spacing);
-      const std::size_t first = m_first_of_block[axis].size();
+      if(m_planes_of_lines[axis].count(planes[i - 1]) == 0)
+        first = m_first_of_block[axis].size();
       for(double k = 1; k <= n; ++k)
       {
         m_planes[axis].push_back(k == n ? planes[i] : planes[i - 1] + (planes[i] - planes[i - 1]) * (k / n));
@@ -173,6 +203,7 @@ private:
   }
 
   std::array<std::vector<double>, 3> m_planes; // coordinates of planes, along each axis
+  std::array<std::set<double>, 3> m_planes_of_lines; // those of lines alone, which divide no block
   // First box of each box's block, along each axis: the first one between the same two planes of faces.
   std::array<std::vector<std::size_t>, 3> m_first_of_block;
   Input_check_3 m_check;

@@ -65,6 +65,39 @@ inline void evaluate_interfaces(const Tetrahedron_soup_3& soup, const Hexahedron
                                " of the edges there; it is the largest at ", describe(farthest.point), ".");
 }
 
+// Returns the area, center and normal of the quadrangles with each reference.
+inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedron_soup_3& mesh)
+{
+  struct Sums
+  {
+    Hexahedral_mesh_patch patch;
+    Eigen::Vector3d center = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+  };
+  std::map<int, Sums> sums;
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    Sums& sum = sums[mesh.facet_references[f]];
+    const auto& [a, b, c, d] = mesh.facets[f];
+    for(const std::array<std::size_t, 3>& triangle : { std::array<std::size_t, 3>{ a, b, c }, { a, c, d } })
+    {
+      const Small_matrix<3, 2> X = edges_of_facet(triangle, [&](const std::size_t v) { return to_vector(mesh.points[v]); });
+      sum.center += area_of_facet(X) * (to_vector(mesh.points[triangle[0]]) + X.rowwise().sum() / 3);
+      sum.normal += X.col(0).cross(X.col(1)) / 2;
+      sum.patch.area += area_of_facet(X);
+    }
+    ++sum.patch.number_of_quadrangles;
+  }
+  std::vector<Hexahedral_mesh_patch> result;
+  for(auto& [reference, sum] : sums)
+  {
+    sum.patch.reference = reference;
+    sum.patch.center = coordinates(sum.center / sum.patch.area);
+    sum.patch.normal = coordinates(sum.normal.stableNormalized());
+    result.push_back(sum.patch);
+  }
+  return result;
+}
+
 // Names the hexahedron of the least scaled Jacobian if this is below a bound.
 inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hexahedral_mesh_result& result)
 {
@@ -120,7 +153,8 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   const Input_check_3 check = check_map_3(soup);
   if(check.status != OK)
     return refused_result(check);
-  const Box_grid_3 grid(soup.cells, soup.images, spacing);
+  const Body_surface_3 surface(soup);
+  const Box_grid_3 grid(soup.cells, soup.images, surface.lines(), spacing);
   if(grid.check().status != OK)
     return refused_result(grid.check());
 
@@ -137,7 +171,6 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
                                        get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
 
-  const Body_surface_3 surface(soup.points, soup.cells, soup.images);
   Body_interfaces_3 interfaces(soup, surface);
   Best_hexahedra_3 best;
   const bool may_keep_interfaces = do_keep_interfaces && !interfaces.empty();
@@ -158,6 +191,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   {
     set_images(map, is_parallel, best.mesh);
     set_facet_references(soup, surface, interfaces, best.mesh);
+    result.patches = patches_of(best.mesh);
     check_quality(best.mesh, minimal_scaled_jacobian, result);
     if(may_keep_interfaces && are_staircases)
       result.message += " Interfaces between subdomains are staircases, as corners were inverted where they were kept.";

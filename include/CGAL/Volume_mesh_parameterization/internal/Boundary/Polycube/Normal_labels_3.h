@@ -37,9 +37,9 @@ public:
   using Labels = std::vector<std::size_t>;
   using Face = Boundary_mesh_3::Face_index;
 
-  // Takes a surface of diameter about 1, such that lengths and areas compare.
-  Normal_labels_3(const Boundary_mesh_3& mesh, const Budget& budget)
-    : m_mesh(mesh), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
+  // Takes a surface of diameter about 1, such that lengths and areas compare, and whether each of its edges is sharp.
+  Normal_labels_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Budget& budget)
+    : m_mesh(mesh), m_is_sharp(is_sharp), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
     std::vector<Eigen::Vector3d> area_vectors; // normal times area
     for(const Face f : mesh.faces())
@@ -57,7 +57,7 @@ public:
       const Eigen::Vector3d n = area_vectors[mesh.face(h)].normalized();
       const Eigen::Vector3d m = area_vectors[mesh.face(mesh.opposite(h))].normalized();
       const double cosine = (std::max)(0., n.dot(m));
-      m_edge_costs.push_back(cosine * cosine
+      m_edge_costs.push_back((is_sharp[e] ? 0 : cosine * cosine)
                              * (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm());
     }
   }
@@ -83,12 +83,8 @@ public:
 
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
 
-  // Tells whether the normals on both sides of an edge make more than 60 degrees.
-  bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const
-  {
-    const Eigen::Vector3d edge = eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h));
-    return 4 * m_edge_costs[m_mesh.edge(h)] < edge.norm();
-  }
+  const std::vector<bool>& are_sharp() const { return m_is_sharp; }
+  bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const { return m_is_sharp[m_mesh.edge(h)]; }
 
   // Returns all other labels of all charts, the cheapest one first.
   std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
@@ -239,6 +235,7 @@ private:
   static constexpr double least_gain = 1e-12; // above rounding of sums of about 1, so that no change is undone by the next
 
   const Boundary_mesh_3& m_mesh;
+  const std::vector<bool> m_is_sharp;
   const Budget& m_budget;
   std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
   std::vector<Costs> m_face_costs;                  // costs of a face by label

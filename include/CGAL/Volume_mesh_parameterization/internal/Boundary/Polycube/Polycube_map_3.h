@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Lines_of_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -34,14 +34,15 @@ public:
                  const double spacing)
     : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
       m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
-  {}
+  {
+    const double size = box.sizes().maxCoeff();
+    m_planes = { -box.center() / size, spacing / size };
+  }
 
   // Finds the polycube, and maps the charts harmonically.
   Error_code start(const Budget& budget)
   {
-    const double size = m_box.sizes().maxCoeff();
-    const Grid_planes_3 planes = { -m_box.center() / size, m_spacing / size };
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, planes, budget);
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_planes, budget);
     if(m_charts.number_of_defects() > 0 || !coordinates.run())
       return ERROR_NO_POLYCUBE;
     return start(coordinates.of_charts(), budget);
@@ -53,35 +54,29 @@ public:
     for(const auto v : m_charts.corners())
       for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
         m_images[v][m_charts.axis(m_charts.chart(h))] = coordinates[m_charts.chart(h)];
-    std::vector<bool> is_on_edge(m_images.size(), false);
-    for(const Polycube_chain_3& chain : m_charts.chains())
-    {
-      const auto vertices = m_charts.vertices(chain);
-      map_path_to_segment_3(m_mesh, vertices, chain.axis, m_images);
-      for(const auto v : vertices)
-        is_on_edge[v] = true;
-    }
-    find_flipped_faces_between_edges(is_on_edge);
+    m_coordinates = coordinates;
+    m_is_on_line = m_is_held = Held_coordinates(m_images.size(), { false, false, false });
+    map_edges();
+    find_flipped_faces_between_edges();
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
-    map_charts(coordinates, is_on_edge, budget);
+    map_charts(budget);
     return OK;
   }
 
-  // Lowers the distortion, and checks the map.
-  Error_code finish(const Budget& budget)
+  // Lowers the distortion, and checks the map. Sharp edges inside charts become lines where that leaves room for all faces.
+  Error_code finish(const std::vector<bool>& is_sharp, const Budget& budget)
   {
-    for(Chart_relaxation_2& relaxation : m_relaxations)
-      relaxation.run(m_images, budget);
-    const auto faces = m_mesh.faces();
-    std::copy_if(faces.begin(), faces.end(), std::back_inserter(m_flipped_faces),
-                 [this](const Face f) { return !is_positive(f); });
+    relax(budget);
+    if(m_flipped_faces.empty())
+      straighten(is_sharp, budget);
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
     for(Eigen::Vector3d& image : m_images)
       image = m_box.center() + m_box.sizes().maxCoeff() * image;
     if(m_spacing > 0)
       remove_rounding();
+    const auto faces = m_mesh.faces();
     if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
       return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
     Boundary_mesh_3 image = m_mesh;
@@ -110,30 +105,104 @@ public:
   }
 
 private:
-  void find_flipped_faces_between_edges(const std::vector<bool>& is_on_edge)
+  // Maps the lines between charts, by arc length between the vertices whose coordinate is held, and holds all their vertices.
+  void map_edges()
   {
+    for(const Polycube_chain_3& chain : m_charts.chains())
+    {
+      const auto vertices = m_charts.vertices(chain);
+      std::size_t first = 0;
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+        if(i + 1 == vertices.size() || m_is_held[vertices[i]][chain.axis])
+        {
+          std::vector<Boundary_mesh_3::Vertex_index> part(vertices.begin() + first, vertices.begin() + i + 1);
+          for(int axis = 0; axis < 3; ++axis)
+            if(axis != chain.axis)
+              m_images[part.back()][axis] = m_images[part.front()][axis];
+          map_path_to_segment_3(m_mesh, part, chain.axis, m_images);
+          first = i;
+        }
+    }
+    for(const Polycube_chain_3& chain : m_charts.chains())
+      for(const auto v : m_charts.vertices(chain))
+        m_is_held[v] = { true, true, true };
+  }
+
+  // Moves the vertices inside charts for a low distortion, and finds the faces that are flipped then.
+  void relax(const Budget& budget)
+  {
+    for(Chart_relaxation_2& relaxation : m_relaxations)
+      relaxation.run(m_images, budget);
+    m_flipped_faces.clear();
+    for(const Face f : m_mesh.faces())
+      if(!is_positive(f))
+        m_flipped_faces.push_back(f);
+  }
+
+  // Makes lines of sharp edges inside charts as far as that leaves room for all faces.
+  void straighten(const std::vector<bool>& is_sharp, const Budget& budget)
+  {
+    const std::vector<Eigen::Vector3d> images = m_images;
+    for(Lines_of_charts_3 lines(m_mesh, m_charts, is_sharp, m_planes, images); !lines.are_empty(); )
+    {
+      map_with(lines, images, budget);
+      relax(budget);
+      if(m_flipped_faces.empty() || !lines.give_up(charts_around_flipped_faces()))
+        break;
+    }
+    if(m_flipped_faces.empty())
+      return;
+    m_images = images;
+    m_is_on_line.assign(m_images.size(), { false, false, false });
+    m_flipped_faces.clear();
+  }
+
+  // Maps the charts with lines, from the images of corners.
+  void map_with(const Lines_of_charts_3& lines, const std::vector<Eigen::Vector3d>& images, const Budget& budget)
+  {
+    m_images = images;
+    m_is_held.assign(m_images.size(), { false, false, false });
+    lines.apply(m_images, m_is_held);
+    m_is_on_line = m_is_held;
+    map_edges();
+    map_charts(budget);
+  }
+
+  void find_flipped_faces_between_edges()
+  {
+    constexpr std::array<bool, 3> all = { true, true, true };
     for(const Face f : m_mesh.faces())
     {
       const auto around = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
-      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return is_on_edge[v]; }) && !is_positive(f))
+      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return m_is_held[v] == all; }) && !is_positive(f))
         m_flipped_faces.push_back(f);
     }
   }
 
-  void map_charts(const std::vector<double>& coordinates, const std::vector<bool>& is_on_edge, const Budget& budget)
+  std::vector<bool> charts_around_flipped_faces() const
   {
+    std::vector<bool> result(m_charts.number_of_charts(), false);
+    for(const Face f : m_flipped_faces)
+      for(const auto h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
+        result[m_charts.chart(h)] = result[m_charts.chart(m_mesh.opposite(h))] = true;
+    return result;
+  }
+
+  void map_charts(const Budget& budget)
+  {
+    m_relaxations.clear();
     std::vector<std::vector<Face> > faces(m_charts.number_of_charts());
     for(const Face f : m_mesh.faces())
     {
       const std::size_t c = m_charts.chart_of_face()[f];
       faces[c].push_back(f);
       for(const auto v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
-        m_images[v][m_charts.axis(c)] = coordinates[c];
+        m_images[v][m_charts.axis(c)] = m_coordinates[c];
     }
     for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
     {
       const auto [u, v] = m_charts.plane_axes(c);
-      m_relaxations.emplace_back(m_mesh, faces[c], is_on_edge, u, v, m_images);
+      m_relaxations.emplace_back(m_mesh, faces[c], m_is_held, u, v, m_images);
     }
   }
 
@@ -148,21 +217,27 @@ private:
     return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }
 
-  // Makes the coordinates of faces multiples of the spacing again.
+  // Makes the coordinates of faces multiples of the spacing again, and those of lines multiples of a part of it.
   void remove_rounding()
   {
+    const auto round = [](double& x, const double unit) { x = unit * std::round(x / unit); };
     for(const auto h : m_mesh.halfedges())
-    {
-      double& x = m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))];
-      x = m_spacing * std::round(x / m_spacing);
-    }
+      round(m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))], m_spacing);
+    for(std::size_t v = 0; v < m_images.size(); ++v)
+      for(int axis = 0; axis < 3; ++axis)
+        if(m_is_on_line[v][axis])
+          round(m_images[v][axis], Lines_of_charts_3::smallest_part_of_spacing * m_spacing);
   }
 
   const Boundary_mesh_3& m_mesh;
   const Eigen::AlignedBox3d m_box;
   const double m_spacing;
   const Polycube_charts_3 m_charts;
+  Grid_planes_3 m_planes;
+  std::vector<double> m_coordinates; // of the faces of the charts, along their axes
   std::vector<Eigen::Vector3d> m_images;
+  Held_coordinates m_is_held;    // on edges of the polycube, and across lines
+  Held_coordinates m_is_on_line; // across lines
   std::vector<Chart_relaxation_2> m_relaxations;
   std::vector<Face> m_flipped_faces;
 };

@@ -29,14 +29,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Proposes labels with more and more smoothing, and takes the map of the least distortion. Where the boundary is too coarse,
 // faces for which there is no room are given to neighboring charts, and borders that fold are unfolded.
-inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
-                                             const double spacing, std::vector<Eigen::Vector3d>& images,
+inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp,
+                                             const Eigen::AlignedBox3d& box, const double spacing, std::vector<Eigen::Vector3d>& images,
                                              const Budget& budget)
 {
   Error_code status = ERROR_NO_POLYCUBE;
   std::multimap<double, Polycube_map_3> maps; // by distortion
   std::set<std::vector<std::size_t> > tried;
-  Normal_labels_3 costs(mesh, budget);
+  Normal_labels_3 costs(mesh, is_sharp, budget);
   for(double smoothing = 0.001; smoothing < 0.1 && !budget.is_exhausted(); smoothing *= std::sqrt(2.))
   {
     std::vector<std::size_t> candidate = costs.closest();
@@ -59,7 +59,7 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
   }
   for(auto& [distortion, map] : maps)
   {
-    status = map.finish(budget);
+    status = map.finish(is_sharp, budget);
     if(status == OK)
     {
       images = map.images();
@@ -106,6 +106,8 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
   }
   for(const auto& [a, b, c] : whole.facets)
     bodies[body_of(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+  for(const auto& [a, b] : whole.sharp_edges)
+    bodies[body_of(whole.vertices[a])].surface.sharp_edges.push_back({ number[a], number[b] });
   return bodies;
 }
 
@@ -165,11 +167,12 @@ struct Turned_surface_3
   Eigen::Matrix3d rotation;
   Numbered_surface_3 surface;
   Boundary_mesh_3 mesh;
-  Eigen::AlignedBox3d box; // of the surface
+  std::vector<bool> is_sharp; // of the edges of the mesh
+  Eigen::AlignedBox3d box;    // of the surface
 
   Turned_surface_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh, const Eigen::Matrix3d& rotation,
                    const double spacing)
-    : rotation(rotation), surface(surface), mesh(mesh)
+    : rotation(rotation), surface(surface), mesh(mesh), is_sharp(are_among(mesh, surface.sharp_edges))
   {
     if(rotation != Eigen::Matrix3d::Identity()) // which would round
       turn(bounding_box(mesh).center(), spacing);
@@ -200,7 +203,7 @@ inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double 
   if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
     return map_bodies_apart_3(turned.surface, spacing, images, budget);
   return kind == OK ? map_to_bounding_box_3(turned.mesh, turned.box, spacing, images, budget)
-                    : map_to_box_with_holes_3(turned.mesh, turned.box, spacing, *turned.surface.cells,
+                    : map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,
                                               turned.surface.vertices, images, budget);
 }
 
@@ -210,7 +213,7 @@ inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, con
   Polycube_map_3 map(turned.mesh, turned.box, labels, spacing);
   Error_code status = map.start(budget);
   if(status == OK)
-    status = map.finish(budget);
+    status = map.finish(turned.is_sharp, budget);
   if(status == OK)
     images = map.images();
   return status;
@@ -225,7 +228,7 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
   for(const Turned_surface_3& turned : frames)
   {
     std::vector<Eigen::Vector3d> candidate;
-    if(map_to_proposed_polycube_3(turned.mesh, turned.box, spacing, candidate, budget) != OK)
+    if(map_to_proposed_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, candidate, budget) != OK)
       continue;
     const double distortion = facet_distortion_3(
       turned.surface.facets, [&](const std::size_t v) { return turned.surface.points[v]; },

@@ -20,6 +20,7 @@
 #include <CGAL/property_map.h>
 
 #include <boost/container/static_vector.hpp>
+#include <boost/type_traits/is_detected.hpp>
 
 #include <iterator>
 #include <unordered_map>
@@ -101,7 +102,29 @@ using If_soup = std::enable_if_t<is_soup<Soup> >;
 template <typename PointRange, typename CellRange>
 Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_of(soup_of(points, cells)); }
 
-// The body of a complex, with references 0, and the way back.
+template <typename C3t3>
+using Edges_of_complex = decltype(std::declval<const C3t3&>().edges_in_complex_begin());
+
+// Marks the edges of the 1-dimensional features of a complex, if it knows any, by the indices of the points of its vertices.
+template <typename C3t3, typename Indices>
+void mark_edges(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& soup)
+{
+  if constexpr(boost::is_detected<Edges_of_complex, C3t3>::value)
+    if(c3t3.number_of_edges_in_complex() > 0)
+      for(auto it = c3t3.edges_in_complex_begin(); it != c3t3.edges_in_complex_end(); ++it)
+      {
+        const auto v = indices.find(it->first->vertex(it->second)), w = indices.find(it->first->vertex(it->third));
+        if(v == indices.end() || w == indices.end())
+          continue;
+        soup.edges.push_back({ v->second, w->second });
+        if constexpr(std::is_integral<typename C3t3::Curve_index>::value)
+          soup.edge_references.push_back(static_cast<int>(c3t3.curve_index(*it)));
+        else
+          soup.edge_references.push_back(1);
+      }
+}
+
+// The body of a complex, with its features as marked edges, with references of cells 0, and the way back.
 template <typename C3t3>
 struct Body_of_complex_3 : Body_3
 {
@@ -133,6 +156,7 @@ struct Body_of_complex_3 : Body_3
       }
     }
     soup.cell_references.resize(cells.size());
+    mark_edges(c3t3, indices, soup);
     boundary = facets_of_sides(soup.cells, sides);
   }
 };

@@ -142,6 +142,9 @@ struct Numbered_body_3
       points[v] = points_before[order[v]];
       vertices[points[v]] = static_cast<int>(v);
     }
+    for(const auto& [p, q] : soup.edges)
+      if(vertices[p] >= 0 && vertices[q] >= 0)
+        mesh.marked_edges.push_back({ vertices[p], vertices[q] });
     set_targets(mesh, columns(targets));
   }
 

@@ -33,6 +33,7 @@ struct Numbered_mesh_3
   Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
   std::vector<bool> is_held;             // may a vertex not slide either? none is held if there are no entries
+  std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any
   std::vector<Linear_constraint_3<int> > constraints; // of the images, besides the targets
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -111,7 +111,8 @@ private:
 };
 
 // Where the vertices of a boundary may go if its planar regions are to cover the same polygons: a vertex inside a region
-// moves parallel to its plane, one between two regions along their line, and every other vertex stays at its target.
+// moves parallel to its plane, one between two regions along their line, and every other vertex stays at its target. Sharp edges
+// of the body that lead along an axis inside of a region are lines, too, on which vertices stay.
 //
 // While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
 // its cell with it, in between. And regions of facets that are not turned over cover each point as often
@@ -136,6 +137,7 @@ public:
       m_projectors.push_back(mesh.is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
                              : is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero())
                              : projector(regions[v]));
+    hold_lines();
   }
 
   std::size_t number_of_sliding_vertices() const
@@ -207,6 +209,25 @@ private:
         return line.normalized() * line.normalized().transpose();
     }
     return Eigen::Matrix3d::Zero();
+  }
+
+  // Lets the vertices of lines inside of regions move along the axis of the line, and those where lines meet or end at the border
+  // of a region stay.
+  void hold_lines()
+  {
+    const auto lines = sharp_edges_3(m_facets, m_mesh.marked_edges, [&](const int v) { return Eigen::Vector3d(m_mesh.source.col(v)); });
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      const auto& [v, w] = begin->first;
+      const Eigen::Vector3d way = m_mesh.target.col(w) - m_mesh.target.col(v);
+      if((way.array() != 0).count() != 1 || !std::binary_search(lines.begin(), lines.end(), begin->first)
+         || m_regions.region(begin->second[0] / 3) != m_regions.region((end - 1)->second[0] / 3))
+        return;
+      const Eigen::Matrix3d along = (way.array() != 0).cast<double>().matrix().asDiagonal();
+      for(const int u : { v, w })
+        if(!m_mesh.is_free(u) && m_projectors[u] != along)
+          m_projectors[u] = m_projectors[u].trace() > 1.5 ? along : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
+    });
   }
 
   // The vector from the nearest point where a vertex may be.

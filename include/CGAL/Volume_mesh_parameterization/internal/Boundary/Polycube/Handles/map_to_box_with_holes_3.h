@@ -80,7 +80,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
             result.has_flipped_face[k] = result.has_flipped_face[k] || box_with_holes.is_at_hole(v, k);
     }
     const double distortion = status == OK ? map.distortion() : result.distortion; // before the images get their size
-    if(status == OK && map.finish(budget) == OK)
+    if(status == OK && map.finish(costs.are_sharp(), budget) == OK)
     {
       result.images = map.images();
       result.distortion = distortion;
@@ -125,7 +125,8 @@ inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, 
 // Maps the surface of a body with handles onto that of a box with as many holes, if the body can be cut into a ball along
 // discs and the mesh is fine enough. Among several cuts, the one of the least distortion is taken. Vertices of cells are
 // numbers of points; `points` has the number of the point of each vertex of the surface.
-inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
+inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp,
+                                          const Eigen::AlignedBox3d& box, const double spacing,
                                           const std::vector<std::array<std::size_t, 4> >& cells,
                                           const std::vector<std::size_t>& points, std::vector<Eigen::Vector3d>& images,
                                           const Budget& budget)
@@ -136,7 +137,7 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const Eig
   std::unordered_map<std::size_t, std::size_t> vertex_of_point;
   for(std::size_t v = 0; v < points.size(); ++v)
     vertex_of_point.emplace(points[v], v);
-  const Normal_labels_3 costs(mesh, budget);
+  const Normal_labels_3 costs(mesh, is_sharp, budget);
   Meridians_3 meridians(cells);
   bool has_meridians = false;
   Map_to_box_with_holes_3 best;

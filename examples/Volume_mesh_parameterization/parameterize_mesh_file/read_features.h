@@ -1,0 +1,45 @@
+// The option --features of parameterize_mesh_file: a list of the sharp edges of the source.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Reads lines of two vertices, counted from 0. The first line may be their number.
+inline std::vector<std::array<std::size_t, 2> > features_of_file(const std::string& filename, const std::size_t number_of_points)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const VMP::internal::Budget budget;
+  const std::string text = VMP::internal::read_file(filename, budget);
+  VMP::internal::Text_scanner scanner(text, budget);
+  std::vector<std::array<std::size_t, 2> > result;
+  for(bool is_first = true; !scanner.rest().empty(); is_first = false)
+  {
+    VMP::internal::Text_scanner line = scanner.next_line();
+    const std::size_t v = line.next_number<std::size_t>("the index of a vertex");
+    if(is_first && line.rest().empty())
+      continue;
+    const std::size_t w = line.next_number<std::size_t>("the index of a vertex");
+    line.expect_end("the two vertices of an edge; lists of triangles and their sides are not read");
+    if(v >= number_of_points || w >= number_of_points || v == w)
+      line.fail("there is no edge between the vertices " + std::to_string(v) + " and " + std::to_string(w) + " (counted from 0)");
+    result.push_back({ v, w });
+  }
+  return result;
+}
+
+// Marks the edges of a list in place of those that the mesh brings.
+inline void mark_features(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  soup.edges = features_of_file(filename, soup.points.size());
+  soup.edge_references.assign(soup.edges.size(), 1);
+  soup.edge_data.clear();
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H

@@ -1,0 +1,48 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SHARP_EDGES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SHARP_EDGES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
+
+// Returns the sharp edges of a surface, the smaller vertex first: those among the marked ones, or if there are none, those
+// whose normals on both sides make more than 60 degrees.
+template <typename Vertex, typename Position>
+std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<Vertex, 3> >& facets,
+                                                  std::vector<std::array<Vertex, 2> > marked, const Position& position)
+{
+  const auto normal = [&](const std::size_t corner)
+  {
+    const Small_matrix<3, 2> X = edges_of_facet(facets[corner / 3], position);
+    return Eigen::Vector3d(X.col(0).cross(X.col(1)).stableNormalized());
+  };
+  for(std::array<Vertex, 2>& edge : marked)
+    edge = sorted(edge);
+  std::sort(marked.begin(), marked.end());
+  std::vector<std::array<Vertex, 2> > found, by_angle;
+  for_each_edge(facets, [&](const auto begin, const auto end)
+  {
+    if(std::binary_search(marked.begin(), marked.end(), begin->first))
+      found.push_back(begin->first);
+    if(normal(begin->second[0]).dot(normal((end - 1)->second[0])) < cosine_of_sharp_edge)
+      by_angle.push_back(begin->first);
+  });
+  return found.empty() ? by_angle : found;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SHARP_EDGES_3_H
