@@ -79,7 +79,7 @@ public:
   const internal::Linear_solver_3& solver() const { return m_solver; }
 
 private:
-  internal::Matrix3Xd positions() const { return m_system.unit() * m_mesh.target; }
+  internal::Matrix3Xd positions() const { return m_system.scale() * m_mesh.target; }
 
   internal::Cell_energy_of<VMP::Dirichlet_energy_3> m_energy{VMP::Dirichlet_energy_3()};
   internal::Numbered_mesh_3 m_mesh;

@@ -228,11 +228,11 @@ TEST_CASE("The reference cells of a system can be exchanged")
   Solver<> solver;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
   const VMP::internal::Scaled_cells_3 source = cells_scaled_to_target(mesh), regular = regular_cells_scaled_to_target(mesh);
-  CHECK(source.unit == regular.unit);
+  CHECK(source.scale == regular.scale);
   VMP::internal::Newton_system_3 exchanged(mesh, source, free_vertices(mesh), linear_solver);
   exchanged.set_references(VMP::internal::Reference_cells::REGULAR);
   const VMP::internal::Newton_system_3 system(mesh, regular, free_vertices(mesh), linear_solver);
-  const Matrix3Xd u = source.unit * mesh.source;
+  const Matrix3Xd u = source.scale * mesh.source;
   CHECK(exchanged.evaluate(energy, u).energy == system.evaluate(energy, u).energy);
   exchanged.set_references(VMP::internal::Reference_cells::SOURCE);
   CHECK(exchanged.evaluate(energy, u).energy != system.evaluate(energy, u).energy);
@@ -244,7 +244,7 @@ TEST_CASE("The reference cells of a system can be exchanged")
     CHECK((edges.col(i) - edges.col((i + 1) % 3)).norm() == Approx(edges.col(0).norm()));
   }
   CHECK(edges.determinant() / 6 * mesh.cells.size()
-        == Approx(std::pow(regular.unit, 3) * VMP::internal::volume(mesh, mesh.target)));
+        == Approx(std::pow(regular.scale, 3) * VMP::internal::volume(mesh, mesh.target)));
 }
 
 TEST_CASE("A system of some of the unknowns is a part of that of all")
@@ -258,7 +258,7 @@ TEST_CASE("A system of some of the unknowns is a part of that of all")
   VMP::internal::Newton_system_3 part(whole, whole.unknowns().without([](const int v) { return v % 3 == 0; }), linear_solver);
   const auto& some = part.unknowns();
   REQUIRE(some.size() > 20);
-  Matrix3Xd u = whole.unit() * mesh.source;
+  Matrix3Xd u = whole.scale() * mesh.source;
   u.leftCols(mesh.number_of_free_vertices) += noise(mesh.number_of_free_vertices, 0.02);
   REQUIRE(whole.evaluate(energy, u).is_flip_free());
 

@@ -34,17 +34,17 @@ struct Corner_goals_3
 // Returns cells whose references are corners of boxes, with the edges that are the goals.
 inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals)
 {
-  const double unit = std::exp2(-std::round(std::log2(goals.mean_edge)));
-  Scaled_cells_3 result = { unit, {}, cell_weights(mesh) };
+  const double scale = std::exp2(-std::round(std::log2(goals.mean_edge)));
+  Scaled_cells_3 result = { scale, {}, cell_weights(mesh) };
   for(const Eigen::Vector3d& edges : goals.edges)
-    result.inverse_sources.push_back((unit * edges).cwiseInverse().asDiagonal());
+    result.inverse_sources.push_back((scale * edges).cwiseInverse().asDiagonal());
   return result;
 }
 
 // Returns the penalty of the constraints on vertices that move, relative to a sum over corners with the energy 1 each. An edge
-// has a length near 1 / unit.
+// has a length near 1 / scale.
 inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals,
-                                              const Unknowns_3& unknowns, const double unit)
+                                              const Unknowns_3& unknowns, const double scale)
 {
   std::vector<Linear_constraint_3<int> > result;
   for(const Linear_constraint_3<int>& constraint : goals.constraints)
@@ -58,7 +58,7 @@ inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const
     if(!of_rows.terms.empty())
       result.push_back(std::move(of_rows));
   }
-  return Quadratic_penalty_3(std::move(result), unit * unit * goals.weight / static_cast<double>(mesh.cells.size()), unit);
+  return Quadratic_penalty_3(std::move(result), scale * scale * goals.weight / static_cast<double>(mesh.cells.size()), scale);
 }
 
 // Moves the vertices of hexahedra, whose corners are the cells and overlap, starting at their targets: untangles corners, and
@@ -72,7 +72,7 @@ inline Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
   if(unknowns.size() == 0 || budget.is_exhausted())
     return mesh.target;
   Scaled_cells_3 boxes = box_corners_3(mesh, goals);
-  const Quadratic_penalty_3 penalty = penalty_of_goals_3(mesh, goals, unknowns, boxes.unit);
+  const Quadratic_penalty_3 penalty = penalty_of_goals_3(mesh, goals, unknowns, boxes.scale);
   Newton_system_3 system(mesh, std::move(boxes), std::move(unknowns), solver, &penalty);
   Progress_3 untangling(budget, 3 * goals.number_of_steps), progress(budget, goals.number_of_steps);
   Matrix3Xd positions = mesh.target;

@@ -63,7 +63,7 @@ public:
     : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
       m_patience(start.patience), m_number_of_raises(start.number_of_raises),
       m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
-      m_penalty(all_constraints(constraints), factor_of(parameters.weight), unit_of_length(m_length)),
+      m_penalty(all_constraints(constraints), factor_of(parameters.weight), scale_of_length(m_length)),
       m_system(mesh, cells_scaled_to_length(mesh, m_length), all_vertices(mesh), solver, &m_penalty)
   {
     minimize(start.stage == Search_start_3::Stage::SOFT_BOUNDARY ? start.positions : m_aligned_source);

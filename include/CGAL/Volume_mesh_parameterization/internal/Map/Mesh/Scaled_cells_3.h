@@ -19,11 +19,11 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The cells whose shapes and sizes those of a map are to approach.
 enum class Reference_cells { SOURCE, REGULAR };
 
-// The cells of a mesh, with the images of its vertices multiplied by a unit, and the source scaled such that both have
-// one volume. The unit is a power of two, so that scaling is exact.
+// The cells of a mesh, with the images of its vertices multiplied by a scale, and the source scaled such that both have
+// one volume. The scale is a power of two, so that scaling is exact.
 struct Scaled_cells_3
 {
-  double unit;
+  double scale;
   std::vector<Eigen::Matrix3d> inverse_sources; // X^{-1} of each cell
   std::vector<double> weights;                  // how much each cell counts; the sum is 1
 };
@@ -36,15 +36,15 @@ inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3
 }
 
 // Gives cells with this mean volume a volume near 1.
-inline double unit_of_cells(const double mean_volume) { return std::exp2(-std::round(std::log2(mean_volume) / 3)); }
+inline double scale_of_cells(const double mean_volume) { return std::exp2(-std::round(std::log2(mean_volume) / 3)); }
 
-// The unit gives the cells of the target a volume near 1.
+// The scale gives the cells of the target a volume near 1.
 inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
   const double target_volume = volume(mesh, mesh.target);
-  const double unit = unit_of_cells(target_volume / mesh.global_number_of_cells());
-  const double factor = std::cbrt(source_volume(mesh) / target_volume) / unit;
-  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+  const double scale = scale_of_cells(target_volume / mesh.global_number_of_cells());
+  const double factor = std::cbrt(source_volume(mesh) / target_volume) / scale;
+  return { scale, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
 // Returns regular cells of one size instead of those of the source: where only some map without inverted cells is looked
@@ -52,20 +52,20 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
   const double mean_volume = volume(mesh, mesh.target) / mesh.global_number_of_cells();
-  const double unit = unit_of_cells(mean_volume);
-  const Eigen::Matrix3d inverse = regular_edges().inverse() / (std::cbrt(3 * mean_volume) * unit);
-  return { unit, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+  const double scale = scale_of_cells(mean_volume);
+  const Eigen::Matrix3d inverse = regular_edges().inverse() / (std::cbrt(3 * mean_volume) * scale);
+  return { scale, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
 }
 
 // Gives a body whose volume has this cube root a volume near 1.
-inline double unit_of_length(const double length) { return std::exp2(-std::round(std::log2(length))); }
+inline double scale_of_length(const double length) { return std::exp2(-std::round(std::log2(length))); }
 
-// The unit gives the whole target a volume near 1, where `length` is the cube root of that volume.
+// The scale gives the whole target a volume near 1, where `length` is the cube root of that volume.
 inline Scaled_cells_3 cells_scaled_to_length(const Numbered_mesh_3& mesh, const double length)
 {
-  const double unit = unit_of_length(length);
-  const double factor = std::cbrt(source_volume(mesh)) / (unit * length);
-  return { unit, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
+  const double scale = scale_of_length(length);
+  const double factor = std::cbrt(source_volume(mesh)) / (scale * length);
+  return { scale, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

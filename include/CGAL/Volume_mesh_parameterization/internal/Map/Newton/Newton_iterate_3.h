@@ -28,14 +28,14 @@ struct Line_search_step_3
 // Where Newton's method stands, and the step that has led there.
 struct Newton_iterate_3
 {
-  double unit = 1;               // of the system
+  double scale = 1;              // of the system
   Matrix3Xd u = {};
   Energy_evaluation evaluation = {}; // of the energy that is minimized
   double energy_of_other_cells = 0; // that no unknown vertex belongs to
   Newton_direction_3 direction = {};
   double step_length = 0;
 
-  Matrix3Xd positions() const { return u / unit; } // of all vertices, in the units of the user
+  Matrix3Xd positions() const { return u / scale; } // of all vertices, in the units of the user
   double energy() const { return evaluation.energy + energy_of_other_cells; }
 
   // Moves along a direction, if it is usable, as far as `search()` finds. Returns whether there was an acceptable step.

@@ -31,7 +31,7 @@ public:
   Penalty_minimizer_3(Newton_system_3& system, Quadratic_penalty_3& penalty, const Cell_energy_3& energy,
                       const Matrix3Xd& positions, const Soft_boundary_parameters& parameters, const double diameter)
     : m_system(system), m_penalty(penalty), m_energy(energy), m_parameters(parameters), m_diameter(diameter),
-      m_iterate{ system.unit(), system.unit() * positions }, m_can_relax(parameters.maximal_number_of_relaxations > 0)
+      m_iterate{ system.scale(), system.scale() * positions }, m_can_relax(parameters.maximal_number_of_relaxations > 0)
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
     m_last_energy = m_iterate.evaluation.energy;

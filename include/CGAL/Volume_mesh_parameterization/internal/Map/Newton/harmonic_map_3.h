@@ -29,7 +29,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& pos
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;
   system.set_references(references);
-  Matrix3Xd u = system.unit() * positions;
+  Matrix3Xd u = system.scale() * positions;
   if(progress.is_interrupted())
     return {};
   Newton_direction_3 direction = system.direction(dirichlet, u, 0., tolerance, progress.budget());
@@ -43,7 +43,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& pos
     tolerance = std::clamp(0.5 * std::sqrt(allowed / left), 1e-3, 1e-1);
     direction = system.next_direction(dirichlet, u, tolerance, progress.budget());
   }
-  positions = u / system.unit();
+  positions = u / system.scale();
   return direction;
 }
 

@@ -36,7 +36,7 @@ class Minimizer_3
 public:
   Minimizer_3(Newton_system_3& system, const Cell_energy_3& energy, const Matrix3Xd& positions,
               const Negative_curvature& negative_curvature)
-    : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.unit(), system.unit() * positions },
+    : m_system(system), m_energy(energy), m_scale(scale_of(energy)), m_iterate{ system.scale(), system.scale() * positions },
       m_negative_curvature(negative_curvature)
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);

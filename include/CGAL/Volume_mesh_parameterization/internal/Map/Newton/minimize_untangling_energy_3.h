@@ -24,7 +24,7 @@ public:
   Untangler_3(Newton_system_3& system, const Matrix3Xd& u, const double theta, const std::size_t few_cells,
               const double solver_tolerance)
     : m_system(system), m_theta(theta), m_solver_tolerance(solver_tolerance), m_few_cells(few_cells),
-      m_iterate{ system.unit(), u }, m_best(u)
+      m_iterate{ system.scale(), u }, m_best(u)
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
@@ -97,7 +97,7 @@ inline Newton_result_3 minimize_untangling_energy_3(Newton_system_3& system, con
                                                     const Reference_cells references = Reference_cells::SOURCE)
 {
   system.set_references(references);
-  Untangler_3 untangler(system, system.unit() * positions, theta, few_cells, solver_tolerance);
+  Untangler_3 untangler(system, system.scale() * positions, theta, few_cells, solver_tolerance);
   const Newton_iterate_3& iterate = untangler.iterate();
   progress.end_start();
   const auto step = [&]
@@ -114,7 +114,7 @@ inline Newton_result_3 minimize_untangling_energy_3(Newton_system_3& system, con
     return untangler.is_stuck() ? std::optional(ERROR_NOT_FLIP_FREE) : std::nullopt;
   };
   const Error_code end = iterate.evaluation.is_flip_free() ? OK : progress.make_steps(false, step, status);
-  return { untangler.best() / system.unit(), iterate.evaluation.energy, end, reason_of_end(end, iterate) };
+  return { untangler.best() / system.scale(), iterate.evaluation.energy, end, reason_of_end(end, iterate) };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

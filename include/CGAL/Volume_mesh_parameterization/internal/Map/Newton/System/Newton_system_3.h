@@ -13,75 +13,14 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_kernels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Direct_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Quadratic_penalty_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/sums_over_cells_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The sum of an energy over the cells as a function of the positions `u` of all vertices, and what else takes a pass over
-// the cells: those that this process owns.
-inline Energy_evaluation evaluate_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Matrix3Xd& u)
-{
-  const Cell_kernels_3& kernels = cell_kernels_3();
-  std::vector<Energy_evaluation> parts(packs.number_of_own_chunks());
-  for_each_index(packs.is_parallel(), 0, parts.size(), [&](const std::size_t chunk)
-  { kernels.evaluate(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, parts[chunk]); });
-  Energy_evaluation result;
-  for(const Energy_evaluation& part : parts)
-    result.add(part);
-  return result;
-}
-
-// Calls f for each chunk of packs, such that its calls may add to the rows of the chunk.
-template <typename Function>
-void for_each_chunk_in_rounds(const Cell_packs_3& packs, const Function& f)
-{
-  for(std::size_t round = 0; round < packs.number_of_rounds(); ++round)
-    for_each_index(packs.is_parallel(), packs.round_begin(round), packs.round_begin(round + 1),
-                   [&](const std::size_t i) { f(packs.chunk_of_round(i)); });
-}
-
-// Adds the gradient by the unknown vertices, one column a row.
-inline void add_energy_gradient(const Cell_packs_3& packs, const Cell_energy_3& energy, const Matrix3Xd& u,
-                                Matrix3Xd& gradient)
-{
-  const Cell_kernels_3& kernels = cell_kernels_3();
-  for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
-  { kernels.add_gradient(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, gradient.data()); });
-}
-
-// The gradient and the Hessian, of which the part `negative_curvature` of negative eigenvalues in each cell is kept.
-template <typename NT>
-void assemble_energy(const Cell_packs_3& packs, const Cell_energy_3& energy, const Matrix3Xd& u,
-                     const double negative_curvature, Matrix3Xd& gradient, Block_sparse_matrix_3<NT>& hessian)
-{
-  const auto add_derivatives = std::get<Cell_kernels_3::Add_derivatives<NT> >(cell_kernels_3().add_derivatives);
-  gradient.setZero(3, hessian.size());
-  constexpr int rows_per_range = 1024;
-  for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range, [&](const int row) { hessian.set_zero(row); });
-  for_each_chunk_in_rounds(packs, [&](const std::size_t chunk)
-  {
-    add_derivatives(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), energy, negative_curvature,
-                    gradient.data(), hessian.values(0));
-  });
-  for_each_in_ranges(packs.is_parallel(), hessian.size(), rows_per_range,
-                     [&](const int row) { hessian.complete_row(row); });
-}
-
-// The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
-inline double largest_step_3(const Cell_packs_3& packs, const Matrix3Xd& u, const Matrix3Xd& d)
-{
-  const Cell_kernels_3& kernels = cell_kernels_3();
-  std::vector<double> parts(packs.number_of_own_chunks(), 1.);
-  for_each_index(packs.is_parallel(), 0, parts.size(), [&](const std::size_t chunk)
-  { parts[chunk] = kernels.largest_step(packs.chunk_begin(chunk), packs.chunk_end(chunk), u.data(), d.data()); });
-  return std::accumulate(parts.begin(), parts.end(), 1., [](double a, double b) { return (std::min)(a, b); });
-}
-
 // An energy of the cells, plus perhaps a penalty, as a function of the unknown vertices: its value and gradient, and the
-// Newton direction, for any energy. Its positions `u` are images multiplied by a unit that gives cells a volume near 1;
+// Newton direction, for any energy. Its positions `u` are images multiplied by a scale that gives cells a volume near 1;
 // only what is below Newton/ knows them.
 class Newton_system_3
 {
@@ -97,7 +36,7 @@ public:
                   Linear_solver_3& solver, const Quadratic_penalty_3* const penalty = nullptr)
     : m_mesh(mesh), m_communicator(*mesh.communicator), m_solver(solver),
       m_number_of_own_rows(unknowns.size() - mesh.number_of_copied_vertices), m_unknowns(std::move(unknowns)),
-      m_penalty(penalty), m_unit(scaled.unit),
+      m_penalty(penalty), m_scale(scaled.scale),
       m_pattern(sparsity_pattern_3(mesh, m_unknowns, penalty == nullptr ? Groups_of_vertices() : penalty->groups())),
       m_packs(mesh, std::move(scaled), m_unknowns, m_pattern), m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
@@ -105,7 +44,7 @@ public:
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
   Newton_system_3(const Newton_system_3& whole, Unknowns_3 some, Linear_solver_3& solver)
     : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_solver(solver), m_number_of_own_rows(some.size()),
-      m_unknowns(std::move(some)), m_penalty(nullptr), m_unit(whole.m_unit),
+      m_unknowns(std::move(some)), m_penalty(nullptr), m_scale(whole.m_scale),
       m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)), m_packs(whole.m_packs, m_unknowns, m_pattern),
       m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
@@ -114,9 +53,9 @@ public:
   Linear_solver_3& solver() const { return m_solver; }
   const Unknowns_3& unknowns() const { return m_unknowns; }
   bool has_penalty() const { return m_penalty != nullptr; }
-  double unit() const { return m_unit; } // by which positions are multiplied
+  double scale() const { return m_scale; } // by which positions are multiplied
 
-  // Takes regular cells as reference from now on, or those of the source again, with the same unit.
+  // Takes regular cells as reference from now on, or those of the source again, with the same scale.
   void set_references(const Reference_cells references)
   {
     if(references != m_references)
@@ -137,7 +76,7 @@ public:
   double smallest_relative_volume(const Matrix3Xd& positions) const
   {
     const Dirichlet_energy_3 any;
-    return evaluate(Cell_energy_of<Dirichlet_energy_3>(any), m_unit * positions).smallest_determinant;
+    return evaluate(Cell_energy_of<Dirichlet_energy_3>(any), m_scale * positions).smallest_determinant;
   }
 
   // The energy of the cells that no unknown vertex belongs to.
@@ -293,7 +232,7 @@ private:
   int m_number_of_own_rows; // they come first; the others are copies
   Unknowns_3 m_unknowns;
   const Quadratic_penalty_3* m_penalty;
-  double m_unit;
+  double m_scale;
   Reference_cells m_references = Reference_cells::SOURCE;
   Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;

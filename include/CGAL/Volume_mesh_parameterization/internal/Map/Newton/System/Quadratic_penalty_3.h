@@ -21,23 +21,23 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The penalty w |C x - p|^2 of linear constraints on free vertices, as a function of u = unit x. The right side p can be
+// The penalty w |C x - p|^2 of linear constraints on free vertices, as a function of u = scale x. The right side p can be
 // replaced for a while by the current values of C x.
 class Quadratic_penalty_3
 {
 public:
   using Positions = Matrix3Xd;
 
-  Quadratic_penalty_3(std::vector<Linear_constraint_3<int> > constraints, const double weight, const double unit = 1)
-    : m_constraints(std::move(constraints)), m_unit(unit)
+  Quadratic_penalty_3(std::vector<Linear_constraint_3<int> > constraints, const double weight, const double scale = 1)
+    : m_constraints(std::move(constraints)), m_scale(scale)
   {
     for(const Linear_constraint_3<int>& constraint : m_constraints)
-      m_values.push_back(unit * constraint.value);
+      m_values.push_back(scale * constraint.value);
     set_weight(weight);
     release();
   }
 
-  void set_weight(const double weight) { m_weight = weight / (m_unit * m_unit); }
+  void set_weight(const double weight) { m_weight = weight / (m_scale * m_scale); }
 
   // Takes the current positions as target.
   void hold(const Positions& u)
@@ -50,7 +50,7 @@ public:
   void release() { m_targets = m_values; }
 
   // |C x - p| for the constraints themselves
-  double residual(const Positions& u) const { return std::sqrt(squared_distance(u, m_values)) / m_unit; }
+  double residual(const Positions& u) const { return std::sqrt(squared_distance(u, m_values)) / m_scale; }
 
   double value(const Positions& u) const { return m_weight * squared_distance(u, m_targets); }
 
@@ -107,8 +107,8 @@ private:
   }
 
   std::vector<Linear_constraint_3<int> > m_constraints;
-  std::vector<double> m_values, m_targets; // the right sides of the constraints times the unit, and those that count now
-  double m_unit, m_weight;                 // the weight for u
+  std::vector<double> m_values, m_targets; // the right sides of the constraints times the scale, and those that count now
+  double m_scale, m_weight;                 // the weight for u
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
