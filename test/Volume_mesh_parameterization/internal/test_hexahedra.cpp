@@ -11,6 +11,7 @@
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
