@@ -63,16 +63,18 @@ public:
     do
     {
       m_temporary = m_path.substr(0, m_path.rfind('/') + 1) + "." + std::to_string(random()) + std::to_string(random()) + ".tmp";
+      m_next = last;
+      last = this; // before there is the file, for handlers of signals
       m_descriptor = open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
                           is_there ? status.st_mode & 0777 : 0666);
+      if(m_descriptor < 0)
+        last = m_next;
     } while(m_descriptor < 0 && errno == EEXIST);
     if(m_descriptor < 0)
       fail("the file cannot be written");
     if(is_there)
       fchmod(m_descriptor, status.st_mode & 0777); // what the user's mask has taken
     setp(m_buffer.data(), m_buffer.data() + m_buffer.size());
-    m_next = last;
-    last = this;
   }
 
   Whole_file(const Whole_file&) = delete;
@@ -80,9 +82,9 @@ public:
 
   ~Whole_file()
   {
-    last = m_next;
     close();
     unlink(m_temporary.c_str()); // nothing, if it has its name
+    last = m_next;
   }
 
   std::ostream& stream() { return m_stream; }
