@@ -27,6 +27,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from check_map import check, determinant, read_mesh
@@ -127,8 +128,8 @@ def run_command(words, folder, time_limit):
             time.sleep(0.01)
 
 
-def run(name, command, first_valid, case, time_limit):
-    """One row of the table."""
+def run(name, command, first_valid, case, time_limit, pool):
+    """One row of the table. Meshes are read in another process: a program has at least the memory of the one that starts it."""
     row = {"case": case.name, "program": name}
     with tempfile.TemporaryDirectory() as path:
         folder = Path(path)
@@ -140,7 +141,7 @@ def run(name, command, first_valid, case, time_limit):
             return {**row, "status": "time limit"}
         elapsed, row["seconds"] = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
         row["megabytes"] = usage.ru_maxrss / 1000
-        row.update(judge(case, folder))
+        row.update(pool.submit(judge, case, folder).result())
         said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
         if said is not None:
             row["seconds_to_first_valid"] = said * row["seconds"] / elapsed
@@ -249,15 +250,15 @@ def main():
         programs[name] = (command, number_in_output(regexes.get(name)))
 
     sets = []
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(1) as pool:
         for name, source in pairs(parser, arguments.set).items():
             if name not in READERS:
                 parser.error(f"there is no set '{name}'")
-            cases, number_left_out = cases_of_set(name, source, folder)
+            cases, number_left_out = pool.submit(cases_of_set, name, source, folder).result()
             cases = [case for case in cases if re.search(arguments.filter, case.name)]
             if not cases:
                 sys.exit(f"there is no case in the folder {source}")
-            rows = [run(program, command, first_valid, case, arguments.time_limit)
+            rows = [run(program, command, first_valid, case, arguments.time_limit, pool)
                     for case in cases for program, (command, first_valid) in programs.items()]
             sets.append((name, rows, number_left_out))
             print(table(rows, COLUMNS) + table(summary(rows, programs), list(summary(rows, programs)[0])), flush=True)
