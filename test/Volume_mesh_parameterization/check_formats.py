@@ -109,7 +109,7 @@ def check_gmsh(driver, folder):
     run(driver, "bar.msh", "--to", "polycube", "--refine", "-o", "polycube.msh2", "--hexahedra", "0.5", "hexahedra.msh", folder=folder)
     assert set(gmsh_groups(meshio.read(folder / "polycube.msh2", file_format="gmsh"))) == set(gmsh_groups(source))
     hexahedra = gmsh_groups(meshio.read(folder / "hexahedra.msh"))
-    assert hexahedra == {"bone": 24, "flesh": 16, "clamped": 4, "loaded": 4}, hexahedra
+    assert hexahedra == {"bone": 24, "flesh": 16, "clamped": 4, "loaded": 4, "interface": 4}, hexahedra
 
     # meshio 5.0 takes one array for another where an offset is that of another array in base64, hence this way back
     run(driver, "bar.msh", "--to", "ball", "--refine", "-o", "ball.vtu", folder=folder)
