@@ -2,10 +2,9 @@
 """Draws the maps that the example programs wrote, for the manual.
 
 Usage: xvfb-run -a -s "-screen 0 2560x1280x24 -noreset" scripts/render_examples.py FOLDER [OUTPUT_FOLDER]
-FOLDER is where the example programs were run. If it has convergence.json, a report of parameterize_mesh_file, its steps
-are drawn. Needs the Debian packages python3-matplotlib, python3-pil, python3-vtk9, xauth and xvfb.
+FOLDER is where the example programs were run. Needs the Debian packages python3-matplotlib, python3-pil, python3-vtk9, xauth
+and xvfb.
 """
-import json
 import sys
 import tempfile
 from pathlib import Path
@@ -192,26 +191,6 @@ def draw_sliding(folder, output):
     draw_row(bodies, output, DISTORTION)
 
 
-def draw_convergence(report, output):
-    """The energy above its last value, and the inverted cells, after each step."""
-    report = json.loads(report.read_text())
-    first = report["untangling_iterations"]
-    inverted = report["steps"]["inverted_cells"][:first]
-    energy = numpy.array(report["steps"]["energy"][first:])
-    numbers = numpy.arange(1, report["iterations"] + 1)
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(10.8, 3), constrained_layout=True)
-    left.plot(numbers[:first], inverted, "o-", color="tab:red")
-    left.set_title("untangling")
-    left.set_ylabel("inverted cells")
-    right.semilogy(numbers[first:-1], energy[:-1] - energy[-1], "o-")
-    right.set_title("minimization")
-    right.set_ylabel("energy above the last one")
-    for axes in (left, right):
-        axes.set_xlabel("Newton step")
-        axes.xaxis.get_major_locator().set_params(integer=True)
-    save(figure, output)
-
-
 def body_with_grid(grid):
     return [render.surface(grid, edges=False), grid_lines(grid), sharp_edges(grid)]
 
@@ -299,8 +278,6 @@ def main(folder, output_folder):
     for name in ("twisted", "elephant_to_cube", "polycube"):
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
     draw_sliding(folder, output_folder / "sliding_boundary.png")
-    if (folder / "convergence.json").exists():
-        draw_convergence(folder / "convergence.json", output_folder / "convergence.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
     draw_overview(folder, output_folder / "overview.png", output_folder / "icon.png")
     draw_moving(folder, output_folder / "moving_boundary.png")
