@@ -34,7 +34,7 @@ struct Corner_goals_3
 // Returns cells whose references are corners of boxes, with the edges that are the goals.
 inline Scaled_cells_3 box_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals)
 {
-  const double scale = std::exp2(-std::round(std::log2(goals.mean_edge)));
+  const double scale = scale_of_length(goals.mean_edge);
   Scaled_cells_3 result = { scale, {}, cell_weights(mesh) };
   for(const Eigen::Vector3d& edges : goals.edges)
     result.inverse_sources.push_back((scale * edges).cwiseInverse().asDiagonal());

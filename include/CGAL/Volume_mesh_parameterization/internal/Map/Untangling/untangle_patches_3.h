@@ -31,7 +31,7 @@ struct Untangling_attempt_3
   double solver_tolerance;
 };
 
-// So few inverted cells are mended by patches and splits in less time than by steps of the whole mesh. A guess: with 3, 96
+// Number of inverted cells that patches and splits mend in less time than steps of the whole mesh. A guess: with 3, 96
 // blocks with slivers took a fifth more steps, to the same energies in the mean.
 constexpr std::size_t few_inverted_cells = 20;
 
