@@ -123,6 +123,13 @@ TEST_CASE("A semi-definite matrix is factorized where iterations, which have sol
   CHECK((direction.vectors - expected.vectors).norm() <= 1e-8 * expected.vectors.norm());
 }
 
+TEST_CASE("An indefinite matrix is not factorized where that takes longer than all iterations of a solver")
+{
+  Cube_systems rounded(24, Rounding_iterations()); // a factorization takes minutes
+  REQUIRE(rounded.direction().status == Linear_solver_status::SUCCESS);
+  CHECK(rounded.direction().status == Linear_solver_status::NOT_POSITIVE_DEFINITE);
+}
+
 TEST_CASE("Conjugate gradients are cut where a factorization takes more multiplications")
 {
   Cube_systems systems(8, Precise_solver(2));

@@ -143,8 +143,9 @@ private:
                                  const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                                  const Budget& budget)
   {
+    constexpr std::size_t limit_of_iterations = 2000; // of the default solver: nothing interrupts a factorization
     const std::size_t number_of_iterations = found.is_usable() ? m_solver.number_of_own_iterations() - iterations_before
-                                                               : (std::numeric_limits<std::size_t>::max)(); // whatever it takes
+                                                               : limit_of_iterations;
     if(!m_mesh.is_whole() || budget.is_exhausted() || !m_turns.takes_over(m_system->matrix(), is_inexact, number_of_iterations))
       return found;
     Newton_direction_3 exact = direction_by(m_turns.begin_turn(), energy, u, negative_curvature, 0., budget);
