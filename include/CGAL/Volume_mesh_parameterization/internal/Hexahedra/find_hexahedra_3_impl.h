@@ -173,7 +173,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
 
   Body_interfaces_3 interfaces(soup, surface);
   Best_hexahedra_3 best;
-  const bool may_keep_interfaces = do_keep_interfaces && !interfaces.empty();
+  const bool may_keep_interfaces = do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted();
   if(may_keep_interfaces)
   {
     Hexahedron_soup_3 separated = boxes;
