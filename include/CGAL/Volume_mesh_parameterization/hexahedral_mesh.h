@@ -93,7 +93,8 @@ domain and on lines of a polycube are. Sharp edges are the marked edges of the s
 complex; if there are none on the boundary, those with more than 60 degrees between the normals on both sides. A weak pull to their first positions keeps vertices apart, and a strong one draws
 quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the boundary remains covered. If the smallest scaled Jacobian is below 0.1
 after a round, or below 0.3 after the last one, vertices move one after the other such that their worst corners become
-better. The rounds end when a round raises the mean by less than 0.002.
+better; in the end that is repeated as long as they do. Of corners that stay below 0.05 the vertices leave the sharp edges, and
+small parts of the boundary may be left uncovered. The rounds end when a round raises the mean by less than 0.002.
 
 If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon

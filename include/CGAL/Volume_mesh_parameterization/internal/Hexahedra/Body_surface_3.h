@@ -67,18 +67,15 @@ public:
   // Returns the edges of the lines, as points of the soup.
   const std::vector<std::array<std::size_t, 2> >& lines() const { return m_edges_of_lines; }
 
-  // Returns the freedom of a vertex by the number of planes of the boundary of the domain that its image is on. The image may be
-  // on an edge or in a corner: the vertex is held there only if the body has a line there, too. It stays also where lines end, turn
-  // or meet.
-  Freedom_3 freedom(const Eigen::Vector3d& p, const int number_of_planes) const
+  // Returns the freedom of a vertex of the boundary. Its image may be on an edge or in a corner of the domain: the vertex is held
+  // there only if the body has a line there, too, and stays only where lines end, turn or meet.
+  Freedom_3 freedom(const Eigen::Vector3d& p) const
   {
-    if(number_of_planes == 0)
-      return Freedom_3::SPACE;
     if(!is_on_line(p))
       return Freedom_3::SURFACE;
     const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Eigen::Vector3d& end)
                                     { return (end - p).norm() <= m_rounding; });
-    return is_end || number_of_planes > 2 ? Freedom_3::NONE : Freedom_3::LINE;
+    return is_end ? Freedom_3::NONE : Freedom_3::LINE;
   }
 
   bool is_on_line(const Eigen::Vector3d& p) const

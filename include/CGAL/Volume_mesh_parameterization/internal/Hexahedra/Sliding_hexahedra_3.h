@@ -23,8 +23,9 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
-// tried, and corners below the third one are almost flat, which steps avoid.
-constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1;
+// tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
+constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
+                 bad_scaled_jacobian = 0.05;
 
 // Hexahedra of a body whose vertices move inside, on its boundary and along its lines; likewise on its interfaces, whose
 // vertices have positions.
@@ -124,23 +125,23 @@ public:
     write_points();
   }
 
-  // Moves the vertices of corners whose scaled Jacobian is below the target, one after the other.
-  void smooth(const double target)
+  // Moves the vertices of corners whose scaled Jacobian is below the target, one after the other. Uncovered points have a price.
+  void smooth(const double target, const double price)
   {
     std::vector<Cover_of_vertex_3> covers(m_order.size());
     for(const Covered_surface_3& covered : m_covered)
       add_covers_3(covered.surface->vertices(), covered.triangles, m_numbered.target, covers);
-    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surfaces, covers, target, m_budget, m_numbered.target);
+    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surfaces, covers, target, price, m_budget, m_numbered.target);
     write_points();
   }
 
-  // Lets vertices of inverted corners leave the lines, on which corners perhaps cannot become positive. Returns whether any
-  // vertex was on a line.
-  bool leave_lines()
+  // Lets vertices of corners that are inverted, or whose scaled Jacobian is below a bound, leave the lines, on which corners
+  // perhaps cannot become better. Returns whether any vertex was on a line.
+  bool leave_lines(const double bound)
   {
     bool is_on_line = false;
     for(const std::array<int, 4>& corner : m_numbered.cells)
-      if(!is_positive(m_numbered.target, corner))
+      if(!is_positive(m_numbered.target, corner) || scaled_jacobian(edge_matrix(m_numbered.target, corner)) < bound)
         for(const int v : corner)
           if(m_freedom[v] == Freedom_3::LINE || m_freedom[v] == Freedom_3::NONE)
           {

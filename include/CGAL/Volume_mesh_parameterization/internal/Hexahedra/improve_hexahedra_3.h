@@ -120,16 +120,19 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh,
   return result;
 }
 
-// Tells whether a mesh has fewer inverted corners than another one, or the larger sum of the least scaled Jacobian, up to the
-// sufficient one, and the mean: a gain in one of both must not cost as much of the other.
+// Tells whether a mesh has fewer inverted corners than another one, or a larger least scaled Jacobian where this is bad, or the
+// larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of the other.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
 {
   const auto quality = [](const Hexahedral_mesh_result& result)
   {
     return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian) + result.mean_scaled_jacobian;
   };
-  return a.number_of_inverted_corners != b.number_of_inverted_corners
-         ? a.number_of_inverted_corners < b.number_of_inverted_corners : quality(a) > quality(b);
+  if(a.number_of_inverted_corners != b.number_of_inverted_corners)
+    return a.number_of_inverted_corners < b.number_of_inverted_corners;
+  const double least_of_a = (std::min)(a.minimal_scaled_jacobian, bad_scaled_jacobian);
+  const double least_of_b = (std::min)(b.minimal_scaled_jacobian, bad_scaled_jacobian);
+  return least_of_a != least_of_b ? least_of_a > least_of_b : quality(a) > quality(b);
 }
 
 // Best hexahedra so far.
@@ -169,23 +172,18 @@ inline Hexahedron_soup_3 pulled_back(const Volume_map_3& map, const Hexahedron_s
 // Returns the freedom of each vertex.
 inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Body_surface_3& surface)
 {
-  std::vector<std::array<bool, 3> > is_in_plane(mesh.points.size());
-  for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      if(std::all_of(quadrangle.begin(), quadrangle.end(), [&](const std::size_t v)
-                     { return mesh.images[v][axis] == mesh.images[quadrangle[0]][axis]; }))
-        for(const std::size_t v : quadrangle)
-          is_in_plane[v][axis] = true;
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
   std::vector<Freedom_3> result;
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    result.push_back(surface.freedom(to_vector(mesh.points[v]), is_in_plane[v][0] + is_in_plane[v][1] + is_in_plane[v][2]));
+    result.push_back(is_outer[v] ? surface.freedom(to_vector(mesh.points[v])) : Freedom_3::SPACE);
   return result;
 }
 
 // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
 // gains little. Where corners are inverted or almost flat in between, or poor in the end, their vertices move one after the
 // other. Rounds that do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines. If
-// vertices may leave the surface, they do so before all else. Where corners stay poor, vertices leave the interfaces in the end.
+// vertices may leave the surface, they do so before all else. The worst corners are improved last, as long as they gain: while
+// they are bad, their vertices leave the lines, and tips count less. Where corners stay poor, vertices leave the interfaces.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
@@ -193,6 +191,8 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
   constexpr std::size_t first_steps = 10, steps = 3;                             // guesses
   constexpr std::size_t corners_per_inverted_corner = 100; // a guess; with fewer, not lines but the map is to blame
   constexpr double gain = 0.2;                             // a target far above the worst corners would not serve them most
+  constexpr double price = 0.03, smallest_price = 0.0003;  // guesses; of uncovered points, see smooth_hexahedra_3()
+  constexpr double least_gain_of_worst = 0.005;            // a guess; in a round
   constexpr double least_scaled_jacobian_at_interfaces = 0.02; // a guess
   constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
   const auto evaluate = [&]
@@ -201,9 +201,9 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
     best.take(result, hexahedra.mesh());
     return result;
   };
-  const auto smooth = [&](const Hexahedral_mesh_result& result)
+  const auto smooth = [&](const Hexahedral_mesh_result& result, const double price)
   {
-    hexahedra.smooth((std::max)(0., result.minimal_scaled_jacobian) + gain);
+    hexahedra.smooth((std::max)(0., result.minimal_scaled_jacobian) + gain, price);
     return evaluate();
   };
   Hexahedral_mesh_result result = evaluate();
@@ -217,10 +217,10 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
       && budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
   {
     const bool are_few = result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * result.number_of_cells;
-    if(in_vain == patience - 1 && are_few && hexahedra.leave_lines())
+    if(in_vain == patience - 1 && are_few && hexahedra.leave_lines(0))
       in_vain = 0;
     if(round > 0 && result.minimal_scaled_jacobian < flat_scaled_jacobian)
-      result = smooth(result);
+      result = smooth(result, price);
     const double mean = result.mean_scaled_jacobian;
     hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
     result = evaluate();
@@ -230,13 +230,24 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
        && result.mean_scaled_jacobian < mean + least_gain)
       break;
   }
-  if(result.minimal_scaled_jacobian < sufficient_scaled_jacobian && !budget.is_exhausted())
-    result = smooth(result);
+  double price_of_worst = price;
+  for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience
+      && result.minimal_scaled_jacobian < sufficient_scaled_jacobian && budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
+  {
+    const double least = result.minimal_scaled_jacobian;
+    result = smooth(result, price_of_worst);
+    in_vain = result.minimal_scaled_jacobian > least + least_gain_of_worst ? 0 : in_vain + 1;
+    if(in_vain > 0 && result.minimal_scaled_jacobian < bad_scaled_jacobian)
+    {
+      hexahedra.leave_lines(bad_scaled_jacobian);
+      price_of_worst = (std::max)(smallest_price, price_of_worst / 10);
+    }
+  }
   for(int round = 0; round < patience && result.minimal_scaled_jacobian < least_scaled_jacobian_at_interfaces
       && budget.may_begin_round(Phase::HEXAHEDRA, "interfaces") && hexahedra.leave_interfaces(flat_scaled_jacobian); ++round)
   {
     hexahedra.improve(steps, true, 2);
-    result = smooth(evaluate());
+    result = smooth(evaluate(), price);
   }
 }
 

@@ -44,14 +44,16 @@ inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_
 
 // Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
 // scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
-// search (Hooke and Jeeves 1961). Uncovered points of the surface have a price, or vertices would leave tips.
+// search (Hooke and Jeeves 1961). Uncovered points of the surface have a price, or vertices would leave tips: a shortage by the
+// root of the price costs as much as a point one mean edge away.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
                                const std::vector<const Body_surface_3*>& surfaces,
-                               const std::vector<Cover_of_vertex_3>& covers, const double target, const Budget& budget, Matrix3Xd& positions)
+                               const std::vector<Cover_of_vertex_3>& covers, const double target, const double price,
+                               const Budget& budget, Matrix3Xd& positions)
 {
   constexpr int number_of_sweeps = 10;                         // a guess
   constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges
-  constexpr double tolerance = 0.3, price = 0.1;               // guesses; relative to the mean edge
+  constexpr double tolerance = 0.3;                            // a guess; relative to the mean edge
   std::vector<Corners_of_vertex> corners_of_vertex(freedom.size());
   for(const std::array<int, 4>& corner : corners)
     for(const int v : corner)
