@@ -773,7 +773,9 @@ TEST_CASE("Hexahedra follow a ridge that is in a list of features")
     return number;
   };
   CHECK(vertices_on_ridge(" --features ridge.feat") == 3);
+  CHECK(folder.text("stderr").find("48 sharp edges of the boundary") != std::string::npos); // those of the cube
   CHECK(vertices_on_ridge("") == 0);
+  CHECK(folder.text("stderr").find("sharp edges") == std::string::npos);
   CHECK(folder.run("source.mesh --to polycube --features triangles.sharp") == 2);
   CHECK(folder.text("stderr").find("triangles.sharp: line 2: '2' follows the two vertices of an edge") != std::string::npos);
 }

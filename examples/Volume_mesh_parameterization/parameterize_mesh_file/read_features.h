@@ -1,12 +1,16 @@
-// The option --features of parameterize_mesh_file: a list of the sharp edges of the source.
+// The sharp edges of the source of parameterize_mesh_file, and the option --features, a list of them.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +44,27 @@ inline void mark_features(const std::string& filename, CGAL::Volume_mesh_paramet
   soup.edges = features_of_file(filename, soup.points.size());
   soup.edge_references.assign(soup.edges.size(), 1);
   soup.edge_data.clear();
+}
+
+// Tells which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
+inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  namespace internal = CGAL::Volume_mesh_parameterization::internal;
+  using Edges = std::vector<std::array<std::size_t, 2> >;
+  const auto facets = internal::boundary_facets_3(soup.cells);
+  const auto sharp_edges = [&](const Edges& marked)
+  {
+    Edges edges = internal::sharp_edges_3(facets, marked, [&](const std::size_t v) { return internal::to_vector(soup.points[v]); });
+    std::sort(edges.begin(), edges.end());
+    return edges;
+  };
+  const Edges sharp = sharp_edges(soup.edges), by_angle = sharp_edges({});
+  Edges unmarked;
+  std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
+  return unmarked.empty() ? std::string()
+    : std::to_string(unmarked.size()) + " sharp edges of the boundary, as that between the vertices " + std::to_string(unmarked[0][0])
+      + " and " + std::to_string(unmarked[0][1]) + " (counted from 0), are not among the marked ones, and are not followed; "
+      "--features FILE tells others";
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H

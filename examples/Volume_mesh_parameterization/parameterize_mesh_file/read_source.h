@@ -58,7 +58,11 @@ inline Source read_source(const Options& options, Progress_line& progress)
   auto soup = read_mesh(options.source, progress);
   if(!options.features.empty())
     naming(options.features, [&] { mark_features(options.features, soup); });
-  return naming(options.source, [&] { return mended_source(std::move(soup), options); });
+  Source source = naming(options.source, [&] { return mended_source(std::move(soup), options); });
+  if(options.domain == "polycube" || !options.hexahedra.empty())
+    if(const std::string note = note_of_unmarked_edges(source.soup); !note.empty())
+      source.notes.push_back(note);
+  return source;
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_SOURCE_H
