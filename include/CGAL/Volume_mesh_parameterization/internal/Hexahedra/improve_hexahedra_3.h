@@ -183,7 +183,7 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 // gains little. Where corners are inverted or almost flat in between, or poor in the end, their vertices move one after the
 // other. Rounds that do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines. If
 // vertices may leave the surface, they do so before all else. The worst corners are improved last, as long as they gain: while
-// they are bad, their vertices leave the lines, and tips count less. Where corners stay poor, vertices leave the interfaces.
+// they are bad but positive, their vertices leave the lines, and tips count less. Where corners stay poor, vertices leave the interfaces.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
@@ -237,7 +237,7 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
     const double least = result.minimal_scaled_jacobian;
     result = smooth(result, price_of_worst);
     in_vain = result.minimal_scaled_jacobian > least + least_gain_of_worst ? 0 : in_vain + 1;
-    if(in_vain > 0 && result.minimal_scaled_jacobian < bad_scaled_jacobian)
+    if(in_vain > 0 && result.number_of_inverted_corners == 0 && result.minimal_scaled_jacobian < bad_scaled_jacobian)
     {
       hexahedra.leave_lines(bad_scaled_jacobian);
       price_of_worst = (std::max)(smallest_price, price_of_worst / 10);
