@@ -369,7 +369,7 @@ TEST_CASE("A search that continues has the images of all vertices, with midpoint
 
   const auto after = cells.numbered();
   REQUIRE(after.points.size() == 7);
-  const Search_start_3 start = renumbered_start_3(start_from(stage, image), before.points, inserted, after);
+  const Search_start_3 start = renumbered_start_3({ {}, {}, start_from(stage, image) }, before.points, inserted, after);
   CHECK(start.stage == stage);
   CHECK(start.number_of_raises == 3);
   CHECK(start.distance == 0.5);
@@ -377,6 +377,29 @@ TEST_CASE("A search that continues has the images of all vertices, with midpoint
   CHECK(start.positions.col(after.vertices[inserted[0].point]) == Eigen::Vector3d(factor, 0, 0));
   for(int v = 0; v < 6; ++v)
     CHECK(start.positions.col(after.vertices[v]) == factor * cells.source.col(v));
+}
+
+TEST_CASE("Where splits come with images of the new vertices, a search that continues has these")
+{
+  Four_cells cells;
+  const auto before = cells.numbered();
+  Found_map_3 found;
+  found.is_stuck = true;
+  found.map = evaluated_map(before.mesh, before.mesh.source);
+  const Eigen::Vector3d new_image(2.5, 0, 0.25);
+  found.splits = { { { before.vertices[0], before.vertices[1] } }, { new_image }, 2 * before.mesh.source };
+  const Refinement_plan_3 plan = plan_refinement_3(before.mesh, found, {});
+  CHECK(plan.edges == found.splits.edges);
+  const auto inserted = cells.split();
+  REQUIRE(inserted.size() == 1);
+
+  const auto after = cells.numbered();
+  const Search_start_3 start = renumbered_start_3(plan, before.points, inserted, after);
+  CHECK(start.stage == Stage::UNTANGLING);
+  REQUIRE(start.positions.cols() == 7);
+  CHECK(start.positions.col(after.vertices[inserted[0].point]) == new_image);
+  for(int v = 0; v < 6; ++v)
+    CHECK(start.positions.col(after.vertices[v]) == 2 * cells.source.col(v));
 }
 
 TEST_CASE("Images that rounding has spoilt are given up")
@@ -393,7 +416,7 @@ TEST_CASE("Images that rounding has spoilt are given up")
   const auto inserted = cells.split();
   REQUIRE(inserted.size() == 1);
   const Search_start_3 start
-    = renumbered_start_3(start_from(Stage::SOFT_BOUNDARY, image), before.points, inserted, cells.numbered());
+    = renumbered_start_3({ {}, {}, start_from(Stage::SOFT_BOUNDARY, image) }, before.points, inserted, cells.numbered());
   CHECK(start.stage == Stage::NONE); // so that the next soft boundary that is blocked counts as the first one
   CHECK(start.number_of_raises == 0);
 }

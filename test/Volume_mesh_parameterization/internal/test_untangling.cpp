@@ -141,18 +141,23 @@ TEST_CASE("Of many items only those are kept that are needed, with few questions
     std::vector<int> items(100);
     std::iota(items.begin(), items.end(), 0);
     int number_of_questions = 0;
-    const std::vector<int> found = VMP::internal::minimal_subset(items, [&](const std::vector<int>& some)
+    VMP::internal::leave_out_unneeded(items.size(), [&](const std::size_t first, const std::size_t number)
     {
-      REQUIRE(!some.empty());
+      std::vector<int> others = items;
+      others.erase(others.begin() + first, others.begin() + first + number);
+      REQUIRE(!others.empty());
       ++number_of_questions;
-      return std::includes(some.begin(), some.end(), needed.begin(), needed.end());
+      const bool suffice = std::includes(others.begin(), others.end(), needed.begin(), needed.end());
+      if(suffice)
+        items = others;
+      return suffice;
     });
-    CHECK(found == needed);
+    CHECK(items == needed);
     CHECK(number_of_questions < 60);
   }
-  const auto never = [](const std::vector<int>&) { return false; };
-  CHECK(VMP::internal::minimal_subset(std::vector<int>{ 5 }, never).size() == 1);
-  CHECK(VMP::internal::minimal_subset(std::vector<int>{ 1, 2, 3 }, never).size() == 3);
+  int number_of_questions = 0;
+  VMP::internal::leave_out_unneeded(1, [&](std::size_t, std::size_t) { return ++number_of_questions > 0; });
+  CHECK(number_of_questions == 0); // one is kept
 }
 
 TEST_CASE("Cells around split edges are halved")
@@ -173,6 +178,28 @@ TEST_CASE("Cells around split edges are halved")
   for(int i = 0; i < 3; ++i)
     CHECK(std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const std::array<int, 4>& c)
                       { return std::find(c.begin(), c.end(), number_of_free_vertices + i) != c.end(); }));
+}
+
+TEST_CASE("Of two split edges of a facet the longer one is split first, as in a body")
+{
+  Numbered_mesh_3 mesh;
+  mesh.number_of_free_vertices = 4;
+  mesh.source.resize(3, 4);
+  mesh.source << 0, 1, 0, 0,
+                 0, 0, 2, 0,
+                 0, 0, 0, 1;
+  mesh.target = mesh.source;
+  mesh.cells = { { 0, 1, 2, 3 } };
+  Matrix3Xd image = mesh.source;
+  split_patch_edges_3(mesh, image, { { 0, 1 }, { 0, 2 } });
+  const auto is_edge = [&](const int v, const int w)
+  {
+    return std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const std::array<int, 4>& c)
+    { return std::count(c.begin(), c.end(), v) + std::count(c.begin(), c.end(), w) == 2; });
+  };
+  CHECK(mesh.cells.size() == 3);
+  CHECK(is_edge(5, 1)); // from the middle of the longer edge
+  CHECK(!is_edge(4, 2));
 }
 
 TEST_CASE("Further attempts are in vain where few cells are left and a proof tells that they cannot be mended")
@@ -245,6 +272,22 @@ TEST_CASE("Few cells that the first attempt leaves inverted are left to splits, 
   CHECK(number_of_attempts(tangled_cube(false), true) == untangling_attempts.size());
 }
 
+namespace {
+
+// Splits the edges of a mesh, and returns the images that were found for it then.
+Matrix3Xd split(Numbered_mesh_3& mesh, const VMP::internal::Splits_3& splits)
+{
+  const int n = mesh.number_of_free_vertices;
+  Matrix3Xd image = splits.positions;
+  split_patch_edges_3(mesh, image, splits.edges);
+  REQUIRE(splits.new_images.size() == splits.edges.size());
+  for(std::size_t i = 0; i < splits.edges.size(); ++i)
+    image.col(n + i) = splits.new_images[i];
+  return image;
+}
+
+} // namespace
+
 TEST_CASE("Where a vertex has no place, some of the edges at it are split, and then all vertices have one")
 {
   Numbered_mesh_3 mesh = prism_to_U();
@@ -257,11 +300,10 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
   VMP::internal::Progress_3 progress = patient_progress();
-  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress);
-  CHECK(edges.size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
-  CHECK(edges.size() <= 8); // there are 16
-  split_patch_edges_3(mesh, image, edges);
-  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
+  const VMP::internal::Splits_3 splits = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress);
+  CHECK(splits.edges.size() >= 2); // an arm needs a vertex at its inner wall for its upper and one for its lower half
+  CHECK(splits.edges.size() <= 8); // there are 16
+  image = split(mesh, splits);
   CHECK(number_of_inverted_cells(mesh, image) == 0);
   CHECK(has_target_boundary(mesh, image));
 }
@@ -290,11 +332,10 @@ TEST_CASE("An edge between prescribed vertices is split where it leaves the targ
   REQUIRE(number_of_inverted_cells(mesh, image) > 0);
 
   VMP::internal::Progress_3 progress = patient_progress();
-  const std::vector<std::array<int, 2> > edges = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress);
-  CHECK(std::count(edges.begin(), edges.end(), std::array<int, 2>{ 1, 2 }) == 1);
-  CHECK(edges.size() <= 3);
-  split_patch_edges_3(mesh, image, edges);
-  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
+  const VMP::internal::Splits_3 splits = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress);
+  CHECK(std::count(splits.edges.begin(), splits.edges.end(), std::array<int, 2>{ 1, 2 }) == 1);
+  CHECK(splits.edges.size() <= 3);
+  image = split(mesh, splits);
   CHECK(number_of_inverted_cells(mesh, image) == 0);
   CHECK(has_target_boundary(mesh, image));
 }

@@ -33,6 +33,16 @@ struct Diagnosis_3
   std::string message;
 };
 
+using Edges_3 = std::vector<std::array<int, 2> >;
+
+// Edges to split, and images of their new vertices and of all others.
+struct Splits_3
+{
+  Edges_3 edges;
+  std::vector<Eigen::Vector3d> new_images;
+  Matrix3Xd positions;
+};
+
 // A map, how the stages that have led to it ended, and why.
 struct Found_map_3
 {
@@ -44,7 +54,7 @@ struct Found_map_3
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
   bool is_stuck = false;                // with so few inverted cells that edges at them are to be split
-  std::vector<std::array<int, 2> > splits; // edges, if some were found with which fewer cells stay inverted
+  Splits_3 splits;                      // with which fewer cells are inverted, if some were found
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
   double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized
@@ -62,6 +72,7 @@ struct Search_start_3
 
   Stage stage = Stage::NONE;        // that continues from the positions; the others start anew
   Matrix3Xd positions = {};         // the images of all vertices, which the soft boundary takes only without inverted cells
+  std::string method = "harmonic extension"; // that has led there
   std::size_t number_of_raises = 0; // of the weight of the soft boundary, that have led there
   double distance = std::numeric_limits<double>::infinity(); // the largest one to a target, where that was blocked
   double smallest_distance = std::numeric_limits<double>::infinity(); // of those after all refinements

@@ -76,7 +76,7 @@ inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, co
     found.untangling_method = "soft boundary";
     found.number_of_raises = search.number_of_raises();
     if(search.can_snap() && !progress.is_interrupted())
-      at_targets = { Search_start_3::Stage::UNTANGLING, search.snapped_positions() };
+      at_targets = { Search_start_3::Stage::UNTANGLING, search.snapped_positions(), "soft boundary" };
   }
   if(at_targets.stage == Search_start_3::Stage::UNTANGLING)
   {

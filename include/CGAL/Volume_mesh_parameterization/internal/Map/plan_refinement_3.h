@@ -20,7 +20,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The edges to split, if they are interior ones, in the order of the user's cells; and where the next search starts.
 struct Refinement_plan_3
 {
-  std::vector<std::array<int, 2> > edges;
+  Edges_3 edges;
+  std::vector<Eigen::Vector3d> new_images; // of their new vertices, or empty
   Search_start_3 start;
 };
 
@@ -72,9 +73,12 @@ inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_
   plan.start.fewest_inverted_cells = (std::min)(cells.size(), before.fewest_inverted_cells);
   if(plan.start.has_given_up_splits())
     return plan;
-  plan.edges = found.splits.empty() ? one_edge_of_each_cell(mesh, cells) : found.splits;
+  const bool has_splits = !found.splits.edges.empty();
+  plan.edges = has_splits ? found.splits.edges : one_edge_of_each_cell(mesh, cells);
+  plan.new_images = found.splits.new_images;
   plan.start.stage = Search_start_3::Stage::UNTANGLING;
-  plan.start.positions = found.map.positions;
+  plan.start.positions = has_splits ? found.splits.positions : found.map.positions;
+  plan.start.method = "splits";
   return plan;
 }
 
@@ -139,12 +143,13 @@ inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Fo
   return plan;
 }
 
-// Renumbers the positions of a start after a refinement, in which new points are midpoints; `points_before` are those of the
-// vertices until then. Where rounding at one of them has
-// spoilt the images, the soft boundary starts anew.
-inline Search_start_3 renumbered_start_3(Search_start_3 start, const std::vector<std::size_t>& points_before,
+// Renumbers the positions of a start after a refinement, in which new points are midpoints unless the plan has images of
+// them, too; `points_before` are those of the vertices until then. Where rounding at one of them has spoilt the images, the
+// soft boundary starts anew.
+inline Search_start_3 renumbered_start_3(const Refinement_plan_3& plan, const std::vector<std::size_t>& points_before,
                                          const std::vector<Insertion_3>& insertions, const Numbered_body_3& after)
 {
+  Search_start_3 start = plan.start;
   if(start.stage == Search_start_3::Stage::NONE)
     return start;
   Matrix3Xd images(3, after.vertices.size()); // of the points
@@ -152,6 +157,10 @@ inline Search_start_3 renumbered_start_3(Search_start_3 start, const std::vector
     images.col(points_before[v]) = start.positions.col(v);
   for(const Insertion_3& i : insertions)
     images.col(i.point) = (images.col(i.simplex[0]) + images.col(i.simplex[1])) / 2;
+  for(std::size_t e = 0; e < plan.new_images.size(); ++e)
+    for(const Insertion_3& i : insertions)
+      if(i.simplex == Simplex_3{ points_before[plan.edges[e][0]], points_before[plan.edges[e][1]] })
+        images.col(i.point) = plan.new_images[e];
   start.positions.resize(3, after.points.size());
   for(std::size_t v = 0; v < after.points.size(); ++v)
     start.positions.col(v) = images.col(after.points[v]);

@@ -194,7 +194,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
     number_of_splits += splits.size();
     const std::vector<std::size_t> points_before = std::move(checked.numbered.points);
     take(splits);
-    start = renumbered_start_3(plan.start, points_before, splits, checked.numbered);
+    start = renumbered_start_3(plan, points_before, splits, checked.numbered);
     found.reset();
   }
   if(!found && checked.check.status == ERROR_PRESCRIBED_CELL_INVERTED && checked.check.is_refinable && budget.is_exhausted())

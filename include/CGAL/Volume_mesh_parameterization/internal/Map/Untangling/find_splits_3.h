@@ -12,11 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-using Edges_3 = std::vector<std::array<int, 2> >;
 
 // Calls f for the edges of a cell, in ascending order of their vertices, that join two prescribed ones.
 template <typename Function>
@@ -103,11 +102,17 @@ inline Matrix3Xd with_midpoints(const Matrix3Xd& points, const Edges_3& edges, c
   return result;
 }
 
-// Splits edges of a patch, one after the other, at their midpoints in source and image. The new vertices move.
+// Splits edges of a patch, the longest first, as it is done to a body, at their midpoints in source and image. The new
+// vertices move.
 inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const Edges_3& edges)
 {
   const int n = patch.number_of_free_vertices;
   const int number_of_edges = static_cast<int>(edges.size());
+  const auto squared_length = [source = patch.source, &edges](const int i)
+  { return (source.col(edges[i][0]) - source.col(edges[i][1])).squaredNorm(); };
+  std::vector<int> order(number_of_edges);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](const int i, const int j) { return squared_length(i) > squared_length(j); });
   patch.source = with_midpoints(patch.source, edges, n);
   image = with_midpoints(image, edges, n);
   patch.number_of_free_vertices += number_of_edges;
@@ -116,7 +121,7 @@ inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const 
   const auto number = [&](const int v) { return v < n ? v : v + number_of_edges; };
   for(std::array<int, 4>& cell : patch.cells)
     std::transform(cell.begin(), cell.end(), cell.begin(), number);
-  for(int i = 0; i < number_of_edges; ++i)
+  for(const int i : order)
     for(std::size_t c = patch.cells.size(); c-- > 0; )
     {
       std::array<int, 4> halves[2] = { patch.cells[c], patch.cells[c] };
@@ -130,70 +135,92 @@ inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const 
     }
 }
 
-// Some of many items that suffice, none of which can be spared, where all of them suffice: leaves out halves, then
-// quarters, and so on (delta debugging: Zeller and Hildebrandt, Simplifying and isolating failure-inducing input, IEEE
-// Transactions on Software Engineering 28, 2002). Of n items k take O(k log n) questions, if few combinations suffice.
-template <typename Item, typename Suffice>
-std::vector<Item> minimal_subset(std::vector<Item> items, const Suffice& suffice)
+// Leaves out halves of some items, then quarters, and so on, where the others suffice (delta debugging: Zeller and Hildebrandt,
+// Simplifying and isolating failure-inducing input, IEEE Transactions on Software Engineering 28, 2002). Calls
+// `leave_out(first, number)`, which tells whether these can be spared and, if so, does without. To keep k of n items takes
+// O(k log n) calls, if few combinations suffice.
+template <typename Leave_out>
+void leave_out_unneeded(std::size_t number_of_items, const Leave_out& leave_out)
 {
-  for(std::size_t size = items.size(); size > 1 && items.size() > 1; )
+  for(std::size_t size = number_of_items; size > 1 && number_of_items > 1; )
   {
-    size = ((std::min)(size, items.size()) + 1) / 2;
-    for(std::size_t first = 0; first < items.size() && size < items.size(); )
-    {
-      std::vector<Item> other_items(items.begin(), items.begin() + first);
-      other_items.insert(other_items.end(), items.begin() + first + (std::min)(size, items.size() - first), items.end());
-      if(suffice(other_items))
-        items = std::move(other_items);
+    size = ((std::min)(size, number_of_items) + 1) / 2;
+    for(std::size_t first = 0; first < number_of_items && size < number_of_items; )
+      if(const std::size_t number = (std::min)(size, number_of_items - first); leave_out(first, number))
+        number_of_items -= number;
       else
         first += size;
-    }
   }
-  return items;
 }
 
-// The edges of a patch whose splits leave as few cells inverted as possible: splits all edges around inverted cells, and if
-// that helps, keeps only those that are needed for it. Splits help if they leave no cell inverted, which they must, or at
-// least fewer than now. First the attempt that has helped is asked whether fewer edges suffice, and then, with these, all.
+// Edges of a patch whose splits leave as few cells inverted as possible: splits all edges around inverted cells, and if that
+// helps, keeps only those that are needed for it. Splits help if they leave no cell inverted, which they must, or at least
+// fewer than now. New vertices are left out first where all others can stay, and then where untangling from there suffices.
 // Calls `after_attempt()` each time, and goes on with no more than it has as soon as that returns false.
 template <typename After_attempt>
-std::optional<Edges_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solver_3& solver, const bool must_untangle,
+std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solver_3& solver, const bool must_untangle,
                                          const Budget& budget, const After_attempt& after_attempt)
 {
+  const int n = patch.mesh.number_of_free_vertices;
   bool may_continue = true;
-  const auto inverted_cells_after = [&](const Edges_3& edges, const Untangling_attempt_3& attempt)
-  {
-    Patch_mesh_3 split = patch;
-    split_patch_edges_3(split.mesh, split.positions, edges);
-    Newton_system_3 system(split.mesh, free_vertices(split.mesh), solver);
-    const Matrix3Xd found = untangle_patch_with_3(attempt, system, split.positions, budget);
-    may_continue = after_attempt();
-    return inverted_cells(split.mesh, found).number;
-  };
-  const std::vector<Untangling_attempt_3> attempts = patch_attempts();
-  const Edges_3 all_edges = edges_around_inverted_cells(patch.mesh, patch.positions);
+  Edges_3 edges = edges_around_inverted_cells(patch.mesh, patch.positions);
+  Matrix3Xd image; // after their splits
   std::size_t fewest = must_untangle ? 1 : inverted_cells(patch.mesh, patch.positions).number;
   std::optional<Untangling_attempt_3> best;
-  for(auto attempt = attempts.begin(); attempt != attempts.end() && fewest > 0 && may_continue; ++attempt)
-    if(const std::size_t number = inverted_cells_after(all_edges, *attempt); number < fewest)
+  const auto split_patch = [&](const Edges_3& some_edges)
+  {
+    Patch_mesh_3 split = patch;
+    split_patch_edges_3(split.mesh, split.positions, some_edges);
+    return split;
+  };
+  const auto inverted_cells_after = [&](const Untangling_attempt_3& attempt, Patch_mesh_3& split)
+  {
+    Newton_system_3 system(split.mesh, free_vertices(split.mesh), solver);
+    split.positions = untangle_patch_with_3(attempt, system, split.positions, budget);
+    may_continue = after_attempt();
+    return inverted_cells(split.mesh, split.positions).number;
+  };
+  for(const Untangling_attempt_3& attempt : patch_attempts())
+  {
+    if(fewest == 0 || !may_continue)
+      break;
+    Patch_mesh_3 split = split_patch(edges);
+    if(const std::size_t number = inverted_cells_after(attempt, split); number < fewest)
     {
       fewest = number;
-      best = *attempt;
+      best = attempt;
+      image = std::move(split.positions);
     }
+  }
   if(!best)
     return std::nullopt;
-  const auto suffice = [&](const Edges_3& edges, const Untangling_attempt_3& attempt)
-  { return may_continue && inverted_cells_after(edges, attempt) <= fewest; };
-  const Edges_3 edges = minimal_subset(all_edges, [&](const Edges_3& some_edges) { return suffice(some_edges, *best); });
-  return minimal_subset(edges, [&](const Edges_3& some_edges)
+  best->is_harmonic = false;
+  const auto leave_out = [&](const std::size_t first, const std::size_t number, const bool may_move)
   {
-    return std::any_of(attempts.begin(), attempts.end(), [&](const auto& attempt) { return suffice(some_edges, attempt); });
-  });
+    Edges_3 other_edges = edges;
+    other_edges.erase(other_edges.begin() + first, other_edges.begin() + first + number);
+    Patch_mesh_3 split = split_patch(other_edges);
+    const Eigen::Index column = n + first;
+    split.positions << image.leftCols(column), image.rightCols(image.cols() - column - number);
+    if(inverted_cells(split.mesh, split.positions).number > fewest
+       && !(may_move && may_continue && inverted_cells_after(*best, split) <= fewest))
+      return false;
+    edges = std::move(other_edges);
+    image = std::move(split.positions);
+    return true;
+  };
+  for(const bool may_move : {false, true})
+    leave_out_unneeded(edges.size(), [&](const std::size_t first, const std::size_t number)
+                   { return leave_out(first, number, may_move); });
+  Splits_3 result{ edges, {}, image.leftCols(n) };
+  for(std::size_t i = 0; i < edges.size(); ++i)
+    result.new_images.push_back(image.col(n + i));
+  return result;
 }
 
 // Edges to split where untangling is stuck, as few as possible: first so that the patches of inverted cells can be
 // untangled, and where that cannot be, so that fewer cells are inverted. A step is an attempt at a patch.
-inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Map_3& map, Progress_3& progress)
+inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Map_3& map, Progress_3& progress)
 {
   struct Level
   {
@@ -209,7 +236,7 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
     progress.after_step(step);
     return progress.may_continue();
   };
-  Edges_3 result;
+  Splits_3 result{ {}, {}, map.positions };
   std::vector<bool> is_solved(mesh.number_of_vertices(), false); // the vertices that move in a patch
   const auto is_chosen = [&](const Matrix3Xd& image, const std::array<int, 4>& cell)
   {
@@ -220,15 +247,22 @@ inline Edges_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solve
     std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, level.number_of_rings);
     for(; !patches.empty() && progress.may_continue(); patches.pop_back())
     {
+      const std::set<int>& moving = patches.back().moving;
+      if(std::any_of(moving.begin(), moving.end(), [&](const int v) { return bool(is_solved[v]); }))
+        continue;
       const Patch_mesh_3 patch(mesh, map.positions,
                                with_cells_around_prescribed_edges(mesh, map, std::move(patches.back())));
       const auto splits = splits_of_patch_3(patch, solver, level.must_untangle, progress.budget(), after_attempt);
       if(!splits)
         continue;
-      for(const auto& [a, b] : *splits)
-        result.push_back({ patch.vertices[a], patch.vertices[b] });
+      for(const auto& [a, b] : splits->edges)
+        result.edges.push_back({ patch.vertices[a], patch.vertices[b] });
+      result.new_images.insert(result.new_images.end(), splits->new_images.begin(), splits->new_images.end());
       for(int i = 0; i < patch.mesh.number_of_free_vertices; ++i)
+      {
+        result.positions.col(patch.vertices[i]) = splits->positions.col(i);
         is_solved[patch.vertices[i]] = true;
+      }
     }
   }
   return result;

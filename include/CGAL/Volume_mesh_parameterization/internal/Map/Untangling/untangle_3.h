@@ -201,7 +201,7 @@ inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3
   if(!continues && found.status == ERROR_NOT_FLIP_FREE)
     found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_leave_cells, progress);
   if(found.untangling_method.empty())
-    found.untangling_method = continues ? "soft boundary" : "harmonic extension";
+    found.untangling_method = start.method;
   return found;
 }
 
