@@ -13,13 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/ordered_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_2_algorithms.h>
-#include <CGAL/QP_functions.h>
-#include <CGAL/QP_models.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,48 +26,11 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0.
-struct Grid_planes_3
-{
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double spacing = 0;
-};
-
-// Order of elements: which come before which, or before themselves if there are cycles.
-class Order_of_elements
-{
-public:
-  explicit Order_of_elements(const std::size_t n) : m_precedes(n, std::vector<bool>(n, false)) {}
-
-  void add(const std::size_t first, const std::size_t second)
-  {
-    if(precedes(first, second))
-      return;
-    for(std::size_t i = 0; i < m_precedes.size(); ++i)
-      if(i == first || precedes(i, first))
-        for(std::size_t k = 0; k < m_precedes.size(); ++k)
-          if(k == second || precedes(second, k))
-            m_precedes[i][k] = true;
-  }
-
-  bool precedes(const std::size_t first, const std::size_t second) const { return m_precedes[first][second]; }
-
-  // Tells whether the first element can still be put before the second one.
-  bool may_precede(const std::size_t first, const std::size_t second) const
-  { return first != second && !precedes(second, first); }
-
-private:
-  std::vector<std::vector<bool> > m_precedes;
-};
-
 // Finds the coordinates of the faces of a polycube for valid charts, along their axes, that minimize
 //   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
 // such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis that meet in a
 // corner have the same coordinate. The axes are independent of each other, and small quadratic programs. Edges of a face
 // that intersect then get the order that their chains have on the surface, too, if the other orders allow it.
-//
-// With planes of a grid, distances are rounded up to multiples of the spacing and the solution to the nearest multiples. As
-// floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
 class Polycube_coordinates_3
 {
 public:
@@ -107,13 +68,6 @@ public:
   }
 
 private:
-  // Order of two groups: the coordinate of the second one must be larger than that of the first one by the distance.
-  struct Order
-  {
-    std::size_t first, second;
-    double distance;
-  };
-
   // Edge of the polycube, with the box and the length of its chain on the surface.
   struct Edge
   {
@@ -189,42 +143,24 @@ private:
 
   bool solve(const int axis)
   {
-    const bool has_planes = m_planes.spacing > 0;
-    const double scale = has_planes ? m_planes.spacing : 1, origin = has_planes ? m_planes.origin[axis] : 0;
-    Quadratic_program<double> program(LARGER, false, 0, false, 0);
-    std::vector<std::size_t> groups;
-    std::vector<int> variable(m_group.size(), -1);
+    std::vector<std::size_t> groups, variables(m_group.size());
+    std::vector<double> areas, moments;
     for(std::size_t c = 0; c < m_group.size(); ++c)
       if(m_group[c] == c && m_charts.axis(c) == axis)
       {
-        const int i = variable[c] = static_cast<int>(groups.size());
-        program.set_d(i, i, 2 * m_area[c]);
-        program.set_c(i, -2 * (m_moment[c] - m_area[c] * origin) / scale);
+        variables[c] = groups.size();
         groups.push_back(c);
+        areas.push_back(m_area[c]);
+        moments.push_back(m_moment[c]);
       }
-
-    int row = 0;
-    for(const Order& order : m_orders)
-    {
-      if(variable[order.first] < 0)
-        continue;
-      if(order.first == order.second)
-        return false;
-      program.set_a(variable[order.first], row, -1);
-      program.set_a(variable[order.second], row, 1);
-      program.set_b(row++, has_planes ? std::ceil(order.distance / scale) : order.distance);
-    }
-
-    const auto solution = solve_quadratic_program(program, Exact_rational());
-    if(solution.is_infeasible())
-      return false;
-    auto value = solution.variable_values_begin();
-    for(const std::size_t c : groups)
-    {
-      m_coordinate[c] = origin + scale * (has_planes ? nearest_integer(*value) : CGAL::to_double(*value));
-      ++value;
-    }
-    return true;
+    std::vector<Order_of_coordinates> orders;
+    for(const auto& [first, second, distance] : m_orders)
+      if(m_charts.axis(first) == axis)
+        orders.push_back({ variables[first], variables[second], distance });
+    const auto coordinates = ordered_coordinates_3(areas, moments, orders, m_planes, axis);
+    for(std::size_t i = 0; coordinates && i < groups.size(); ++i)
+      m_coordinate[groups[i]] = (*coordinates)[i];
+    return coordinates.has_value();
   }
 
   // Joins coordinates that differ by rounding alone, as of faces in one plane of bodies side by side: hexahedra between two
@@ -242,16 +178,7 @@ private:
         m_coordinate[groups[i]] = previous;
   }
 
-  // Returns floor(x + 1/2).
-  template <typename NT>
-  static double nearest_integer(const NT& x)
-  {
-    const NT y = x + NT(1) / NT(2);
-    const double floor = std::floor(CGAL::to_double(y)); // up to the rounding of y
-    return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
-  }
-
-  void add_order(const Order& order)
+  void add_order(const Order_of_coordinates& order)
   {
     m_orders.push_back(order);
     m_order.add(order.first, order.second);
@@ -281,7 +208,7 @@ private:
   // Orders two edges along the axis of the face along which their chains are farthest apart, among the orders still possible.
   void separate(const Edge& a, const Edge& b, const std::size_t chart)
   {
-    Order order = {};
+    Order_of_coordinates order = {};
     double largest_gap = -(std::numeric_limits<double>::infinity)();
     for(const int axis : m_charts.plane_axes(chart))
       for(const auto& [low, high] : { std::tie(a, b), std::tie(b, a) })
@@ -356,7 +283,7 @@ private:
   std::vector<double> m_area, m_moment;
   std::vector<std::size_t> m_group;
   std::vector<Edge> m_edges;
-  std::vector<Order> m_orders;
+  std::vector<Order_of_coordinates> m_orders;
   Order_of_elements m_order;
   bool m_are_separable = true;
 };

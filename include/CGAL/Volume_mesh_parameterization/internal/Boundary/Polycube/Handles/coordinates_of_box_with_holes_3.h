@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/ordered_coordinates_3.h>
+
+#include <algorithm>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_ORDERED_COORDINATES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_ORDERED_COORDINATES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/QP_functions.h>
+#include <CGAL/QP_models.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0.
+struct Grid_planes_3
+{
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  double spacing = 0;
+};
+
+// Order of elements: which come before which, or before themselves if there are cycles.
+class Order_of_elements
+{
+public:
+  explicit Order_of_elements(const std::size_t n) : m_precedes(n, std::vector<bool>(n, false)) {}
+
+  void add(const std::size_t first, const std::size_t second)
+  {
+    if(precedes(first, second))
+      return;
+    for(std::size_t i = 0; i < m_precedes.size(); ++i)
+      if(i == first || precedes(i, first))
+        for(std::size_t k = 0; k < m_precedes.size(); ++k)
+          if(k == second || precedes(second, k))
+            m_precedes[i][k] = true;
+  }
+
+  bool precedes(const std::size_t first, const std::size_t second) const { return m_precedes[first][second]; }
+
+  // Tells whether the first element can still be put before the second one.
+  bool may_precede(const std::size_t first, const std::size_t second) const
+  { return first != second && !precedes(second, first); }
+
+private:
+  std::vector<std::vector<bool> > m_precedes;
+};
+
+// Order of two coordinates: the second one must be larger than the first one by the distance.
+struct Order_of_coordinates
+{
+  std::size_t first, second;
+  double distance;
+};
+
+// Returns floor(x + 1/2).
+template <typename NT>
+double nearest_integer(const NT& x)
+{
+  const NT y = x + NT(1) / NT(2);
+  const double floor = std::floor(CGAL::to_double(y)); // up to the rounding of y
+  return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
+}
+
+// Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders, by
+// exact quadratic programming; none if they contradict each other.
+//
+// With planes of a grid, distances are rounded up to multiples of the spacing and the solution to the nearest multiples. As
+// floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
+inline std::optional<std::vector<double> >
+ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
+                      const std::vector<Order_of_coordinates>& orders, const Grid_planes_3& planes, const int axis)
+{
+  const bool has_planes = planes.spacing > 0;
+  const double scale = has_planes ? planes.spacing : 1, origin = has_planes ? planes.origin[axis] : 0;
+  Quadratic_program<double> program(LARGER, false, 0, false, 0);
+  for(std::size_t i = 0; i < areas.size(); ++i)
+  {
+    const int variable = static_cast<int>(i);
+    program.set_d(variable, variable, 2 * areas[i]);
+    program.set_c(variable, -2 * (moments[i] - areas[i] * origin) / scale);
+  }
+  int row = 0;
+  for(const auto& [first, second, distance] : orders)
+  {
+    if(first == second)
+      return std::nullopt;
+    program.set_a(static_cast<int>(first), row, -1);
+    program.set_a(static_cast<int>(second), row, 1);
+    program.set_b(row++, has_planes ? std::ceil(distance / scale) : distance);
+  }
+  const auto solution = solve_quadratic_program(program, Exact_rational());
+  if(solution.is_infeasible())
+    return std::nullopt;
+  std::vector<double> result;
+  for(auto x = solution.variable_values_begin(); result.size() < areas.size(); ++x)
+    result.push_back(origin + scale * (has_planes ? nearest_integer(*x) : CGAL::to_double(*x)));
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_ORDERED_COORDINATES_3_H
