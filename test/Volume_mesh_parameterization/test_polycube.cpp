@@ -598,6 +598,40 @@ TEST_CASE("where the normals turn around, a face is put between")
   CHECK(faces_of_image(complex).size() == 6);
 }
 
+TEST_CASE("features in a face become lines but for one that joins two side by side, and one that leaves no room for a facet")
+{
+  const auto bent = [](const double x, const double y, const double z)
+  { return std::array<double, 3>{ x + 0.4 * std::sin(y / 3), y, z }; };
+  const auto on_top = [&](const double x, const double y)
+  {
+    return x == 4 && y == 3 ? bent(3.5, 3, 2) : x == 4 && y == 5 ? bent(4.5, 5, 2) // a line from (3, 2) to (5, 6)
+         : x == 6 && y == 4 ? bent(6.35, 3.65, 2) : bent(x, y, 2);                 // near the middle of an edge
+  };
+  VMP::Tetrahedron_soup_3 soup = bricks({ 8, 8, 2 }, is_box, [&](const double x, const double y, const double z)
+                                        { return z == 2 ? on_top(x, y) : bent(x, y, z); });
+  const auto vertex = [&](const double x, const double y)
+  { return static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), on_top(x, y)) - soup.points.begin()); };
+  std::vector<std::vector<std::array<double, 2> > > lines(4);
+  for(int y = 0; y <= 8; ++y)
+    for(const int i : { 0, 1 })
+      lines[i].push_back({ 3. + 2 * i, y * 1. });
+  lines[2] = { { 3, 2 }, { 4, 3 }, { 4, 4 }, { 4, 5 }, { 5, 6 } };
+  lines[3] = { { 6, 0 }, { 6, 1 }, { 6, 2 }, { 6, 3 }, { 6, 4 }, { 7, 4 } }; // its last three vertices are those of a facet
+  for(const auto& line : lines)
+    for(std::size_t k = 1; k < line.size(); ++k)
+    {
+      soup.edges.push_back({ vertex(line[k - 1][0], line[k - 1][1]), vertex(line[k][0], line[k][1]) });
+      soup.edge_references.push_back(1);
+    }
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube(1).parameterize(soup, targets) == VMP::OK);
+  for(const int i : { 0, 1 })
+    for(const auto& [x, y] : lines[i])
+      CHECK(targets[vertex(x, y)][0] == targets[vertex(x, 0)][0]);
+  CHECK(targets[vertex(3, 0)][0] < targets[vertex(5, 0)][0]);
+  CHECK(targets[vertex(6, 3)][0] != targets[vertex(7, 4)][0]);
+}
+
 TEST_CASE("where a line between charts leads back behind its corner, another chart is extended to the turn")
 {
   using namespace VMP::internal;

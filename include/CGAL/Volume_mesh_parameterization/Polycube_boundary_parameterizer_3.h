@@ -60,15 +60,15 @@ The coordinate that is constant on a face has exactly the same bits in all image
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
 Sharp edges inside of a chart become lines in the face that are parallel to an axis, if they do not lead too far across it: parts
-of curves between their turns, with one value of the coordinate across for all lines that meet. The order of lines and edges of
-the polycube stays, and lines that would flip triangles are given up. Sharp edges are the 1-dimensional features of the
+of curves between their turns, with one value of the coordinate across for all lines that meet and are not side by side. The order of lines and edges of
+the polycube stays; where lines would flip triangles, the shortest ones are given up. Sharp edges are the 1-dimensional features of the
 complex, or the marked edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on
 both sides.
 
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
 All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
-faces are merged that an edge keeps apart. Coordinates of lines are multiples of the spacing too, or where there is no room of its
-half or quarter.
+faces are merged that an edge keeps apart. Coordinates of lines are multiples of the spacing too, or of its half or quarter where
+these are clearly nearer, or there is no room.
 
 The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted
 is the map, and the less certain that labels with a polycube are found.

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Search_for_lines_3.h>
 
 #include <map>
 #include <optional>
@@ -24,11 +25,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Sharp edges inside charts as lines in faces of the polycube, each along an axis: vertices of a line get one value of the other
 // coordinate of the face. So planes of a grid through it lead along the sharp edges of the body.
 //
-// A line is a part of a curve of sharp edges whose images, of a map without lines, lead mostly along one axis and not far across.
 // Lines that meet at a vertex, in one chart or on both sides of an edge of the polycube, have one value if they are held
-// along the same axis there. Values are the mean, or with planes of a grid the nearest one, or half or a quarter of the way to
-// the next one, such that lines and edges keep the order that they have without lines; the longest lines choose first, and those
-// for which there is no value are given up.
+// along the same axis there and are not side by side. Values are the mean, or with planes of a grid the nearest one, or one half
+// or a quarter of the way to the next plane where that is clearly nearer or the planes have no room, such that lines and edges
+// keep the order that they have without lines. The longest lines join and choose first, and those without a value are given up.
 class Lines_of_charts_3
 {
 public:
@@ -40,36 +40,39 @@ public:
   // Takes the images of a map without lines, and whether each edge of the mesh is sharp.
   Lines_of_charts_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::vector<bool>& is_sharp,
                     const Grid_planes_3& planes, const std::vector<Eigen::Vector3d>& images)
-    : m_mesh(mesh), m_charts(charts), m_is_sharp(is_sharp), m_planes(planes), m_images(images),
+    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_images(images),
       m_is_bound(images.size(), { false, false, false }), m_sites(charts.number_of_charts() + charts.chains().size())
   {
     add_edges_of_polycube();
-    find_lines();
-    join_lines();
+    join_lines(Search_for_lines_3(mesh, charts, is_sharp, images).lines());
     choose_values();
   }
 
   bool are_empty() const
   { return std::none_of(m_groups.begin(), m_groups.end(), [](const Group& group) { return group.value.has_value(); }); }
 
-  // Gives up the lines in charts. Returns whether there were any.
-  bool give_up(const std::vector<bool>& is_chart_bad)
+  // Gives up the shortest lines in the charts of faces that are flipped, or beside them: of those that are at such a face, if
+  // there are any. Returns whether there were lines.
+  bool give_up(const std::vector<Boundary_mesh_3::Face_index>& flipped_faces)
   {
-    bool has_changed = false;
-    for(Group& group : m_groups)
-      if(group.value && std::any_of(group.lines.begin(), group.lines.end(), [&](const Line& line) { return is_chart_bad[line.chart]; }))
+    std::vector<bool> is_chart_bad(m_charts.number_of_charts(), false), is_vertex_bad(m_images.size(), false);
+    for(const auto f : flipped_faces)
+      for(const Halfedge h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
       {
-        group.value.reset();
-        has_changed = true;
+        is_chart_bad[m_charts.chart(h)] = is_chart_bad[m_charts.chart(m_mesh.opposite(h))] = true;
+        is_vertex_bad[m_mesh.target(h)] = true;
       }
-    return has_changed;
+    const auto is_in_bad_chart = [&](const Line_of_chart_3& line) { return is_chart_bad[line.chart]; };
+    const auto is_at_bad_face = [&](const Line_of_chart_3& line)
+    { return std::any_of(line.vertices.begin(), line.vertices.end(), [&](const Vertex v) { return is_vertex_bad[v]; }); };
+    return give_up_shortest(is_at_bad_face) || give_up_shortest(is_in_bad_chart);
   }
 
   // Gives the vertices of lines their values, and holds these coordinates.
   void apply(std::vector<Eigen::Vector3d>& images, Held_coordinates& is_held) const
   {
     for(const Group& group : m_groups)
-      for(const Line& line : group.lines)
+      for(const Line_of_chart_3& line : group.lines)
         for(const Vertex v : line.vertices)
           if(group.value)
           {
@@ -79,18 +82,10 @@ public:
   }
 
 private:
-  // Part of a curve of sharp edges in a chart.
-  struct Line
-  {
-    std::vector<Vertex> vertices;
-    std::size_t chart;
-    int axis; // the one across, of the coordinate that is to be constant
-  };
-
   // Lines that have one value.
   struct Group
   {
-    std::vector<Line> lines;
+    std::vector<Line_of_chart_3> lines;
     int axis;
     double mean, length;
     std::optional<double> value;
@@ -105,31 +100,15 @@ private:
     double before, value;
   };
 
-  bool separates(const Halfedge h) const { return m_charts.chart(h) != m_charts.chart(m_mesh.opposite(h)); }
-  bool is_inside(const Halfedge h) const { return m_is_sharp[m_mesh.edge(h)] && !separates(h); }
-  Eigen::Vector3d way(const Halfedge h) const { return m_images[m_mesh.target(h)] - m_images[m_mesh.source(h)]; }
-
-  // Returns the axis that the image of an edge leads along.
-  int axis_along(const Halfedge h) const
+  template <typename Predicate>
+  bool give_up_shortest(const Predicate& is_bad)
   {
-    int axis;
-    way(h).cwiseAbs().maxCoeff(&axis);
-    return axis;
-  }
-
-  int other_axis(const std::size_t chart, const int axis) const { return 3 - m_charts.axis(chart) - axis; }
-
-  // Returns the sharp edges of the chart behind an edge that turn by less than half a right angle.
-  std::vector<Halfedge> continuations(const Halfedge h) const
-  {
-    const auto edge = [this](const Halfedge k) -> Eigen::Vector3d
-    { return eigen_point(m_mesh, m_mesh.target(k)) - eigen_point(m_mesh, m_mesh.source(k)); };
-    std::vector<Halfedge> result;
-    for(const Halfedge k : CGAL::halfedges_around_source(m_mesh.target(h), m_mesh))
-      if(is_inside(k) && k != m_mesh.opposite(h) && m_charts.chart(k) == m_charts.chart(h)
-         && edge(k).dot(edge(h)) > std::sqrt(0.5) * edge(k).norm() * edge(h).norm())
-        result.push_back(k);
-    return result;
+    const auto shortest = std::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group& group)
+                                       { return group.value && std::any_of(group.lines.begin(), group.lines.end(), is_bad); });
+    if(shortest == m_groups.rend())
+      return false;
+    shortest->value.reset();
+    return true;
   }
 
   void add_edges_of_polycube()
@@ -142,7 +121,7 @@ private:
       const Eigen::Vector3d first = m_images[path.front()], last = m_images[path.back()];
       for(const std::size_t c : chain.charts)
       {
-        const int axis = other_axis(c, chain.axis);
+        const int axis = other_axis(m_charts, c, chain.axis);
         const auto [low, high] = std::minmax(first[chain.axis], last[chain.axis]);
         m_sites[c].push_back({ axis, low, high, first[axis], first[axis] });
         for(const Vertex v : path)
@@ -155,89 +134,61 @@ private:
     }
   }
 
-  // Follows the curves of sharp edges, and divides those whose images are not straight where these turn to another axis.
-  void find_lines()
+  // Makes groups of lines that share a vertex and the axis across, the longest ones first. A line that would join two that are
+  // side by side is left out.
+  void join_lines(const std::vector<Line_of_chart_3>& lines)
   {
-    std::vector<bool> is_used(m_mesh.number_of_edges(), false);
-    for(const auto e : m_mesh.edges())
-      if(const Halfedge h = m_mesh.halfedge(e); is_inside(h) && !is_used[e])
-      {
-        std::vector<Halfedge> back = follow(m_mesh.opposite(h), is_used), curve;
-        for(auto k = back.rbegin(); k != back.rend(); ++k)
-          curve.push_back(m_mesh.opposite(*k));
-        const std::vector<Halfedge> ahead = follow(h, is_used);
-        curve.insert(curve.end(), ahead.begin() + 1, ahead.end());
-        if(!add_line(curve.begin(), curve.end()))
-          for(auto begin = curve.begin(), end = begin; begin != curve.end(); begin = end)
-          {
-            end = std::find_if(begin, curve.end(), [&](const Halfedge k) { return axis_along(k) != axis_along(*begin); });
-            if(end - begin >= shortest_arc)
-              add_line(begin, end);
-          }
-      }
-  }
-
-  // Returns an edge and those that continue its curve.
-  std::vector<Halfedge> follow(const Halfedge h, std::vector<bool>& is_used) const
-  {
-    std::vector<Halfedge> result(1, h);
-    is_used[m_mesh.edge(h)] = true;
-    for(auto next = continuations(h); next.size() == 1 && !is_used[m_mesh.edge(next[0])]; next = continuations(next[0]))
+    for(const Line_of_chart_3& line : lines)
+      m_groups.push_back(group_of({ line }));
+    const auto is_longer = [](const Group& a, const Group& b) { return a.length > b.length; };
+    std::stable_sort(m_groups.begin(), m_groups.end(), is_longer);
+    std::vector<Group> joined;
+    for(const Group& next : m_groups)
     {
-      is_used[m_mesh.edge(next[0])] = true;
-      result.push_back(next[0]);
+      std::vector<Line_of_chart_3> together = next.lines;
+      std::vector<Group> others;
+      for(const Group& group : joined)
+        if(are_joined(group, next))
+          together.insert(together.end(), group.lines.begin(), group.lines.end());
+        else
+          others.push_back(group);
+      if(are_side_by_side(together))
+        continue;
+      joined = std::move(others);
+      joined.push_back(group_of(together));
     }
-    return result;
+    m_groups = std::move(joined);
+    std::stable_sort(m_groups.begin(), m_groups.end(), is_longer);
   }
 
-  // Adds a part of a curve if its image leads along an axis. Returns whether it does.
-  template <typename Iterator>
-  bool add_line(const Iterator begin, const Iterator end)
+  static bool are_joined(const Group& a, const Group& b)
   {
-    const std::size_t chart = m_charts.chart(*begin);
-    Line line = { { m_mesh.source(*begin) }, chart, -1 };
-    double length = 0;
-    for(auto h = begin; h != end; ++h)
+    std::set<Vertex> vertices;
+    for(const Line_of_chart_3& line : a.lines)
+      vertices.insert(line.vertices.begin(), line.vertices.end());
+    return a.axis == b.axis && std::any_of(b.lines.begin(), b.lines.end(), [&](const Line_of_chart_3& line)
+    { return std::any_of(line.vertices.begin(), line.vertices.end(), [&](const Vertex v) { return vertices.count(v) > 0; }); });
+  }
+
+  // Tells whether two of some lines are in one chart and extend over the same part of it.
+  bool are_side_by_side(const std::vector<Line_of_chart_3>& lines) const
+  {
+    const auto extent = [this](const Line_of_chart_3& line)
     {
-      line.vertices.push_back(m_mesh.target(*h));
-      length += way(*h).norm();
-    }
-    Eigen::Vector3d difference = m_images[line.vertices.back()] - m_images[line.vertices.front()];
-    difference[m_charts.axis(chart)] = 0;
-    int along;
-    difference.cwiseAbs().maxCoeff(&along);
-    line.axis = other_axis(chart, along);
-    if(!(std::abs(difference[line.axis]) <= largest_slope * std::abs(difference[along]))
-       || std::abs(difference[along]) < smallest_extent * length)
-      return false;
-    m_lines.push_back(std::move(line));
-    return true;
+      const int along = other_axis(m_charts, line.chart, line.axis);
+      return std::minmax({ m_images[line.vertices.front()][along], m_images[line.vertices.back()][along] });
+    };
+    for(auto a = lines.begin(); a != lines.end(); ++a)
+      for(auto b = lines.begin(); b != a; ++b)
+        if(const auto [low, high] = extent(*a); a->chart == b->chart && low < extent(*b).second && extent(*b).first < high)
+          return true;
+    return false;
   }
 
-  static constexpr double largest_slope = 0.6;       // a guess; of a line that is turned to an axis
-  static constexpr double smallest_extent = 0.7;     // a guess; of a line along its axis, relative to its length
-  static constexpr std::ptrdiff_t shortest_arc = 3;  // a guess; edges, fewer are steps of a diagonal
-
-  // Makes groups of lines that share a vertex and the axis across, the longest ones first.
-  void join_lines()
-  {
-    Disjoint_sets sets(m_lines.size());
-    std::map<std::pair<std::size_t, int>, std::size_t> line_at;
-    for(std::size_t i = 0; i < m_lines.size(); ++i)
-      for(const Vertex v : m_lines[i].vertices)
-        sets.unite(i, line_at.emplace(std::make_pair(std::size_t(v), m_lines[i].axis), i).first->second);
-    std::map<std::size_t, std::vector<Line> > groups;
-    for(std::size_t i = 0; i < m_lines.size(); ++i)
-      groups[sets.find(i)].push_back(m_lines[i]);
-    for(const auto& [set, lines] : groups)
-      m_groups.push_back(group_of(lines));
-    std::stable_sort(m_groups.begin(), m_groups.end(), [](const Group& a, const Group& b) { return a.length > b.length; });
-  }
-
-  Group group_of(const std::vector<Line>& lines) const
+  Group group_of(const std::vector<Line_of_chart_3>& lines) const
   {
     Group group = { lines, lines.front().axis, 0, 0, std::nullopt };
-    for(const Line& line : lines)
+    for(const Line_of_chart_3& line : lines)
       for(std::size_t i = 1; i < line.vertices.size(); ++i)
       {
         const Eigen::Vector3d p = m_images[line.vertices[i - 1]], q = m_images[line.vertices[i]];
@@ -267,7 +218,7 @@ private:
   std::vector<double> values(const Group& group) const
   {
     std::set<double> bound;
-    for(const Line& line : group.lines)
+    for(const Line_of_chart_3& line : group.lines)
       for(const Vertex v : line.vertices)
         if(m_is_bound[v][group.axis])
           bound.insert(m_images[v][group.axis]);
@@ -275,14 +226,23 @@ private:
       return bound.size() == 1 ? std::vector<double>(1, *bound.begin()) : std::vector<double>();
     if(!(m_planes.spacing > 0))
       return { group.mean };
-    std::vector<double> result;
+    constexpr double least_gain = 0.1; // a guess; part of the spacing by which a plane that divides boxes must be nearer
+    std::set<std::pair<double, double> > by_distance;
+    double handicap = 0;
     for(const double part : { 1., 0.5, smallest_part_of_spacing })
     {
       const double distance = part * m_planes.spacing, k = (group.mean - m_planes.origin[group.axis]) / distance;
       const double nearest = std::round(k);
       for(const double n : { nearest, nearest < k ? nearest + 1 : nearest - 1 })
-        result.push_back(m_planes.origin[group.axis] + n * distance);
+      {
+        const double value = m_planes.origin[group.axis] + n * distance;
+        by_distance.emplace(std::abs(value - group.mean) + handicap, value);
+      }
+      handicap += least_gain * m_planes.spacing;
     }
+    std::vector<double> result;
+    for(const auto& [distance, value] : by_distance)
+      result.push_back(value);
     return result;
   }
 
@@ -290,9 +250,9 @@ private:
   std::vector<std::pair<std::size_t, Site> > sites_of(const Group& group, const double value) const
   {
     std::vector<std::pair<std::size_t, Site> > result;
-    for(const Line& line : group.lines)
+    for(const Line_of_chart_3& line : group.lines)
     {
-      const int along = other_axis(line.chart, line.axis);
+      const int along = other_axis(m_charts, line.chart, line.axis);
       const Eigen::Vector3d first = m_images[line.vertices.front()], last = m_images[line.vertices.back()];
       const auto [low, high] = std::minmax(first[along], last[along]);
       result.push_back({ line.chart, { group.axis, low, high, group_of({ line }).mean, value } });
@@ -315,13 +275,11 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
-  const std::vector<bool>& m_is_sharp;
   const Grid_planes_3 m_planes;
   const std::vector<Eigen::Vector3d> m_images;
   Held_coordinates m_is_bound;        // at edges of the polycube: coordinates that are those of faces
   std::vector<int> m_chain_of_vertex; // -1 for vertices of none, and corners
   std::vector<std::vector<Site> > m_sites; // in each chart, and on each edge of the polycube
-  std::vector<Line> m_lines;
   std::vector<Group> m_groups;
 };
 

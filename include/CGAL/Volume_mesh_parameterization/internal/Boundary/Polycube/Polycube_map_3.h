@@ -147,7 +147,7 @@ private:
     {
       map_with(lines, images, budget);
       relax(budget);
-      if(m_flipped_faces.empty() || !lines.give_up(charts_around_flipped_faces()))
+      if(m_flipped_faces.empty() || !lines.give_up(m_flipped_faces))
         break;
     }
     if(m_flipped_faces.empty())
@@ -177,15 +177,6 @@ private:
       if(std::all_of(around.begin(), around.end(), [&](const auto v) { return m_is_held[v] == all; }) && !is_positive(f))
         m_flipped_faces.push_back(f);
     }
-  }
-
-  std::vector<bool> charts_around_flipped_faces() const
-  {
-    std::vector<bool> result(m_charts.number_of_charts(), false);
-    for(const Face f : m_flipped_faces)
-      for(const auto h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
-        result[m_charts.chart(h)] = result[m_charts.chart(m_mesh.opposite(h))] = true;
-    return result;
   }
 
   void map_charts(const Budget& budget)
