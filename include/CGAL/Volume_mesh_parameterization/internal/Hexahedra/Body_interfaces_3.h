@@ -122,11 +122,12 @@ private:
 
   void number_patches()
   {
+    const auto position = [this](const std::size_t v) { return to_vector(m_points[v]); };
     Disjoint_sets sets(m_facets.size());
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
       const std::size_t f = begin->second[0] / 3, g = (end - 1)->second[0] / 3;
-      if(end - begin == 2 && m_pairs[f] == m_pairs[g] && !Body_surface_3::is_sharp(m_points, m_facets[f], m_facets[g]))
+      if(end - begin == 2 && m_pairs[f] == m_pairs[g] && !is_sharp_edge(m_facets[f], m_facets[g], position))
         sets.unite(f, g);
     });
     std::map<std::size_t, std::size_t> numbers;

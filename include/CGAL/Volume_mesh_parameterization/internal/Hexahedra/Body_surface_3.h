@@ -55,13 +55,6 @@ public:
     : m_facets(std::move(facets))
   { build(points, lines); }
 
-  // Tells whether the edge between two facets that are oriented alike is sharp.
-  static bool is_sharp(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 3>& f,
-                       const std::array<std::size_t, 3>& g)
-  {
-    return normal(triangle(points, f)).dot(normal(triangle(points, g))) < cosine_of_sharp_edge;
-  }
-
   const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
 
   // Returns the edges of the lines, as points of the soup.

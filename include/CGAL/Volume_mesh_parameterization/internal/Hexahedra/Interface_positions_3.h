@@ -34,14 +34,11 @@ inline Body_interfaces_3::Pair pair_of(const Hexahedron_soup_3& mesh, const Inte
 inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedron_soup_3& mesh, const std::vector<int>& parts)
 {
   std::vector<Interface_quadrangle_3> result;
-  for_each_group(6 * mesh.cells.size(),
-                 [&](const std::size_t i) { return std::make_pair(sorted(vertices_of(mesh, { i / 6, i % 6 })), i); },
-                 [&](const auto begin, const auto end)
+  for_each_quadrangle(mesh, [&](const auto begin, const auto end)
   {
     if(end - begin != 2)
       return;
-    Quadrangle_of_hexahedron q = { begin->second / 6, begin->second % 6 };
-    Quadrangle_of_hexahedron r = { (begin + 1)->second / 6, (begin + 1)->second % 6 };
+    Quadrangle_of_hexahedron q = begin->second, r = (begin + 1)->second;
     if(parts[q.cell] > parts[r.cell])
       std::swap(q, r);
     if(parts[q.cell] != parts[r.cell])

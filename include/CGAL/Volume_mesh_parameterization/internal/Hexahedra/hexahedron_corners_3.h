@@ -20,6 +20,7 @@
 #include <Eigen/Dense>
 
 #include <map>
+#include <tuple>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -90,6 +91,9 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
 struct Quadrangle_of_hexahedron
 {
   std::size_t cell, side;
+
+  friend bool operator<(const Quadrangle_of_hexahedron& q, const Quadrangle_of_hexahedron& r)
+  { return std::tie(q.cell, q.side) < std::tie(r.cell, r.side); }
 };
 
 inline std::array<std::size_t, 4> vertices_of(const Hexahedron_soup_3& mesh, const Quadrangle_of_hexahedron& quadrangle)
@@ -98,6 +102,18 @@ inline std::array<std::size_t, 4> vertices_of(const Hexahedron_soup_3& mesh, con
   for(std::size_t i = 0; i < 4; ++i)
     result[i] = mesh.cells[quadrangle.cell][quadrangles_of_hexahedron[quadrangle.side][i]];
   return result;
+}
+
+// Calls `f(begin, end)` for each quadrangle, in the order of their sorted vertices, with a pair for each of its hexahedra: the
+// sorted vertices, and the quadrangle there.
+template <typename Function>
+void for_each_quadrangle(const Hexahedron_soup_3& mesh, const Function& f)
+{
+  for_each_group(6 * mesh.cells.size(), [&](const std::size_t i)
+  {
+    const Quadrangle_of_hexahedron quadrangle = { i / 6, i % 6 };
+    return std::make_pair(sorted(vertices_of(mesh, quadrangle)), quadrangle);
+  }, f);
 }
 
 // Returns which of the six quadrangles of a hexahedron has these vertices, or 6 if none has.
@@ -168,12 +184,10 @@ inline void check_hexahedra(const Hexahedron_soup_3& mesh)
 inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahedron_soup_3& mesh)
 {
   std::vector<Quadrangle_of_hexahedron> result;
-  for_each_group(6 * mesh.cells.size(),
-                 [&](const std::size_t i) { return std::make_pair(sorted(vertices_of(mesh, { i / 6, i % 6 })), i); },
-                 [&](const auto begin, const auto end)
+  for_each_quadrangle(mesh, [&](const auto begin, const auto end)
   {
     if(end - begin == 1)
-      result.push_back({ begin->second / 6, begin->second % 6 });
+      result.push_back(begin->second);
   });
   return result;
 }

@@ -34,15 +34,13 @@ public:
       for(const std::size_t v : mesh.cells[c])
         m_cells_at[v].push_back(c);
     }
-    for_each_group(6 * mesh.cells.size(),
-                   [&](const std::size_t i) { return std::make_pair(sorted(vertices_of(mesh, { i / 6, i % 6 })), i); },
-                   [&](const auto begin, const auto end)
+    for_each_quadrangle(mesh, [&](const auto begin, const auto end)
     {
       if(end - begin != 2)
         return;
-      const std::size_t i = begin->second, j = (begin + 1)->second;
-      m_neighbors[i / 6][i % 6] = j / 6;
-      m_neighbors[j / 6][j % 6] = i / 6;
+      const Quadrangle_of_hexahedron q = begin->second, r = (begin + 1)->second;
+      m_neighbors[q.cell][q.side] = r.cell;
+      m_neighbors[r.cell][r.side] = q.cell;
     });
   }
 

@@ -16,7 +16,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
+// Tells whether the edge between two facets that are oriented alike is sharp.
+template <typename Facet, typename Position>
+bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
+{
+  constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
+  const auto normal = [&](const Facet& facet)
+  {
+    const Small_matrix<3, 2> X = edges_of_facet(facet, position);
+    return Eigen::Vector3d(X.col(0).cross(X.col(1)).stableNormalized());
+  };
+  return normal(f).dot(normal(g)) < cosine_of_sharp_edge;
+}
 
 // Returns the sharp edges of a surface, the smaller vertex first: those among the marked ones, or if there are none, those
 // whose normals on both sides make more than 60 degrees.
@@ -24,11 +35,6 @@ template <typename Vertex, typename Position>
 std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<Vertex, 3> >& facets,
                                                   std::vector<std::array<Vertex, 2> > marked, const Position& position)
 {
-  const auto normal = [&](const std::size_t corner)
-  {
-    const Small_matrix<3, 2> X = edges_of_facet(facets[corner / 3], position);
-    return Eigen::Vector3d(X.col(0).cross(X.col(1)).stableNormalized());
-  };
   for(std::array<Vertex, 2>& edge : marked)
     edge = sorted(edge);
   std::sort(marked.begin(), marked.end());
@@ -37,7 +43,7 @@ std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<V
   {
     if(std::binary_search(marked.begin(), marked.end(), begin->first))
       found.push_back(begin->first);
-    if(normal(begin->second[0]).dot(normal((end - 1)->second[0])) < cosine_of_sharp_edge)
+    if(is_sharp_edge(facets[begin->second[0] / 3], facets[(end - 1)->second[0] / 3], position))
       by_angle.push_back(begin->first);
   });
   return found.empty() ? by_angle : found;
