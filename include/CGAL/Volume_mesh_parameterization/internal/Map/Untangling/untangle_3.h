@@ -38,11 +38,11 @@ public:
   bool is_unsolved() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
   // Returns the best map. Cells that have just become positive are flat, and are relaxed.
-  Found_map_3 finish()
+  Found_map_3 finish(const bool has_moved)
   {
     if(is_unsolved() && m_best.map.is_valid())
       m_best.status = OK;
-    if(m_best.status == OK && m_progress.number_of_steps() > 0)
+    if(m_best.status == OK && has_moved)
       m_best.map = evaluated_map(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
                                                        m_progress.budget()));
     return m_best;
@@ -122,7 +122,7 @@ inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, c
     if(search.is_in_vain(attempt) || (may_leave_cells && number > 0 && number <= attempt.few_cells))
       break;
   }
-  return search.finish();
+  return search.finish(progress.number_of_steps() > 0);
 }
 
 // Continues from images that an earlier search has left with few inverted cells, or none.
@@ -132,7 +132,7 @@ inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3X
   search.untangle_patches(start, "patches");
   if(search.is_unsolved())
     search.untangle(untangling_attempts[0], search.best().map.positions);
-  return search.finish();
+  return search.finish(true);
 }
 
 // Returns the initial map with an image for each vertex: a prescribed vertex without one is on its target, and the others
