@@ -632,6 +632,27 @@ TEST_CASE("features in a face become lines but for one that joins two side by si
   CHECK(targets[vertex(6, 3)][0] != targets[vertex(7, 4)][0]);
 }
 
+TEST_CASE("a feature in a face becomes a line unless it is shorter than the spacing")
+{
+  const auto waved = [](const double x, const double y, const double z)
+  { return std::array<double, 3>{ x, y + 0.3 * std::sin(x), z }; };
+  VMP::Tetrahedron_soup_3 soup = bricks({ 8, 8, 2 }, is_box, waved);
+  std::vector<std::size_t> feature;
+  for(int x = 2; x <= 5; ++x)
+    feature.push_back(static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), waved(x, 4, 2)) - soup.points.begin()));
+  for(std::size_t k = 1; k < feature.size(); ++k)
+    soup.edges.push_back({ feature[k - 1], feature[k] });
+  soup.edge_references.assign(soup.edges.size(), 1);
+  const auto is_line = [&](const double spacing)
+  {
+    std::vector<std::array<double, 3> > targets;
+    REQUIRE(Polycube(spacing).parameterize(soup, targets) == VMP::OK);
+    return std::all_of(feature.begin(), feature.end(), [&](const std::size_t v) { return targets[v][1] == targets[feature[0]][1]; });
+  };
+  CHECK(is_line(1));
+  CHECK_FALSE(is_line(4));
+}
+
 TEST_CASE("where a line between charts leads back behind its corner, another chart is extended to the turn")
 {
   using namespace VMP::internal;

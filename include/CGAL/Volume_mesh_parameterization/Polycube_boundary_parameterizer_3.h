@@ -68,7 +68,7 @@ both sides.
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
 All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
 faces are merged that an edge keeps apart. Coordinates of lines are multiples of the spacing too, or of its half or quarter where
-these are clearly nearer, or there is no room.
+these are clearly nearer, or there is no room. Lines that are shorter than the spacing are not made.
 
 The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted
 is the map, and the less certain that labels with a polycube are found.

@@ -199,13 +199,15 @@ private:
     return group;
   }
 
+  // Chooses values of the groups, but of those shorter than the spacing: edges of hexahedra that are as long gain nothing by them.
   void choose_values()
   {
     for(Group& group : m_groups)
       for(const double value : values(group))
       {
         const auto sites = sites_of(group, value);
-        if(group.value || !std::all_of(sites.begin(), sites.end(), [this](const auto& site) { return fits(site.first, site.second); }))
+        if(group.value || group.length < m_planes.spacing
+           || !std::all_of(sites.begin(), sites.end(), [this](const auto& site) { return fits(site.first, site.second); }))
           continue;
         group.value = value;
         for(const auto& [owner, site] : sites)
