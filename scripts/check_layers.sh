@@ -7,45 +7,47 @@ export LC_ALL=C
 cd "$(dirname "${BASH_SOURCE[0]}")/../include/CGAL"
 package=Volume_mesh_parameterization
 
-# The part of a header.
+# Sets REPLY to the part of a header.
 part_of()
 {
-  case ${1#"$package/"} in
-    internal/*/*) cut -d / -f 2 <<< "${1#"$package/"}" ;;
-    Default_visitor.h | Error_code.h | Parameterization_step.h | select.h) echo Support ;;
-    *_energy_3.h | check_derivatives.h) echo Energies ;;
-    Block_sparse_matrix_3.h | *_solver_traits_3.h) echo Solvers ;;
+  local header=${1#"$package/"}
+  case $header in
+    internal/*/*) header=${header#internal/}; REPLY=${header%%/*} ;;
+    Default_visitor.h | Error_code.h | Parameterization_step.h | select.h) REPLY=Support ;;
+    *_energy_3.h | check_derivatives.h) REPLY=Energies ;;
+    Block_sparse_matrix_3.h | *_solver_traits_3.h) REPLY=Solvers ;;
     Boundary_mode.h | Refinement_mode.h | Linear_constraint_3.h | Parameterization_result.h | Soft_boundary_parameters.h | Tetrahedron_soup_3.h | Vertex_point_map.h | \
       make_parameterizable.h | measure_distortion.h | measure_quality.h | merge_coinciding_points.h | mesh_complex_3_to_tetrahedron_soup.h | \
-      orient_tetrahedron_soup.h | separate_pinched_vertices.h | tetrahedron_soup_to_mesh_complex_3.h) echo Map ;;
-    Volume_map_3.h | cell_distortions.h | evaluate_on_grid.h) echo Evaluation ;;
-    *_boundary_parameterizer_3.h | boundary_vertices.h) echo Boundary ;;
-    Hexahedral_mesh_result.h | Hexahedron_soup_3.h | hexahedral_mesh.h) echo Hexahedra ;;
-    IO/*.h) echo IO ;;
-    Distributed/*.h | Distributed_tetrahedron_soup_3.h) echo Distributed ;;
-    Arrays/*.h | stretch_minimizing_volume_parameterization.h) echo entry ;;
-    *) echo "no part" ;;
+      orient_tetrahedron_soup.h | separate_pinched_vertices.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
+    Volume_map_3.h | cell_distortions.h | evaluate_on_grid.h) REPLY=Evaluation ;;
+    *_boundary_parameterizer_3.h | boundary_vertices.h) REPLY=Boundary ;;
+    Hexahedral_mesh_result.h | Hexahedron_soup_3.h | hexahedral_mesh.h) REPLY=Hexahedra ;;
+    IO/*.h) REPLY=IO ;;
+    Distributed/*.h | Distributed_tetrahedron_soup_3.h) REPLY=Distributed ;;
+    Arrays/*.h | stretch_minimizing_volume_parameterization.h) REPLY=entry ;;
+    *) REPLY="no part" ;;
   esac
 }
 
-# The parts that a part may include besides itself.
+# Sets REPLY to the parts that a part may include besides itself.
 parts_below()
 {
   case $1 in
-    Energies | Solvers) echo Support ;;
-    Map) echo Energies Solvers Support ;;
-    Boundary | Evaluation) echo Map Energies Solvers Support ;;
-    entry | Hexahedra) echo Boundary Evaluation Map Energies Solvers Support ;;
-    IO) echo Hexahedra Boundary Evaluation Map Energies Solvers Support ;;
-    Distributed) echo IO Hexahedra Boundary Evaluation Map Energies Solvers Support ;;
+    Energies | Solvers) REPLY="Support" ;;
+    Map) REPLY="Energies Solvers Support" ;;
+    Boundary | Evaluation) REPLY="Map Energies Solvers Support" ;;
+    entry | Hexahedra) REPLY="Boundary Evaluation Map Energies Solvers Support" ;;
+    IO) REPLY="Hexahedra Boundary Evaluation Map Energies Solvers Support" ;;
+    Distributed) REPLY="IO Hexahedra Boundary Evaluation Map Energies Solvers Support" ;;
   esac
 }
 
 status=0
 while IFS=: read -r header included; do
-  part=$(part_of "$header")
-  other=$(part_of "$included")
-  if [ "$part" = "no part" ] || [[ " $part $(parts_below "$part") " != *" $other "* ]]; then
+  part_of "$header"; part=$REPLY
+  part_of "$included"; other=$REPLY
+  REPLY=""; parts_below "$part"
+  if [ "$part" = "no part" ] || [[ " $part $REPLY " != *" $other "* ]]; then
     echo "$header ($part) includes $included ($other)"
     status=1
   fi
