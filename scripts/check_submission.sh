@@ -45,12 +45,14 @@ grep -qxE '(L?GPL) \(v3 or later\)' "package_info/$package/license.txt" ||
 
 # 2. A licence for each file, by itself or by REUSE.toml; the text of each licence.
 mapfile -t annotated < <(sed -n '/^path = \[/,/^\]/p' REUSE.toml | grep -o '"[^"]*"' | tr -d '"')
+declare -A is_licensed
+while read -r file; do is_licensed[$file]=1; done < <(grep -l 'SPDX-License-Identifier: ' "${files[@]}")
 for file in "${files[@]}"; do
   is_annotated=
   for pattern in "${annotated[@]}"; do
     [[ $pattern == '*' && $file == */* ]] || [[ $file != $pattern ]] || is_annotated=1
   done
-  [ -n "$is_annotated" ] || [[ $file == LICENSES/* ]] || grep -q 'SPDX-License-Identifier: ' "$file" || echo "$file"
+  [ -n "$is_annotated${is_licensed[$file]:-}" ] || [[ $file == LICENSES/* ]] || echo "$file"
 done | forbid "no SPDX-License-Identifier, neither here nor in REUSE.toml"
 grep -hoE 'SPDX-License-Identifier(:| =) "?[A-Za-z0-9.-]+' "${headers[@]}" REUSE.toml | sed 's/.*[ "]//' | sort -u |
   while read -r license; do [ -s "LICENSES/$license.txt" ] || echo "LICENSES/$license.txt"; done |
@@ -60,13 +62,18 @@ grep -hoE 'SPDX-License-Identifier(:| =) "?[A-Za-z0-9.-]+' "${headers[@]}" REUSE
 for line in 'Copyright (c) [0-9]' '$URL$$' '$Id$$' 'SPDX-License-Identifier: ' 'Author(s)     : '; do
   { grep -L "^// $line" "${headers[@]}" || true; } | forbid "the head has no line $line"
 done
+declare -A is_defined first_include
+while IFS=: read -r header line; do is_defined["$header $line"]=1; done < <(grep -H '^#define ' "${headers[@]}")
+while IFS=: read -r header line; do first_include[$header]=$line; done < <(grep -Hm 1 '^#include' "${headers[@]}")
 for header in "${headers[@]}"; do
   case $header in
     *.inc | */parameters_interface.h | include/CGAL/license/*) continue ;;
   esac
-  guard=$(tr 'a-z/.' 'A-Z__' <<< "${header#include/}")
-  grep -qx "#define $guard" "$header" || forbid "the guard is not $guard" <<< "$header"
-  [ "$(grep -m 1 '^#include' "$header")" = "#include <CGAL/license/$package.h>" ] ||
+  guard=${header#include/}
+  guard=${guard^^}
+  guard=${guard//[\/.]/_}
+  [ -n "${is_defined["$header #define $guard"]:-}" ] || forbid "the guard is not $guard" <<< "$header"
+  [ "${first_include[$header]:-}" = "#include <CGAL/license/$package.h>" ] ||
     forbid "the licence is not included first" <<< "$header"
 done
 
