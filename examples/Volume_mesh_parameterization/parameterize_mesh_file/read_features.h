@@ -7,8 +7,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -49,15 +51,13 @@ inline void mark_features(const std::string& filename, CGAL::Volume_mesh_paramet
 // Tells which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
 inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
+  if(soup.edges.empty())
+    return "";
   namespace internal = CGAL::Volume_mesh_parameterization::internal;
   using Edges = std::vector<std::array<std::size_t, 2> >;
   const auto facets = internal::boundary_facets_3(soup.cells);
-  const auto sharp_edges = [&](const Edges& marked)
-  {
-    Edges edges = internal::sharp_edges_3(facets, marked, [&](const std::size_t v) { return internal::to_vector(soup.points[v]); });
-    std::sort(edges.begin(), edges.end());
-    return edges;
-  };
+  const auto sharp_edges = [&](const Edges& marked) // in ascending order
+  { return internal::sharp_edges_3(facets, marked, [&](const std::size_t v) { return internal::to_vector(soup.points[v]); }); };
   const Edges sharp = sharp_edges(soup.edges), by_angle = sharp_edges({});
   Edges unmarked;
   std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));

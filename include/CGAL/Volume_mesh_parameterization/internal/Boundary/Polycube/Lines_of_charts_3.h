@@ -13,10 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Search_for_lines_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/ordered_coordinates_3.h>
 
-#include <map>
 #include <optional>
 #include <set>
 
@@ -203,16 +202,20 @@ private:
   void choose_values()
   {
     for(Group& group : m_groups)
+    {
+      if(group.length < m_planes.spacing)
+        break; // the longest ones come first
       for(const double value : values(group))
       {
         const auto sites = sites_of(group, value);
-        if(group.value || group.length < m_planes.spacing
-           || !std::all_of(sites.begin(), sites.end(), [this](const auto& site) { return fits(site.first, site.second); }))
+        if(!std::all_of(sites.begin(), sites.end(), [this](const auto& site) { return fits(site.first, site.second); }))
           continue;
         group.value = value;
         for(const auto& [owner, site] : sites)
           m_sites[owner].push_back(site);
+        break;
       }
+    }
   }
 
   // Returns the values that a group may have, the best one first: only that of edges of the polycube across which it ends, if

@@ -77,8 +77,8 @@ double nearest_integer(const NT& x)
 // Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders, by
 // exact quadratic programming; none if they contradict each other.
 //
-// With planes of a grid, distances are rounded up to multiples of the spacing and the solution to the nearest multiples. As
-// floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
+// Rounds distances up to multiples of the spacing where there are planes of a grid, and the solution to the nearest multiples. As
+// floor(x + 1/2) is monotone and commutes with adding integers, that keeps all distances.
 inline std::optional<std::vector<double> >
 ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
                       const std::vector<Order_of_coordinates>& orders, const Grid_planes_3& planes, const int axis)
