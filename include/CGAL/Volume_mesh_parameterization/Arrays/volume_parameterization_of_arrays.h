@@ -17,7 +17,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a body to prescribed targets. `target(p)` tells that of a point, and `vertex(p)` what the user calls the point.
+// Maps a body to prescribed targets. `target(p)` tells that of a point, and `vertex(p)` what the user calls the point. The body is
+// refined, or gone.
 template <typename Vertex, bool may_refine, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
 Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
                                             const VertexOfPoint& vertex, const Map_problem_3& problem,
@@ -30,7 +31,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
     if(parameter_or(np, internal_np::do_refine, true))
       return refine_and_parameterize_body_3(body, prescription, problem, insertions, images);
   }
-  return parameterize_body_3(body, prescription, problem, images);
+  return parameterize_body_3(std::move(body), prescription, problem, images);
 }
 
 // Stands for the targets that a boundary parameterizer finds, by default that of the ball.

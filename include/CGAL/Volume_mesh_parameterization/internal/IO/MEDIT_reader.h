@@ -60,6 +60,7 @@ public:
       soup.points.push_back(next_point(scanner));
       next_reference(scanner);
     });
+    soup.points.shrink_to_fit();
     const std::size_t number_of_points = sum(soup.points.size());
     read_simplices(EDGES, number_of_points, 2, soup.edges, soup.edge_references);
     read_simplices(TRIANGLES, number_of_points, 3, soup.facets, soup.facet_references);
@@ -193,6 +194,8 @@ private:
       simplices.push_back(simplex);
       references.push_back(next_reference(scanner));
     });
+    simplices.shrink_to_fit(); // they stay as long as the map is computed
+    references.shrink_to_fit();
   }
 
   static std::size_t next_vertex(Text_scanner& scanner, const std::size_t number_of_points)

@@ -30,10 +30,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The seam of the map: all between arrays and the images of points. It knows no complex, an energy only as `Cell_energy_3`, and
 // a solver only as `Linear_solver_3`, so that it can be compiled once.
 
-// Maps a body: finds the images of its points.
+// Maps a body: finds the images of its points. Whoever moves the body there does not keep a second copy of the cells.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
-                                            const Map_problem_3& problem, std::vector<std::array<double, 3> >& images);
+Parameterization_result parameterize_body_3(Body_3 body, const Prescription_3& prescription, const Map_problem_3& problem,
+                                            std::vector<std::array<double, 3> >& images);
 
 // Maps a body and refines it; the insertions are appended as they are made.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -90,19 +90,19 @@ inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Map_prob
   return find_map_3(mesh, body.check, problem, start);
 }
 
-// Adds the numbers of what the user has given.
-inline Parameterization_result counted(Parameterization_result result, const Body_3& body)
-{
-  const auto number = [](const std::vector<bool>& is_point) { return std::count(is_point.begin(), is_point.end(), true); };
-  result.number_of_vertices = number(used_points(body.soup.cells, body.soup.points.size()));
-  result.number_of_cells = body.soup.cells.size();
-  result.number_of_boundary_vertices = number(prescribed_points(body));
-  return result;
-}
+inline std::size_t number_of_marks(const std::vector<bool>& is_marked)
+{ return static_cast<std::size_t>(std::count(is_marked.begin(), is_marked.end(), true)); }
 
 // The result where the time was over before the numbering, which takes about as long as a step.
 inline Parameterization_result interrupted_result(const Body_3& body, const Progress_3& progress)
-{ return counted(refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)), progress), body); }
+{
+  Parameterization_result result
+    = refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)), progress);
+  result.number_of_vertices = number_of_marks(used_points(body.soup.cells, body.soup.points.size()));
+  result.number_of_cells = body.soup.cells.size();
+  result.number_of_boundary_vertices = number_of_marks(prescribed_points(body));
+  return result;
+}
 
 // The result of a search, if there was one; writes the images of the points if they are a map.
 inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
@@ -119,19 +119,25 @@ inline Parameterization_result written_result(const Body_3& body, const Checked_
     images.assign(numbered.vertices.size(), { nan, nan, nan });
     for(std::size_t v = 0; v < numbered.points.size(); ++v)
       images[numbered.points[v]] = coordinates(found->map.positions.col(v));
-    result.boundary_distortion = facet_distortion_3(body.boundary, [&](const std::size_t p) { return to_vector(body.soup.points[p]); },
-                                                    [&](const std::size_t p) { return to_vector(images[p]); });
+    result.boundary_distortion
+      = facet_distortion_3(body.boundary, [&](const std::size_t p) { return to_vector(body.soup.points[p]); },
+                           [&](const std::size_t p) { return to_vector(images[p]); });
   }
-  return counted(std::move(result), body);
+  result.number_of_vertices = numbered.points.size();
+  result.number_of_cells = numbered.mesh.cells.size();
+  result.number_of_boundary_vertices = number_of_marks(prescribed_points(body));
+  return result;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result parameterize_body_3(const Body_3& body, const Prescription_3& prescription,
-                                            const Map_problem_3& problem, std::vector<std::array<double, 3> >& images)
+Parameterization_result parameterize_body_3(Body_3 body, const Prescription_3& prescription, const Map_problem_3& problem,
+                                            std::vector<std::array<double, 3> >& images)
 {
   if(problem.progress.is_interrupted())
     return interrupted_result(body, problem.progress);
   const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
+  body.soup.cells = std::vector<std::array<std::size_t, 4> >(); // gives their memory back: only numbered ones are needed now
+  body.soup.cell_references = std::vector<int>();
   Search_start_3 start;
   start.patience = 2; // where nothing can be refined, larger weights get a chance
   std::optional<Found_map_3> found;

@@ -45,7 +45,7 @@ public:
     if(m_best.status == OK && has_moved)
       m_best.map = evaluated_map(m_mesh, relaxed_flat_cells_3(m_mesh, m_system.solver(), m_best.map.positions,
                                                        m_progress.budget()));
-    return m_best;
+    return std::move(m_best);
   }
 
   // The whole mesh, and then patches of it.
