@@ -89,8 +89,8 @@ double part_of_sharp_edges(const VMP::Tetrahedron_soup_3& soup, const VMP::Hexah
   using Primitive = CGAL::AABB_segment_primitive<K, std::vector<K::Segment_3>::const_iterator>;
   const CGAL::AABB_tree<CGAL::AABB_traits<K, Primitive> > tree(edges.cbegin(), edges.cend());
   double all = 0, near = 0;
-  for(const auto& [v, w] : VMP::internal::sharp_edges_3(boundary(soup), soup.edges,
-                                                        [&](const std::size_t i) { return VMP::internal::to_vector(soup.points[i]); }))
+  const auto point = [&](const std::size_t i) { return VMP::internal::to_vector(soup.points[i]); };
+  for(const auto& [v, w] : VMP::internal::sharp_edges_3(boundary(soup), soup.edges, point))
     for(const double part : { 0.125, 0.375, 0.625, 0.875 })
     {
       const double length = std::sqrt(CGAL::squared_distance(points[v], points[w])) / 4;
@@ -116,7 +116,6 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   const std::vector<Point_3> points = points_of(soup.points);
   const CGAL::Bbox_3 box = CGAL::bbox_3(points.begin(), points.end());
   const double longest = (std::max)({ box.x_span(), box.y_span(), box.z_span() });
-  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
   const double spacing = (domain == "cube" ? 1 : longest) / number;
 
   C3t3 c3t3;
@@ -158,7 +157,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   if(result.status == VMP::OK)
     std::cout << "hausdorff_distance: "
               << PMP::approximate_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(
-                   surface(soup.points, boundary(soup)), surface(mesh.points, boundary(mesh))) / diagonal << std::endl;
+                   surface(soup.points, boundary(soup)), surface(mesh.points, boundary(mesh))) * number / longest << std::endl;
   if(result.status == VMP::OK && !output.empty())
   {
     std::ofstream out(output);
@@ -173,7 +172,7 @@ int main(int argc, char* argv[])
   {
     std::cerr << "Usage: map_to_hexahedra SOURCE.mesh DOMAIN NUMBER [OUTPUT.mesh]\n"
                  "DOMAIN is cube or polycube, and NUMBER is that of hexahedra along the longest side of the body, or\n"
-                 "of the cube. The Hausdorff distance of the surfaces is relative to the diagonal of the body."
+                 "of the cube. The Hausdorff distance of the surfaces is in parts of the longest side over NUMBER."
               << std::endl;
     return EXIT_FAILURE;
   }

@@ -6,8 +6,8 @@ run_hexahedra.py PROGRAM MESHER DATA [--output PREFIX]
 PROGRAM is map_to_hexahedra, MESHER is mesh_model, and DATA the folder data/meshes of CGAL. A line is printed for each
 case: the numbers of tetrahedra and hexahedra, whether they have a layer of padding, the minimal and mean scaled
 Jacobian, the part of the sharp edges within a tenth of the spacing of edges of hexahedra, the Hausdorff distance of the
-surfaces relative to the diagonal of the model, and the seconds for the map and for the hexahedra. The files that are written are read again, and the exit status is 1 if a corner in one of them is not
-positive.
+surfaces in spacings, and the seconds for the map and for the hexahedra. The files that are written are read again, and the
+exit status is 1 if a corner in one of them is not positive.
 """
 import argparse
 import itertools
@@ -22,7 +22,8 @@ from tables import write_csv, write_json
 
 NEIGHBORS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]  # neighbors of the corners in VTK's order
 LINE = [("case", "<24"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("padding", ">4"),
-        ("minimal_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("sharp_edges", ">7.4f"), ("hausdorff_distance", ">10.6f"),
+        ("minimal_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("sharp_edges", ">7.4f"),
+        ("hausdorff_distance", ">9.3f"),
         ("seconds_map", ">7.2f"), ("seconds_hexahedra", ">7.2f"), ("status", "")]
 TITLES = ["case", "tets", "hexes", "pad", "min SJ", "mean SJ", "sharp", "Hausdorff", "s map", "s hexes", "status"]
 
