@@ -230,7 +230,8 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd
   \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the sizes, the linear solver, what `check_derivatives()` finds wrong in the energy, and a line a step are printed to `std::cout`}
+    \cgalParamDescription{whether the sizes, the linear solver, what `check_derivatives()` finds wrong in the energy, and a line
+                         a step are printed to `std::cout`}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
   \cgalParamNEnd

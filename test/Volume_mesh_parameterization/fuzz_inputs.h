@@ -207,7 +207,8 @@ inline void mutate(std::string& text, Random& random)
       case 3: text.resize(at); break;
       default:
         text.replace(at, random.below(3), random.pick({"0", "-1", "99999999999", "4294967297", "nan", "inf", "1e999",
-                                                      "\n", " ", "#", "Tetrahedra\n", "Vertices 3\n", "End", "Hexahedra 1", "1e-320"}));
+                                                      "1e-320", "\n", " ", "#", "Tetrahedra\n", "Vertices 3\n", "End",
+                                                      "Hexahedra 1"}));
     }
   }
 }

@@ -266,8 +266,8 @@ std::vector<std::string> keys(const std::string& json)
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
   "options", "source", "target", "to", "polycube_axes", "improve", "features", "landmarks", "merge_points",
-  "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy", "volume_weights",
-  "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
+  "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy",
+  "volume_weights", "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "linear_solver_iterations", "untangling_method",
@@ -554,7 +554,8 @@ double seconds_of_processes()
 {
   rusage usage;
   getrusage(RUSAGE_CHILDREN, &usage);
-  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+  return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec)
+    + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
 }
 
 TEST_CASE("An interruption, or the time limit, ends each part of the program")
@@ -898,7 +899,8 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
 
   folder.write("bad.txt", second_line);
   CHECK(sentence("source.mesh bad.txt")
-        == "bad.txt: vertex 0 (counted from 0) is on the boundary of the source, but has no target; if others stay where they are, --others stay tells this\n");
+        == "bad.txt: vertex 0 (counted from 0) is on the boundary of the source, but has no target; if others stay where they "
+           "are, --others stay tells this\n");
   folder.write("bad.txt", "0 0 0 nan\n" + second_line);
   CHECK(sentence("source.mesh bad.txt") == "bad.txt: line 1: 'nan' is not a finite coordinate\n");
   folder.write("bad.txt", boundary_lines(source, 2, [](const Point& p) { return Point{p[0], p[1], -p[2]}; }));
@@ -925,7 +927,8 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
         "source.mesh target.txt --energy none", "source.mesh target.txt --solver none",
         "source.mesh target.txt --threads 0", "source.mesh target.txt --threads x",
         "source.mesh target.txt --max-iterations -1", "source.mesh target.txt --output map.obj",
-        "source.mesh target.txt --max-angle-distortion 2", "source.mesh target.txt --energy-tolerance -1", "source.mesh target.txt --time-limit -1",
+        "source.mesh target.txt --max-angle-distortion 2", "source.mesh target.txt --energy-tolerance -1",
+        "source.mesh target.txt --time-limit -1",
         "source.mesh target.txt --to ball", "source.mesh --to", "source.mesh --to none", "source.mesh --to box=1,2",
         "source.mesh --to box=1,2,0", "source.mesh --to box=1,2,3,4", "source.mesh --to box=1:2:3",
         "source.mesh target.txt --output map",
@@ -1111,7 +1114,8 @@ TEST_CASE("Vertices are added where they are needed, where they help, or in all 
   folder.write("sheared.mesh", sheared);
   const auto added = [&](const std::string& options)
   {
-    REQUIRE(folder.run("source.mesh --quiet --report report.json --refined-source refined.mesh --output map.mesh " + options) == 0);
+    REQUIRE(folder.run("source.mesh --quiet --report report.json --refined-source refined.mesh --output map.mesh " + options)
+            == 0);
     CHECK(folder.soup("refined.mesh").points.size() == folder.soup("map.mesh").points.size());
     CHECK(folder.soup("refined.mesh").points.size()
           == source.points.size() + static_cast<std::size_t>(number(folder.text("report.json"), "added_vertices")));
@@ -1162,7 +1166,8 @@ TEST_CASE("Each file may be a pipe, and - is the standard input or output")
     REQUIRE(mkfifo(folder.path(name).c_str(), 0600) == 0);
   CHECK(std::system(("cd '" + folder.path("") + "' && cat source.mesh > in & cd '" + folder.path("")
                      + "' && cat out > copy.mesh & cd '" + folder.path("") + "' && cat report > report.json & cd '"
-                     + folder.path("") + "' && '" PARAMETERIZE_MESH_FILE "' in target.txt --quiet -o out --report report && wait").c_str())
+                     + folder.path("") + "' && '"
+                     + PARAMETERIZE_MESH_FILE "' in target.txt --quiet -o out --report report && wait").c_str())
         == 0);
   CHECK(folder.text("copy.mesh") == map);
   CHECK(keys(folder.text("report.json")) == report_keys);
@@ -1495,8 +1500,8 @@ TEST_CASE("A body that is torn at doubled points is told, and joined")
   bar.cell_references.assign(bar.cells.size(), 1);
   folder.write("torn.mesh", bar);
   CHECK(folder.run("torn.mesh --to polycube --report report.json") == 0);
-  CHECK(folder.text("stderr").find("note: torn.mesh: 9 vertices of the boundary have the place of another one, as vertex 35 has that "
-                                   "of vertex 26 (counted from 0)") == 0);
+  CHECK(folder.text("stderr").find("note: torn.mesh: 9 vertices of the boundary have the place of another one, as vertex 35 has "
+                                   "that of vertex 26 (counted from 0)") == 0);
   CHECK(number(folder.text("report.json"), "coinciding_points") == 9);
 
   CHECK(folder.run("torn.mesh --to ball") == 2);
@@ -1545,7 +1550,8 @@ TEST_CASE("A tangled mesh is improved within its boundary")
 {
   const Folder folder;
   Soup source = cube(4);
-  const auto vertex = [&](const Point& p) { return std::find(source.points.begin(), source.points.end(), p) - source.points.begin(); };
+  const auto vertex
+    = [&](const Point& p) { return std::find(source.points.begin(), source.points.end(), p) - source.points.begin(); };
   const auto lower = vertex({2, 2, 1}), middle = vertex({2, 2, 2}), upper = vertex({2, 2, 3});
   const Soup cube_of_4 = source;
   std::swap(source.points[lower], source.points[upper]);
@@ -1587,7 +1593,8 @@ TEST_CASE("A tangled mesh is improved within its boundary")
                                             { return cube_of_4.points[v][0] <= 1; }) ? 7 : 8;
   source.points[vertex({1, 1, 1})] = {1, 1.1, 1.2};
   source.points[vertex({3, 1, 1})] = {3, 1.1, 1.2};
-  const std::vector<std::size_t> staying = {static_cast<std::size_t>(vertex({1, 1.1, 1.2})), static_cast<std::size_t>(vertex({3, 1.1, 1.2}))};
+  const std::vector<std::size_t> staying
+    = {static_cast<std::size_t>(vertex({1, 1.1, 1.2})), static_cast<std::size_t>(vertex({3, 1.1, 1.2}))};
   source.facets = {{staying[1], static_cast<std::size_t>(vertex({3, 1, 2})), static_cast<std::size_t>(vertex({3, 2, 2}))}};
   source.facet_references = {5};
   folder.write("materials.mesh", source);
@@ -1636,7 +1643,8 @@ TEST_CASE("A body that touches itself is separated on request")
       for(std::size_t i = 0; i < 4; ++i)
       {
         const Point p = cube(1).points[cell[i]];
-        const auto [entry, is_new] = vertices.emplace(Point{p[0] + corner[0], p[1] + corner[1], p[2] + corner[2]}, vertices.size());
+        const auto [entry, is_new]
+          = vertices.emplace(Point{p[0] + corner[0], p[1] + corner[1], p[2] + corner[2]}, vertices.size());
         if(is_new)
           soup.points.push_back(entry->first);
         soup.cells.back()[i] = entry->second;
@@ -1647,7 +1655,8 @@ TEST_CASE("A body that touches itself is separated on request")
   CHECK(folder.run("source.mesh --to ball --refine") == 2);
   CAPTURE(folder.text("stderr"));
   CHECK(folder.text("stderr").find("--separate parts them") != std::string::npos);
-  CHECK(folder.run("source.mesh --to ball --refine --separate --report report.json -o map.mesh --refined-source refined.mesh") == 0);
+  CHECK(folder.run("source.mesh --to ball --refine --separate --report report.json -o map.mesh --refined-source refined.mesh")
+        == 0);
   CHECK(number(folder.text("report.json"), "separated_vertices") == 2);
   CHECK(folder.soup("refined.mesh").points[soup.points.size()][2] < 2);
 }
@@ -1699,7 +1708,8 @@ TEST_CASE("Of a copy of the mesh, vertices at interfaces are met if they have mo
   check("one_material.mesh target.mesh", 0, 27);
 
   for(std::size_t v = 0; v < source.points.size(); ++v) // only the boundary moves, along x
-    target.points[v] = {source.points[v][0] * (is_on_boundary(source.points[v], 4) ? 4 : 1), source.points[v][1], source.points[v][2]};
+    target.points[v]
+      = {source.points[v][0] * (is_on_boundary(source.points[v], 4) ? 4 : 1), source.points[v][1], source.points[v][2]};
   folder.write("target.mesh", target);
   REQUIRE(folder.run("source.mesh target.mesh --report report.json") == 0);
   CHECK(number(folder.text("report.json"), "targets_inside") == 0);
@@ -1735,8 +1745,8 @@ TEST_CASE("The target may be a surface with the triangles of the boundary")
     if(extension == ".off")
       os << "OFF\n" << order.size() << " " << facets.size() << " 0\n";
     if(extension == ".ply")
-      os << "ply\nformat ascii 1.0\nelement vertex " << order.size() << "\nproperty double x\nproperty double y\nproperty double z\n"
-         << "element face " << facets.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+      os << "ply\nformat ascii 1.0\nelement vertex " << order.size()
+         << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << facets.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
     if(extension == ".mesh")
       os << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << order.size() << "\n";
     if(extension == ".stl")
@@ -1767,8 +1777,8 @@ TEST_CASE("The target may be a surface with the triangles of the boundary")
         continue;
       }
       const int first = extension == ".off" || extension == ".ply" ? 0 : 1;
-      os << (extension == ".obj" ? "f" : extension == ".mesh" ? "" : "3") << " " << number(a) + first << " " << number(b) + first << " "
-         << number(c) + first << (extension == ".mesh" ? " 0\n" : "\n");
+      os << (extension == ".obj" ? "f" : extension == ".mesh" ? "" : "3") << " " << number(a) + first << " "
+         << number(b) + first << " " << number(c) + first << (extension == ".mesh" ? " 0\n" : "\n");
     }
     os << (extension == ".stl" ? "endsolid s\n" : extension == ".mesh" ? "End\n" : "");
     folder.write(name, os.str());
@@ -1816,8 +1826,8 @@ TEST_CASE("The target may be a surface with the triangles of the boundary")
     off << "3 " << number[a] << " " << number[b] << " " << number[c] << "\n";
   folder.write("cube.mesh", source);
   folder.write("cube.off", off.str());
-  CHECK(sentence("cube.mesh cube.off").find("cube.off: the triangles of the surface are those of the boundary of the source in several ways")
-        == 0);
+  CHECK(sentence("cube.mesh cube.off")
+        .find("cube.off: the triangles of the surface are those of the boundary of the source in several ways") == 0);
 }
 
 TEST_CASE("Only the part that moves needs targets, which may be displacements")

@@ -218,8 +218,8 @@ TEST_CASE("The result describes the map")
   CHECK(result.energy > 3);
   CHECK(result.seconds_total > 0);
   CHECK(result.seconds_to_flip_free <= result.seconds_total);
-  CHECK(result.seconds_boundary + result.seconds_numbering + result.seconds_start + result.seconds_untangling + result.seconds_minimization
-        + result.seconds_check == Approx(result.seconds_total).margin(1e-2));
+  CHECK(result.seconds_boundary + result.seconds_numbering + result.seconds_start + result.seconds_untangling
+        + result.seconds_minimization + result.seconds_check == Approx(result.seconds_total).margin(1e-2));
 }
 
 TEST_CASE("Distortions of a similarity")

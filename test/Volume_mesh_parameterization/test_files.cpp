@@ -302,7 +302,8 @@ TEST_CASE("Of second-order cells the corners are read, and it is noted")
   CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{0, 1, 2}});
   CHECK(soup.edges == std::vector<std::array<std::size_t, 2> >{{1, 2}});
   REQUIRE(soup.notes.size() == 1);
-  CHECK(soup.notes[0] == "the mesh has cells of a higher order: their corners are used, and 7 points that are no corners are left out");
+  CHECK(soup.notes[0]
+        == "the mesh has cells of a higher order: their corners are used, and 7 points that are no corners are left out");
 }
 
 TEST_CASE("A surface is told from a mesh without tetrahedra")
@@ -948,7 +949,8 @@ TEST_CASE("Of second-order cells in a VTU file the corners are read, with their 
   std::string file = VTU("", array_as_text);
   file = replaced(replaced(file, "3 0 1 2 0 1 2 3", "3 0 1 2 0 0 0 0 1 2 3 0 0 0 0 0 0"), "1 4 8", "1 7 17");
   file = replaced(replaced(file, "1 5 10", "1 22 24"), "0.25 0 0 0 0.25 0 0 0 0.25", "0.25 0 0 0 0.25 0 0 0 0.25 9 9 9");
-  file = replaced(file, "<Cells>", "<PointData>" + array_as_text("Float32", "T", std::vector<double>{ 1, 2, 3, 4, 5 }) + "</PointData><Cells>");
+  const std::string temperatures = array_as_text("Float32", "T", std::vector<double>{ 1, 2, 3, 4, 5 });
+  file = replaced(file, "<Cells>", "<PointData>" + temperatures + "</PointData><Cells>");
   const Soup soup = read_any(file);
   check_small_cell(soup);
   CHECK(soup.point_data.at(0).values == std::vector<double>{ 1, 2, 3, 4 });

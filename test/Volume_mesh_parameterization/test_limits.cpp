@@ -59,7 +59,8 @@ struct Recording_visitor
   bool has_rounds_only(const VMP::Phase phase) const
   {
     for(std::size_t i = 0; i < steps.size(); ++i)
-      if(steps[i].kind != VMP::Step_kind::ROUND || steps[i].phase != phase || steps[i].iteration != i + 1 || steps[i].attempt.empty())
+      if(steps[i].kind != VMP::Step_kind::ROUND || steps[i].phase != phase || steps[i].iteration != i + 1
+         || steps[i].attempt.empty())
         return false;
     return !steps.empty();
   }

@@ -325,7 +325,8 @@ TEST_CASE("A map is evaluated on a grid of its target, and written as a structur
   CHECK(array_of(os.str(), "Points")[10] == 1);
   CHECK(array_of(os.str(), "preimage").size() == 90);
   CHECK(array_of(os.str(), "det_J").size() == 30);
-  const auto is_inside = array_of<std::uint8_t>(os.str(), "is_inside", "UInt8"), is_hidden = array_of<std::uint8_t>(os.str(), "vtkGhostType", "UInt8");
+  const auto is_inside = array_of<std::uint8_t>(os.str(), "is_inside", "UInt8");
+  const auto is_hidden = array_of<std::uint8_t>(os.str(), "vtkGhostType", "UInt8");
   for(std::size_t i = 0; i < 30; ++i)
   {
     CHECK(int(is_inside[i]) == !std::isnan(grid.det_J[i]));

@@ -17,12 +17,14 @@
 
 struct Options
 {
-  std::string source, target, domain, polycube_axes, features, landmarks, others, inside, initial, output, refined_source, report, energy, solver, boundary, refinement;
+  std::string source, target, domain, polycube_axes, features, landmarks, others, inside, initial;
+  std::string output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations;
   double energy_tolerance, maximal_angle_distortion, time_limit;
-  bool do_improve, do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights, minimize_maximal_angle_distortion, is_quiet;
+  bool do_improve, do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights;
+  bool minimize_maximal_angle_distortion, is_quiet;
 };
 
 // The options of a program, and the text around them in its help.
@@ -82,7 +84,8 @@ inline boost::program_options::options_description distortion(Options& options)
   result.add_options()
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "what is minimized: stretch, for maps to a ball, box or polycube; symmetric_dirichlet, where the boundary moves little, or "
-     "cells are to keep their shapes, as in boundary layers; mips, for angles only, and the default of --improve; arap, dirichlet, lscm or lpm")
+     "cells are to keep their shapes, as in boundary layers; mips, for angles only, and the default of --improve; arap, dirichlet, "
+     "lscm or lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
     ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
      "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum");
@@ -119,7 +122,8 @@ inline Command_line command_line(Options& options)
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
      "the source (*.mesh, *.msh) with the vertices that --refine has added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
-     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu, *.msh or *.inp)")
+     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu, *.msh or "
+     "*.inp)")
     ("staircases", po::bool_switch(&options.are_staircases), "let hexahedra not follow the interfaces between subdomains")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 

@@ -79,7 +79,8 @@ public:
     for(const auto& [dimension, tag] : entities)
       read_entity(dimension, has_groups[dimension] ? groups_of(dimension, tag) : std::vector<int>{ tag }, tag);
     CGAL::Volume_mesh_parameterization::internal::require_tetrahedra(
-      m_soup.cells.size(), m_soup.facets.size(), "gmsh FILE.msh -save -o FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
+      m_soup.cells.size(), m_soup.facets.size(),
+      "gmsh FILE.msh -save -o FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
     read_data();
     if(m_has_higher_order)
       CGAL::Volume_mesh_parameterization::internal::remove_nodes_of_higher_order(m_soup);

@@ -76,8 +76,8 @@ public:
     std::ostringstream text;
     if(step.kind == VMP::Step_kind::ROUND)
     {
-      text << (step.phase == VMP::Phase::BOUNDARY ? "mapping the boundary" : "making hexahedra") << " (" << step.attempt << "), round "
-           << step.iteration;
+      text << (step.phase == VMP::Phase::BOUNDARY ? "mapping the boundary" : "making hexahedra") << " (" << step.attempt
+           << "), round " << step.iteration;
       show(text.str());
       return goes_on();
     }

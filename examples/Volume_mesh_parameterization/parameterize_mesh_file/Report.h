@@ -29,8 +29,8 @@ struct Outcome
   CGAL::Volume_mesh_parameterization::Parameterization_result result;
   std::vector<std::string> files = {};                          // names of files that are written
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
-  std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0, number_of_tangled_cells = 0,
-              number_of_separated_vertices = 0, number_of_targets_inside = 0, number_of_free_targets = 0;
+  std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0;
+  std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0, number_of_targets_inside = 0, number_of_free_targets = 0;
   std::vector<double> polycube_rotation = {}; // by rows, of the source into the axes of a polycube
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
@@ -69,9 +69,10 @@ inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
                       .add("polycube_axes", options.polycube_axes).add("improve", options.do_improve)
-                      .add("features", options.features).add("landmarks", options.landmarks).add("merge_points", options.do_merge_points)
-                      .add("separate", options.do_separate).add("displacements", options.are_displacements)
-                      .add("staircases", options.are_staircases).add("others", options.others).add("inside", options.inside).add("initial", options.initial)
+                      .add("features", options.features).add("landmarks", options.landmarks)
+                      .add("merge_points", options.do_merge_points).add("separate", options.do_separate).add("displacements", options.are_displacements)
+                      .add("staircases", options.are_staircases).add("others", options.others).add("inside", options.inside)
+                      .add("initial", options.initial)
                       .add("boundary", options.boundary).add("refine", options.refinement)
                       .add("slide", options.do_slide).add("energy", options.energy)
                       .add("volume_weights", options.use_volume_weights)
@@ -91,8 +92,8 @@ inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_resu
   if(result.volumes.size() > 1)
   {
     for(const CGAL::Volume_mesh_parameterization::Subdomain_volumes& volumes : result.volumes)
-      std::cout << "subdomain " << volumes.reference << ": volume " << volumes.of_tetrahedra << ", of hexahedra " << volumes.of_hexahedra
-                << "\n";
+      std::cout << "subdomain " << volumes.reference << ": volume " << volumes.of_tetrahedra << ", of hexahedra "
+                << volumes.of_hexahedra << "\n";
     std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
   }
   const std::string success = CGAL::Volume_mesh_parameterization::get_error_message(CGAL::Volume_mesh_parameterization::OK);

@@ -220,7 +220,8 @@ inline Points targets_on_domain(const std::string& domain, const Polycube& polyc
   if(!vertices.empty())
     message += " It is no manifold at " + std::to_string(vertices.size())
       + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ")
-      + std::to_string(vertices.front()) + " (counted from 0). Where only vertices or edges join cells there, --separate parts them.";
+      + std::to_string(vertices.front())
+      + " (counted from 0). Where only vertices or edges join cells there, --separate parts them.";
   throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
 }
 

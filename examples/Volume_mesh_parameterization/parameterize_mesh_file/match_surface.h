@@ -152,7 +152,8 @@ inline Points targets_of_surface(const Points& points, const Triangles& triangle
                       + std::to_string(facets.size()));
   const Triangulated_surface boundary(facets, mesh.points.size());
   const Triangles turned = reversed(triangles);
-  const Triangulated_surface surfaces[] = { Triangulated_surface(triangles, points.size()), Triangulated_surface(turned, points.size()) };
+  const Triangulated_surface surfaces[] = { Triangulated_surface(triangles, points.size()),
+                                            Triangulated_surface(turned, points.size()) };
   const std::vector<std::size_t> boundary_vertices = boundary.vertices(), vertices = surfaces[0].vertices();
 
   const auto targets = [&](const Matching& matching)
@@ -179,8 +180,8 @@ inline Points targets_of_surface(const Points& points, const Triangles& triangle
       if(all.size() == 1)
         return targets(all.front());
       if(all.size() > 1)
-        throw Input_error("the triangles of the surface are those of the boundary of the source in several ways; write it with the "
-                          "vertices in the order of the source");
+        throw Input_error("the triangles of the surface are those of the boundary of the source in several ways; write it with "
+                          "the vertices in the order of the source");
     }
   throw Input_error("the triangles of the surface join other vertices than those of the boundary of the source");
 }

@@ -26,7 +26,8 @@ using Points = std::vector<std::array<double, 3> >;
 struct Source
 {
   CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
-  std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {}; // the mesh of the file, if cells have other vertices now
+  // the mesh of the file, if cells have other vertices now
+  std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {};
   std::vector<std::size_t> first_points = {}; // for each point the one with the same coordinates that has its cells now; or empty
   std::vector<std::size_t> origins = {};      // origin of each point that was appended
   bool is_turned = false;                     // whether the cells are negative in the file, and in files that are written
@@ -84,7 +85,8 @@ inline void merge_points(Source& source)
   source.unmended = source.soup;
   source.first_points = VMP::merge_coinciding_points(source.soup);
   source.number_of_merged_points = repeated_points(source.first_points).size();
-  source.notes.push_back(std::to_string(source.number_of_merged_points) + " points have the place of another one, and are merged with it");
+  source.notes.push_back(std::to_string(source.number_of_merged_points)
+                         + " points have the place of another one, and are merged with it");
 }
 
 // Turns all cells if their volumes have a negative sum, and counts those that are inverted or flat then.

@@ -211,7 +211,8 @@ Outcome run(const Options& options, Progress_line& progress)
   const bool has_file = !options.target.empty();
   if(has_file)
     progress.begin("reading " + options.target);
-  const auto read_points = [&](const std::string& name) { return source.carried(targets_of_file(name, source.in_file(), progress)); };
+  const auto read_points = [&](const std::string& name)
+  { return source.carried(targets_of_file(name, source.in_file(), progress)); };
   Target_points target;
   if(has_file)
   {
@@ -321,7 +322,8 @@ int main(int argc, char* argv[])
       if(outcome.number_of_targets_inside > 0)
         std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
       if(outcome.number_of_free_targets > 0)
-        std::cout << outcome.number_of_free_targets << " targets of vertices inside are not asked for; --inside met asks for them\n";
+        std::cout << outcome.number_of_free_targets
+                  << " targets of vertices inside are not asked for; --inside met asks for them\n";
       if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
         print(*outcome.hexahedra);
     }

@@ -28,7 +28,8 @@ makes a solver for Newton's method of a sparse solver of Eigen: of `Eigen::Simpl
 Both triangles of the matrix are copied for it. An iterative solver gets the tolerance of each step.
 
 Pivots, of which `Eigen::SimplicialLDLT` tells, must be positive. Other solvers that do not notice indefinite matrices, such as
-`Eigen::SparseLU` and `Eigen::ConjugateGradient`, must find a direction of descent. The time and memory are those of the solver; a copy of the matrix takes 12 bytes a number in addition.
+`Eigen::SparseLU` and `Eigen::ConjugateGradient`, must find a direction of descent. The time and memory are those of the solver; a
+copy of the matrix takes 12 bytes a number in addition.
 
 \tparam EigenSolver a sparse solver of Eigen for column-major or symmetric row-major matrices of `float` or `double`
 

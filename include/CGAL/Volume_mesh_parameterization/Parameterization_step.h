@@ -48,7 +48,7 @@ struct Parameterization_step
 {
   std::size_t iteration = 0;                ///< number of steps so far, in all stages; rounds have numbers of their own
   Phase phase = Phase::START;               ///< the phase that the step belonged to
-  Step_kind kind = Step_kind::NEWTON;       ///< the kind of the step; only Newton steps have energy, gradient, decrement and length
+  Step_kind kind = Step_kind::NEWTON;       ///< the kind of the step; only `NEWTON` has energy, gradient, decrement and length
   std::string attempt;                      ///< the name of the stage or of the attempt to untangle, for a progress bar
   /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; while cells are
   /// untangled, over those with a free vertex only. Values of different phases and stages are not comparable

@@ -46,8 +46,8 @@ compares the derivatives of an energy with finite differences, at some singular 
 them. A minimization with wrong derivatives still inverts no cell, but ends somewhere: call this once for an energy of your
 own. `CGAL::stretch_minimizing_volume_parameterization()` calls it with `verbose(true)`, and prints which errors are not small.
 
-An error is relative to the size of the derivative, plus a thousandth of the largest value: derivatives may be 0. Functions that are not
-twice continuously differentiable at these points, or not finite, have large errors.
+An error is relative to the size of the derivative, plus a thousandth of the largest value: derivatives may be 0. Functions
+that are not twice continuously differentiable at these points, or not finite, have large errors.
 
 \tparam Energy a model of `DistortionEnergy_3`
 */
@@ -58,7 +58,8 @@ Derivative_errors_3 check_derivatives(const Energy& energy)
   // samples are away from 1, where many energies have their minimum and all gradients are small, at equal values, and
   // not at round numbers, where functions may change their formula
   static constexpr std::array<std::array<double, 3>, 6> samples
-    = { { { 1.71, 1.13, 0.57 }, { 2.47, 0.93, 0.41 }, { 0.83, 0.61, 0.53 }, { 1.89, 1.63, 1.31 }, { 1.43, 1.43, 0.71 }, { 1.19, 1.19, 1.19 } } };
+    = { { { 1.71, 1.13, 0.57 }, { 2.47, 0.93, 0.41 }, { 0.83, 0.61, 0.53 },
+          { 1.89, 1.63, 1.31 }, { 1.43, 1.43, 0.71 }, { 1.19, 1.19, 1.19 } } };
   constexpr double h = 1e-5; // the errors of truncation, h^2, and of rounding, 1e-16 / h, are far below the bound of 0.001
   double largest = 0;
   for(const std::array<double, 3>& sample : samples)

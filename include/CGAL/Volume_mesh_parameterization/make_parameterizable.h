@@ -49,8 +49,9 @@ std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParamet
   const Budget budget = limits.budget();
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
   {
+    const auto no_target = [](std::size_t) { return Exact_point_3(); };
     const std::vector<bool> is_prescribed
-      = prescribed_points(body, prescription_3<Vertex>(body, np, [](std::size_t) { return Exact_point_3(); }, vertex).is_constrained);
+      = prescribed_points(body, prescription_3<Vertex>(body, np, no_target, vertex).is_constrained);
     const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
     return Simplex_removal_3(body, is_bad).run(budget);
   }

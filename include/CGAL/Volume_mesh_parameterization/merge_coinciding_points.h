@@ -36,8 +36,8 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// makes cells, marked facets and marked edges use the first one of points with the same coordinates. The other ones stay, so that indices
-/// have their meaning, and have no cell any more.
+/// makes cells, marked facets and marked edges use the first one of points with the same coordinates. The other ones stay, so
+/// that indices have their meaning, and have no cell any more.
 ///
 /// \return that of `first_coinciding_points()`
 inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup)

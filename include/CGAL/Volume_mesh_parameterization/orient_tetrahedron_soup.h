@@ -54,9 +54,9 @@ inline void turn_cells(const std::vector<std::size_t>& cells, Tetrahedron_soup_3
 ///
 /// \return the number of cells that have been turned, by an exchange of their last two vertices
 ///
-/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, if all cells are oriented alike: the functions
-///            for arrays look at them; and if cells that are turned lie on the same side of a facet as others. The soup is then
-///            unchanged.
+/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, if all cells are oriented alike: the
+///            functions for arrays look at them; and if cells that are turned lie on the same side of a facet as others. The
+///            soup is then unchanged.
 template <typename ConcurrencyTag = Sequential_tag>
 std::size_t orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 {

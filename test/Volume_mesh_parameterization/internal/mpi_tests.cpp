@@ -552,7 +552,8 @@ TEST_CASE("a target with other cells is refused, whatever they have in common")
   Points points;
   CHECK(error_of([&] { VMP::IO::read_boundary_targets(name, soup, points); })
         == name + ": the cells of the target join other vertices than those of the source");
-  std::swap(soup.cells.empty() ? target.cells[0][0] : soup.cells[0][0], soup.cells.empty() ? target.cells[0][1] : soup.cells[0][3]);
+  std::swap(soup.cells.empty() ? target.cells[0][0] : soup.cells[0][0],
+            soup.cells.empty() ? target.cells[0][1] : soup.cells[0][3]);
   CHECK(error_of([&] { VMP::IO::read_boundary_targets(path, soup, points); }) == ""); // in another order
 }
 

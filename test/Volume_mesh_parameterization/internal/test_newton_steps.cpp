@@ -320,7 +320,8 @@ TEST_CASE("A cell that is nearly flat takes steps of a few vertices, and hardly 
   const auto result = minimize_energy_3(system, energy, start, progress);
   CHECK(result.status == VMP::OK);
   CHECK((result.positions - mesh.source).colwise().norm().maxCoeff() < 1e-5);
-  CHECK(progress.number_of_steps() < 20); // the height of the cell grows by a factor in each step, and of all vertices 34 are needed
+  // the height of the cell grows by a factor in each step, and of all vertices 34 are needed
+  CHECK(progress.number_of_steps() < 20);
 }
 
 TEST_CASE("The energy of a step counts the cells without a free vertex")

@@ -81,8 +81,8 @@ components of the target are not looked at one by one: the volume of all must be
        missing target.
 \param images receives the image of each point of the slice if the map is valid, and is left alone otherwise. Points
        without a cell receive coordinates that are not numbers. May be the same array as `targets`.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `energy`, `energy_tolerance`, `use_volume_weights`,
-       `vertex_is_constrained_map` (for indices of points in the whole mesh), `number_of_iterations`,
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `energy`, `energy_tolerance`,
+       `use_volume_weights`, `vertex_is_constrained_map` (for indices of points in the whole mesh), `number_of_iterations`,
        `maximum_running_time` (which is tested after each Newton step), `visitor` and `verbose` (of which rank 0 prints).
        The boundary is fixed; the other parameters of the function for a complex are not compiled.
 

@@ -51,11 +51,12 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each reference of
-/// quadrangles but 0 the set `SURFACE_1`, ... of its nodes, for supports, and the surface of the same name, of faces of elements,
-/// for pressures; likewise for each face of the polycube `PATCH_1`, `PATCH_2`, ... For each
-/// interface of two subdomains, such as 1 and 2, these are `INTERFACE_1_2`, of faces of the elements in subdomain 1, and
-/// `INTERFACE_2_1`, the same faces of those in 2. The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`.
+/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the
+/// element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each reference of quadrangles but 0 the set `SURFACE_1`, ...
+/// of its nodes, for supports, and the surface of the same name, of faces of elements, for pressures; likewise for each face of
+/// the polycube `PATCH_1`, `PATCH_2`, ... For each interface of two subdomains, such as 1 and 2, these are `INTERFACE_1_2`, of
+/// faces of the elements in subdomain 1, and `INTERFACE_2_1`, the same faces of those in 2. The node set `NALL` has all nodes. A
+/// model includes it by `*INCLUDE, INPUT=...`.
 ///
 /// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
 /// a negative exponent, fewer are written, but at least 13.

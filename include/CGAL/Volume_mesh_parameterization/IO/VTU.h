@@ -183,11 +183,11 @@ bool write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra, and the quadrangles of their boundary and of interfaces, as a VTK XML file (`.vtu`). The points have the vectors `uvw`,
-/// their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index` (its
-/// place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch` and `surface`, the face of the polycube and the reference of a
-/// quadrangle, 0 for hexahedra. Where there are interfaces, `interface` has the two subdomains of a quadrangle there, 0 and 0 for
-/// all other cells.
+/// writes hexahedra, and the quadrangles of their boundary and of interfaces, as a VTK XML file (`.vtu`). The points have the
+/// vectors `uvw`, their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index`
+/// (its place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch` and `surface`, the
+/// face of the polycube and the reference of a quadrangle, 0 for hexahedra. Where there are interfaces, `interface` has the two
+/// subdomains of a quadrangle there, 0 and 0 for all other cells.
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra

@@ -142,7 +142,10 @@ private:
   }
 
   static bool begins(const std::string_view tag, const std::string_view name)
-  { return tag.substr(0, name.size()) == name && (tag.size() == name.size() || std::strchr(" \t\r\n/", tag[name.size()]) != nullptr); }
+  {
+    return tag.substr(0, name.size()) == name
+      && (tag.size() == name.size() || std::strchr(" \t\r\n/", tag[name.size()]) != nullptr);
+  }
 
   // A value of an attribute may have the sign that ends a tag.
   std::size_t end_of_tag(const std::size_t begin) const

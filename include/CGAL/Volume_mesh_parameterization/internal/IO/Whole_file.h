@@ -46,8 +46,8 @@ inline std::string path_behind_links(const std::string& name)
 }
 
 // A file that appears under its name when it is complete, and never if `commit()` is not reached. Until then, it has a name
-// of its own in the same folder, which nobody can foresee, and which was free. Symbolic links stay, and so does the mode of what is
-// replaced. Files are destroyed in reverse order.
+// of its own in the same folder, which nobody can foresee, and which was free. Symbolic links stay, and so does the mode of what
+// is replaced. Files are destroyed in reverse order.
 class Whole_file : private std::streambuf
 {
 public:

@@ -126,7 +126,7 @@ private:
     for_each_range(m_is_parallel, A.size(), size, [&](const std::size_t aggregate, const int first, const int last)
     {
       const int begin = sums.row_begin(static_cast<int>(aggregate)), end = sums.row_end(static_cast<int>(aggregate));
-      std::vector<Eigen::Matrix3d> blocks(end - begin, Eigen::Matrix3d::Zero()); // double precision, as much of the sums cancels out
+      std::vector<Eigen::Matrix3d> blocks(end - begin, Eigen::Matrix3d::Zero()); // in double precision: much of the sums cancels
       for(int row = first; row < last; ++row)
         for(int k = A.row_begin(row), position = begin; k < A.row_end(row); ++k)
         {
@@ -145,7 +145,8 @@ private:
     constexpr double shift = 1e-6; // a guess; relative to the diagonal, above rounding in single precision
     const Block_sparse_matrix_3<float>& A = level.matrix;
     level.inverses.resize((A.size() + level.aggregates_per_group - 1) / level.aggregates_per_group);
-    for_each_range(m_is_parallel, A.size(), level.aggregates_per_group, [&](const std::size_t group, const int first, const int last)
+    for_each_range(m_is_parallel, A.size(), level.aggregates_per_group,
+                   [&](const std::size_t group, const int first, const int last)
     {
       const int n = 3 * (last - first);
       Square_matrix B = Square_matrix::Zero(n, n);

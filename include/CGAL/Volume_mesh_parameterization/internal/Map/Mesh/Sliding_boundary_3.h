@@ -215,7 +215,8 @@ private:
   // of a region stay.
   void hold_lines()
   {
-    const auto lines = sharp_edges_3(m_facets, m_mesh.marked_edges, [&](const int v) { return Eigen::Vector3d(m_mesh.source.col(v)); });
+    const auto point = [&](const int v) { return Eigen::Vector3d(m_mesh.source.col(v)); };
+    const auto lines = sharp_edges_3(m_facets, m_mesh.marked_edges, point);
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
       const auto& [v, w] = begin->first;

@@ -42,8 +42,10 @@ void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Func
     const std::array<Vertex, 3>& facet = facets[corner / 3];
     const std::size_t k = corner % 3, l = (k + 1) % 3;
     const std::size_t next = corner - k + l;
-    return facet[k] < facet[l] ? std::make_pair(std::array<Vertex, 2>{ facet[k], facet[l] }, std::array<std::size_t, 2>{ corner, next })
-                               : std::make_pair(std::array<Vertex, 2>{ facet[l], facet[k] }, std::array<std::size_t, 2>{ next, corner });
+    using Edge = std::array<Vertex, 2>;
+    using Corners = std::array<std::size_t, 2>;
+    return facet[k] < facet[l] ? std::make_pair(Edge{ facet[k], facet[l] }, Corners{ corner, next })
+                               : std::make_pair(Edge{ facet[l], facet[k] }, Corners{ next, corner });
   }, f);
 }
 
