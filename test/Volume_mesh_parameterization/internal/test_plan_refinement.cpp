@@ -205,34 +205,9 @@ TEST_CASE("A cell has six edges")
   CHECK(edges == std::set<std::set<int> >{ { 7, 2 }, { 7, 5 }, { 7, 3 }, { 2, 5 }, { 2, 3 }, { 5, 3 } });
 }
 
-TEST_CASE("One edge of a cell is split: the longest one with one prescribed end")
-{
-  Numbered_mesh_3 mesh; // a long edge between two free vertices, and a longer one between two prescribed ones
-  mesh.source.resize(3, 4);
-  mesh.source << 0, 4, 0, 5,
-                 0, 0, 1, 1,
-                 0, 0, 0, 1;
-  mesh.cells = { { 0, 1, 2, 3 } };
-  const auto split = [&](const int number_of_free_vertices)
-  {
-    mesh.number_of_free_vertices = number_of_free_vertices;
-    const std::vector<Edge> edges = one_edge_of_each_cell(mesh, { 0 });
-    REQUIRE(edges.size() == 1);
-    return edges[0];
-  };
-  CHECK(split(2) == Edge{ 0, 3 });
-  CHECK(split(1) == Edge{ 0, 3 });
-  CHECK(split(3) == Edge{ 0, 3 });
-  CHECK(split(4) == Edge{ 0, 3 }); // the longest of all
-  mesh.source.col(3) << 5, 0, 0.1;
-  CHECK(split(2) == Edge{ 0, 3 });
-  mesh.source.col(3) << 1, 1, 1;
-  CHECK(split(2) == Edge{ 1, 2 }); // although that from 0 to 1 is free, and nearly as long
-}
-
 namespace {
 
-// A cube whose image has one inverted cell, or two.
+// A map with some inverted cells, and an edge of each to be split.
 Found_map_3 stuck_map(const Numbered_mesh_3& mesh, const std::size_t number_of_inverted_cells)
 {
   Found_map_3 found;
@@ -242,6 +217,9 @@ Found_map_3 stuck_map(const Numbered_mesh_3& mesh, const std::size_t number_of_i
     positions.col(mesh.cells[c][0]).swap(positions.col(mesh.cells[c][1]));
   found.map = evaluated_map(mesh, positions);
   REQUIRE(found.map.number_of_inverted_cells == number_of_inverted_cells);
+  for(std::size_t c = 0; c < number_of_inverted_cells; ++c)
+    found.splits.edges.push_back({ mesh.cells[c][0], mesh.cells[c][1] });
+  found.splits.positions = positions;
   return found;
 }
 

@@ -231,45 +231,80 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   CHECK(!Untangling_search_3(system, evaluated_map(mesh, start), progress).is_in_vain(attempt));
 }
 
-TEST_CASE("Few cells that the first attempt leaves inverted are left to splits, where these are allowed, and many are not")
+namespace {
+
+// A cube with a corner, the origin, that is drawn beyond the opposite one; or with the middle of its top below its bottom.
+Numbered_mesh_3 tangled_cube(const bool has_few_inverted_cells)
+{
+  Numbered_mesh_3 mesh = cube_mesh(3);
+  const double size = mesh.source.maxCoeff();
+  for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+  {
+    const Vector3d p = mesh.source.col(v);
+    const bool is_in_middle = p[2] == size && p.head(2).minCoeff() > 0 && p.head(2).maxCoeff() < size;
+    if(has_few_inverted_cells && p.isZero())
+      mesh.target.col(v).setConstant(1.5 * size);
+    else if(!has_few_inverted_cells && is_in_middle)
+      mesh.target(2, v) = -0.5 * size;
+  }
+  return mesh;
+}
+
+struct Attempts
+{
+  std::set<std::string> at_whole_mesh;
+  std::size_t number_at_splits = 0;
+  VMP::internal::Found_map_3 found;
+};
+
+// Untangles from images.
+Attempts attempts_at(const Numbered_mesh_3& mesh, const Matrix3Xd& start, const bool may_split)
 {
   using namespace VMP::internal;
-  // the corner at the origin is drawn beyond the opposite one; or the middle of the top below the bottom
-  const auto tangled_cube = [](const bool has_few_inverted_cells)
+  Solver<> solver;
+  Linear_solver_of<Solver<> > linear_solver(solver);
+  Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
+  Attempts result;
+  Progress_3 progress(Budget(), 1000, [&](const VMP::Parameterization_step& step)
   {
-    Numbered_mesh_3 mesh = cube_mesh(3);
-    const double size = mesh.source.maxCoeff();
-    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+    if(step.kind == VMP::Step_kind::NEWTON)
+      result.at_whole_mesh.insert(step.attempt);
+    result.number_at_splits += step.kind == VMP::Step_kind::SPLIT;
+    return true;
+  });
+  result.found = untangle_map_3(system, evaluated_map(mesh, start), start, may_split, progress);
+  CHECK(result.found.status == VMP::ERROR_NOT_FLIP_FREE);
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("Few cells that the first attempt leaves inverted are left to splits that mend them, where these are allowed")
+{
+  const Numbered_mesh_3 mesh = prism_to_U();
+  Matrix3Xd start = mesh.target;
+  start.col(0) = Vector3d(1.5, 0.5, 0.5);
+  for(const bool may_split : {false, true})
+  {
+    const Attempts attempts = attempts_at(mesh, start, may_split);
+    CHECK(attempts.at_whole_mesh.size() == 1);
+    CHECK(attempts.found.is_stuck == may_split);
+    CHECK(attempts.found.splits.edges.empty() == !may_split);
+  }
+}
+
+TEST_CASE("Where no splits are found, untangling goes on with the next attempt, and makes no attempt at a patch twice")
+{
+  for(const bool has_few_inverted_cells : {false, true})
+    for(const bool may_split : {false, true})
     {
-      const Vector3d p = mesh.source.col(v);
-      const bool is_in_middle = p[2] == size && p.head(2).minCoeff() > 0 && p.head(2).maxCoeff() < size;
-      if(has_few_inverted_cells && p.isZero())
-        mesh.target.col(v).setConstant(1.5 * size);
-      else if(!has_few_inverted_cells && is_in_middle)
-        mesh.target(2, v) = -0.5 * size;
+      const Numbered_mesh_3 mesh = tangled_cube(has_few_inverted_cells);
+      const Attempts attempts = attempts_at(mesh, snapped(mesh, mesh.source), may_split);
+      CHECK(attempts.at_whole_mesh.size() == VMP::internal::untangling_attempts.size());
+      CHECK(!attempts.found.is_stuck);
+      const std::size_t number_of_rings = 3;
+      CHECK(attempts.number_at_splits == (may_split ? number_of_rings * VMP::internal::patch_attempts().size() : 0));
     }
-    return mesh;
-  };
-  const auto number_of_attempts = [](const Numbered_mesh_3& mesh, const bool may_leave_cells)
-  {
-    Solver<> solver;
-    Linear_solver_of<Solver<> > linear_solver(solver);
-    Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-    std::set<std::string> attempts; // at the whole mesh
-    Progress_3 progress(Budget(), 1000, [&](const VMP::Parameterization_step& step)
-    {
-      if(step.kind == VMP::Step_kind::NEWTON)
-        attempts.insert(step.attempt);
-      return true;
-    });
-    const Matrix3Xd start = snapped(mesh, mesh.source);
-    const Found_map_3 found = untangle_map_3(system, evaluated_map(mesh, start), start, may_leave_cells, progress);
-    CHECK(found.status == VMP::ERROR_NOT_FLIP_FREE);
-    return attempts.size();
-  };
-  CHECK(number_of_attempts(tangled_cube(true), true) == 1);
-  CHECK(number_of_attempts(tangled_cube(true), false) == untangling_attempts.size());
-  CHECK(number_of_attempts(tangled_cube(false), true) == untangling_attempts.size());
 }
 
 namespace {

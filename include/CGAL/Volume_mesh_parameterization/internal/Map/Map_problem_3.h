@@ -53,8 +53,8 @@ struct Found_map_3
   bool may_be_near_minimum = false;     // if the initial map needed no step to untangle; then the full Hessian is tried first
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
-  bool is_stuck = false;                // with so few inverted cells that edges at them are to be split
-  Splits_3 splits;                      // with which fewer cells are inverted, if some were found
+  bool is_stuck = false;                // with so few inverted cells that splits of edges make them fewer,
+  Splits_3 splits;                      // which are these
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
   double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized

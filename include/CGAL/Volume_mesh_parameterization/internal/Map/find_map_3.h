@@ -15,7 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 
@@ -29,24 +28,6 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
   Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
   if(found.status == OK && !problem.options.do_slide)
     found = minimize_map_3(system, problem, std::move(found));
-  return found;
-}
-
-// Finds edges to split where few cells are left inverted, if it may leave them to splits, and otherwise tells why they are.
-inline Found_map_3 examine_inverted_cells_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
-                                            const Search_start_3& start, Found_map_3 found)
-{
-  Progress_3& progress = problem.progress;
-  found.is_stuck = start.may_split_inverted_cells()
-    && found.map.number_of_inverted_cells <= maximal_number_of_exceptions(mesh.global_number_of_cells());
-  if(found.is_stuck)
-  {
-    progress.begin_stage();
-    progress.begin_attempt("splits");
-    found.splits = find_splits_3(mesh, problem.solver, found.map, progress);
-  }
-  else if(mesh.is_whole())
-    found.diagnosis = diagnose_3(mesh, found.map.inverted_cells, progress.budget());
   return found;
 }
 
@@ -100,8 +81,8 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
   found.reason = check.message;
   if(check.allows_fixed_boundary() && mode != Boundary_mode::SOFT && start.stage != Search_start_3::Stage::SOFT_BOUNDARY)
     found = find_map_with_fixed_boundary_3(mesh, problem, start);
-  if(found.status == ERROR_NOT_FLIP_FREE)
-    found = examine_inverted_cells_3(mesh, problem, start, std::move(found));
+  if(found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck && mesh.is_whole())
+    found.diagnosis = diagnose_3(mesh, found.map.inverted_cells, progress.budget());
   if(check.allows_soft_boundary() && mode != Boundary_mode::FIXED && !found.map.is_valid() && !found.is_stuck
      && !progress.is_interrupted())
   {

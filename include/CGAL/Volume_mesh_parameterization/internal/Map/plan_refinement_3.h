@@ -41,43 +41,19 @@ inline std::vector<std::array<int, 2> > edges_of_cells(const Numbered_mesh_3& me
   return result;
 }
 
-// The longest edge of each cell among those with exactly one prescribed end, if there are any. To split an edge without
-// any is useless if its link is what obstructs it: both halves have the same link.
-inline std::vector<std::array<int, 2> > one_edge_of_each_cell(const Numbered_mesh_3& mesh,
-                                                              const std::vector<std::size_t>& cells)
+// Splits the edges found, and continues from there. After rounds in vain, gives up and splits nothing.
+inline Refinement_plan_3 plan_splits_3(const Found_map_3& found, const Search_start_3& before)
 {
-  const auto value = [&](const std::array<int, 2>& edge)
-  {
-    return std::make_pair(mesh.is_free(edge[0]) != mesh.is_free(edge[1]),
-                          (mesh.source.col(edge[0]) - mesh.source.col(edge[1])).squaredNorm());
-  };
-  std::vector<std::array<int, 2> > result;
-  for(const std::size_t c : cells)
-  {
-    const std::vector<std::array<int, 2> > edges = edges_of_cells(mesh, {c});
-    result.push_back(*std::max_element(edges.begin(), edges.end(),
-      [&](const std::array<int, 2>& e, const std::array<int, 2>& f) { return value(e) < value(f); }));
-  }
-  return result;
-}
-
-// Splits the edges found, or else one of each cell that untangling has left inverted, which continues from there. After
-// rounds in vain, gives up and splits nothing.
-inline Refinement_plan_3 plan_splits_3(const Numbered_mesh_3& mesh, const Found_map_3& found, const Search_start_3& before)
-{
-  std::vector<std::size_t> cells = found.map.inverted_cells;
-  sort_by_user_number(mesh, cells);
-
+  const std::size_t number = found.map.number_of_inverted_cells;
   Refinement_plan_3 plan;
-  plan.start.number_of_vain_rounds = cells.size() < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
-  plan.start.fewest_inverted_cells = (std::min)(cells.size(), before.fewest_inverted_cells);
+  plan.start.number_of_vain_rounds = number < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
+  plan.start.fewest_inverted_cells = (std::min)(number, before.fewest_inverted_cells);
   if(plan.start.has_given_up_splits())
     return plan;
-  const bool has_splits = !found.splits.edges.empty();
-  plan.edges = has_splits ? found.splits.edges : one_edge_of_each_cell(mesh, cells);
+  plan.edges = found.splits.edges;
   plan.new_images = found.splits.new_images;
   plan.start.stage = Search_start_3::Stage::UNTANGLING;
-  plan.start.positions = has_splits ? found.splits.positions : found.map.positions;
+  plan.start.positions = found.splits.positions;
   plan.start.method = "splits";
   return plan;
 }
@@ -112,7 +88,7 @@ inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Fo
                                            const Search_start_3& before)
 {
   if(found.is_stuck)
-    return plan_splits_3(mesh, found, before);
+    return plan_splits_3(found, before);
   constexpr double notable = 0.9; // a guess; a distance that is shorter by a tenth
   constexpr std::size_t patience = 3; // a guess: maps that were found needed no more than one such round
   Refinement_plan_3 plan;

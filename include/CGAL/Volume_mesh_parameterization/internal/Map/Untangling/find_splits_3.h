@@ -218,15 +218,11 @@ std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solv
   return result;
 }
 
-// Edges to split where untangling is stuck, as few as possible: first so that the patches of inverted cells can be
-// untangled, and where that cannot be, so that fewer cells are inverted. A step is an attempt at a patch.
+// Edges to split where untangling is stuck, as few as possible: so that the patches of inverted cells can be untangled or, if
+// that cannot be in the largest patches either, so that fewer cells are inverted. A step is an attempt at a patch.
 inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Map_3& map, Progress_3& progress)
 {
-  struct Level
-  {
-    int number_of_rings;
-    bool must_untangle; // or may cells stay inverted?
-  };
+  constexpr int maximal_number_of_rings = 3; // a guess: with 2, single cells stay inverted now and then that 3 have room for
   Parameterization_step step;
   step.phase = Phase::UNTANGLING;
   step.kind = Step_kind::SPLIT;
@@ -242,9 +238,10 @@ inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solv
   {
     return !is_positive(image, cell) && std::none_of(cell.begin(), cell.end(), [&](const int v) { return is_solved[v]; });
   };
-  for(const Level level : { Level{1, true}, Level{2, true}, Level{2, false} })
+  for(int rings = 1; rings <= maximal_number_of_rings; ++rings)
   {
-    std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, level.number_of_rings);
+    const bool must_untangle = rings < maximal_number_of_rings;
+    std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, rings);
     for(; !patches.empty() && progress.may_continue(); patches.pop_back())
     {
       const std::set<int>& moving = patches.back().moving;
@@ -252,7 +249,7 @@ inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solv
         continue;
       const Patch_mesh_3 patch(mesh, map.positions,
                                with_cells_around_prescribed_edges(mesh, map, std::move(patches.back())));
-      const auto splits = splits_of_patch_3(patch, solver, level.must_untangle, progress.budget(), after_attempt);
+      const auto splits = splits_of_patch_3(patch, solver, must_untangle, progress.budget(), after_attempt);
       if(!splits)
         continue;
       for(const auto& [a, b] : splits->edges)

@@ -12,9 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/prove_infeasibility_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -36,6 +35,20 @@ public:
   }
 
   bool is_unsolved() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
+
+  // Looks for edges whose splits leave fewer cells inverted, if at most that number is; only once for the same map.
+  bool finds_splits(const std::size_t maximal_number)
+  {
+    const std::size_t number = m_best.map.number_of_inverted_cells;
+    if(!is_unsolved() || number > maximal_number || number >= m_fewest_without_splits || m_progress.is_interrupted())
+      return false;
+    m_fewest_without_splits = number;
+    m_progress.begin_stage();
+    m_progress.begin_attempt("splits");
+    m_best.splits = find_splits_3(m_mesh, m_system.solver(), m_best.map, m_progress);
+    m_best.is_stuck = !m_best.splits.edges.empty();
+    return m_best.is_stuck;
+  }
 
   // Returns the best map. Cells that have just become positive are flat, and are relaxed.
   Found_map_3 finish(const bool has_moved)
@@ -104,34 +117,42 @@ private:
   Newton_system_3& m_system;
   Progress_3& m_progress;
   Found_map_3 m_best;
+  std::size_t m_fewest_without_splits = (std::numeric_limits<std::size_t>::max)(); // inverted cells for which none were found
 };
 
-// Few inverted cells of a map with respect to regular cells are patched. Otherwise makes one attempt after the other, each
-// from the start, until no cell is inverted. Where the first one leaves few cells, others of the whole mesh mostly leave as
-// many, so these are rather left to splits of edges, if they may be.
-inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
-                                  const bool may_leave_cells, Progress_3& progress)
+// Makes one attempt after the other, each from the start, until no cell is inverted. Where one leaves few cells, others of the
+// whole mesh mostly leave as many, so these are rather left to splits of edges, if these may be and are found.
+inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& mesh, const Matrix3Xd& start,
+                            const bool may_split)
 {
-  Untangling_search_3 search(system, start, progress);
-  search.begin_with_patches(regular_start);
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
     if(search.is_unsolved())
-      search.untangle(attempt, start.positions);
-    const std::size_t number = search.best().map.number_of_inverted_cells;
-    if(search.is_in_vain(attempt) || (may_leave_cells && number > 0 && number <= attempt.few_cells))
+      search.untangle(attempt, start);
+    if(search.is_in_vain(attempt) || (may_split && search.finds_splits(attempt.few_cells)))
       break;
   }
+  if(may_split)
+    search.finds_splits(maximal_number_of_exceptions(mesh.global_number_of_cells()));
+}
+
+// Few inverted cells of a map with respect to regular cells are patched. Otherwise makes the attempts from the start.
+inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
+                                  const bool may_split, Progress_3& progress)
+{
+  Untangling_search_3 search(system, start, progress);
+  search.begin_with_patches(regular_start);
+  make_attempts_3(search, system.mesh(), start.positions, may_split);
   return search.finish(progress.number_of_steps() > 0);
 }
 
 // Continues from images that an earlier search has left with few inverted cells, or none.
-inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, Progress_3& progress)
+inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, const bool may_split,
+                                         Progress_3& progress)
 {
   Untangling_search_3 search(system, evaluated_map(system.mesh(), start), progress);
   search.untangle_patches(start, "patches");
-  if(search.is_unsolved())
-    search.untangle(untangling_attempts[0], search.best().map.positions);
+  make_attempts_3(search, system.mesh(), Matrix3Xd(search.best().map.positions), may_split);
   return search.finish(true);
 }
 
@@ -156,7 +177,7 @@ inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_sol
 // Starts from `initial`, moves the prescribed vertices to their targets, extends the displacements harmonically, and
 // untangles. With one point for `initial` this starts from the harmonic map, which recovers affine maps. If it inverts cells,
 // so may that with respect to regular cells, but mostly fewer, so that patches suffice.
-inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, const bool may_leave_cells,
+inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& initial, const bool may_split,
                                    Progress_3& progress)
 {
   const Numbered_mesh_3& mesh = system.mesh();
@@ -171,7 +192,7 @@ inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& ini
   progress.reach_flip_free();
   Found_map_3 found;
   if(direction.is_usable())
-    found = untangle_map_3(system, start, image(), may_leave_cells, progress);
+    found = untangle_map_3(system, start, image(), may_split, progress);
   else
   {
     found.map = start;
@@ -187,19 +208,19 @@ inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& ini
 inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3& start, Progress_3& progress)
 {
   const Numbered_mesh_3& mesh = system.mesh();
-  const bool continues = start.stage == Search_start_3::Stage::UNTANGLING, may_leave_cells = start.may_split_inverted_cells();
+  const bool continues = start.stage == Search_start_3::Stage::UNTANGLING, may_split = start.may_split_inverted_cells();
   Found_map_3 found;
   progress.begin_stage();
   const Matrix3Xd initial = continues ? start.positions : completed_initial_map_3(mesh, system.solver(), progress);
   if(continues)
-    found = continue_untangling_3(system, initial, progress);
+    found = continue_untangling_3(system, initial, may_split, progress);
   else if(initial.cols() > 0)
   {
-    found = untangle_from_3(system, initial, may_leave_cells, progress);
+    found = untangle_from_3(system, initial, may_split, progress);
     found.may_be_near_minimum = found.status == OK && progress.number_of_steps() == 0;
   }
-  if(!continues && found.status == ERROR_NOT_FLIP_FREE)
-    found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_leave_cells, progress);
+  if(!continues && found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck)
+    found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_split, progress);
   if(found.untangling_method.empty())
     found.untangling_method = start.method;
   return found;
