@@ -82,6 +82,16 @@ MatrixXd dense(const VMP::Block_sparse_matrix_3<NT>& A)
   return D;
 }
 
+template <typename NT>
+VectorXd product(const VMP::Block_sparse_matrix_3<NT>& A, const VectorXd& x)
+{
+  VectorXd result = VectorXd::Zero(3 * A.size());
+  for(int row = 0; row < A.size(); ++row)
+    for(int k = A.row_begin(row); k < A.row_end(row); ++k)
+      result.segment<3>(3 * row) += A.block(k).template cast<double>() * x.segment<3>(3 * A.column(k));
+  return result;
+}
+
 VectorXd random_vector(const Eigen::Index size)
 {
   std::mt19937 engine;
@@ -186,7 +196,7 @@ TEMPLATE_LIST_TEST_CASE("A positive definite system is solved, also with new val
 {
   using NT = typename TestType::NT;
   const double tolerance = 100 * std::numeric_limits<NT>::epsilon();
-  for(const int n : {2, 5, 13}) // 1, 64 and 1728 free vertices
+  for(const int n : {2, 5, 9}) // 1, 64 and 512 free vertices
   {
     auto A = pattern<NT>(cube_mesh(n));
     const VectorXd b = random_vector(3 * A.size());
@@ -198,7 +208,7 @@ TEMPLATE_LIST_TEST_CASE("A positive definite system is solved, also with new val
       REQUIRE(solver.factorize(A) == Linear_solver_status::SUCCESS);
       VectorXd x;
       REQUIRE(solver.solve(b, x, tolerance) == Linear_solver_status::SUCCESS);
-      CHECK((dense(A) * x - b).norm() <= 2 * tolerance * b.norm());
+      CHECK((product(A, x) - b).norm() <= 2 * tolerance * b.norm());
     }
   }
 }
