@@ -8,7 +8,6 @@
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,7 +25,7 @@ int main(int argc, char* argv[])
   const double number = (argc > 3) ? std::atof(argv[3]) : 20; // number of hexahedra along the longest side
 
   Surface_mesh surface;
-  if(!CGAL::IO::read_polygon_mesh(filename, surface) || !(number > 0))
+  if(!read_closed_surface(filename, surface) || !(number > 0))
   {
     std::cerr << "Usage: hexahedral_mesh SURFACE [OUTPUT.vtu|OUTPUT.inp [NUMBER]]" << std::endl;
     return EXIT_FAILURE;

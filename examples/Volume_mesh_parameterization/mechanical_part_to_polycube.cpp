@@ -5,8 +5,6 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -20,9 +18,9 @@ int main(int argc, char* argv[])
   const std::string output_filename = (argc > 2) ? argv[2] : "polycube.vtu";
 
   Surface_mesh surface;
-  if(!CGAL::IO::read_polygon_mesh(filename, surface))
+  if(!read_closed_surface(filename, surface))
   {
-    std::cerr << "Cannot read the surface " << filename << std::endl;
+    std::cerr << "Cannot read a closed surface from " << filename << std::endl;
     return EXIT_FAILURE;
   }
   C3t3 c3t3 = mesh_mechanical_part(surface);

@@ -9,6 +9,7 @@
 #include <CGAL/Polyhedral_mesh_domain_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -34,9 +35,9 @@ int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   Surface_mesh surface;
-  if(!CGAL::IO::read_polygon_mesh(filename, surface))
+  if(!CGAL::IO::read_polygon_mesh(filename, surface) || !CGAL::is_closed(surface) || !CGAL::is_triangle_mesh(surface))
   {
-    std::cerr << "Cannot read the surface " << filename << std::endl;
+    std::cerr << "Cannot read a closed surface of triangles from " << filename << std::endl;
     return EXIT_FAILURE;
   }
 

@@ -2,7 +2,9 @@
 
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/make_mesh_3.h>
 
 #include <algorithm>
@@ -12,13 +14,19 @@
 
 namespace params = CGAL::parameters;
 
+bool read_closed_surface(const std::string& filename, Surface_mesh& surface)
+{
+  return CGAL::IO::read_polygon_mesh(filename, surface) && CGAL::is_closed(surface)
+      && CGAL::Polygon_mesh_processing::triangulate_faces(surface);
+}
+
 // The elephant has three handles, where the trunk and the ears touch the body. A wrap that does not enter gaps below
 // 1/20 of the diagonal closes them, so that the boundary is a topological sphere.
 C3t3 mesh_elephant(const std::string& filename)
 {
   Surface_mesh surface;
-  if(!CGAL::IO::read_polygon_mesh(filename, surface))
-    throw std::runtime_error("There is no surface in " + filename);
+  if(!read_closed_surface(filename, surface))
+    throw std::runtime_error("There is no closed surface in " + filename);
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(surface);
   const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
   const Surface_mesh wrap = close_gaps(surface, diagonal / 20, diagonal / 600);

@@ -18,6 +18,9 @@ using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<K, Surface_mesh>;
 using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
 using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr, Domain::Corner_index, Domain::Curve_index>;
 
+// Reads a surface and splits its faces into triangles. Returns false if there is none in the file, or it is not closed.
+bool read_closed_surface(const std::string& filename, Surface_mesh& surface);
+
 // A surface at this distance from another one, which does not enter gaps that are narrower.
 Surface_mesh close_gaps(const Surface_mesh& surface, double gap, double offset);
 
