@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <unordered_map>
@@ -786,16 +787,90 @@ TEST_CASE("a bent body has about the same polycube in each position")
   }
 }
 
-TEST_CASE("a turned body has the same faces as multiples of a spacing as one that begins at a multiple")
+TEST_CASE("a body has the same faces as multiples of a spacing in each position and at each place")
 {
   const double spacing = 1.3; // no length of the body is a multiple
   Turned_body as_drawn(is_bracket, in_place, Eigen::Matrix3d::Identity());
-  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::GIVEN, spacing) == VMP::OK);
+  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
   for(const Eigen::Matrix3d& turn : turns())
   {
-    Turned_body body(is_bracket, in_place, turn);
-    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
-    CHECK(body.distortion() == Approx(as_drawn.distortion()).epsilon(1e-3));
+    Turned_body turned(is_bracket, in_place, turn);
+    REQUIRE(turned.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    CHECK(turned.distortion() == Approx(as_drawn.distortion()).epsilon(1e-3));
+    Turned_body moved(is_bracket, [&](const double x, const double y, const double z)
+                      { return in_place(x + turn(0, 1), y + turn(1, 2), z + turn(2, 0)); }, Eigen::Matrix3d::Identity());
+    REQUIRE(moved.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    CHECK(moved.distortion() == Approx(as_drawn.distortion()).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a polycube is moved to where multiples of the spacing are close to its faces, unless the axes are given")
+{
+  const auto between = [](const double x, const double y, const double z) // from 0.3 to 3.7 along x
+  { return std::array<double, 3>{ 0.3 + 3.4 / 6 * x, y, z }; };
+  const auto width = [](const Turned_body& body)
+  {
+    const auto [low, high] = std::minmax_element(body.image.begin(), body.image.end());
+    return (*high)[0] - (*low)[0];
+  };
+  Turned_body body(is_box, between, Eigen::Matrix3d::Identity());
+  REQUIRE(body.parameterize(VMP::Polycube_axes::GIVEN, 1) == VMP::OK);
+  CHECK(width(body) == 4);
+  REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND, 1) == VMP::OK);
+  CHECK(width(body) == 3);
+}
+
+TEST_CASE("integers are moved by the best shift")
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(0, 10);
+  for(int i = 0; i < 50; ++i)
+  {
+    const std::vector<double> x = { number(random), number(random), number(random), number(random) };
+    const std::vector<double> weights = { number(random), number(random), number(random), number(random) };
+    const auto sum = [&](const double shift)
+    {
+      double result = 0, weight = 0;
+      for(std::size_t k = 0; k < x.size(); ++k)
+      {
+        weight += weights[k];
+        result += weights[k] * std::pow(x[k] - shift - std::round(x[k] - shift), 2);
+      }
+      return result / weight;
+    };
+    double least = 1;
+    for(int k = 0; k < 1000; ++k)
+      least = (std::min)(least, sum(k / 1000.));
+    const double shift = VMP::internal::closest_shift_of_integers(weights, x);
+    CHECK(std::abs(shift) <= 0.5);
+    CHECK(sum(shift) < least + 0.01); // a larger extent is worth as much
+  }
+}
+
+TEST_CASE("the order of vertices and cells does not decide about a polycube")
+{
+  const auto uneven = [](const double x, const double y, const double z) // so that no two vertices are equally far from the center
+  { return bend(x + 0.1 * std::sin(7 * y + 3 * z), y + 0.1 * std::sin(5 * z + 2 * x), z + 0.1 * std::sin(4 * x + 6 * y)); };
+  Turned_body body(is_stair, uneven, Eigen::Matrix3d::Identity());
+  REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND, 0.5) == VMP::OK);
+  std::mt19937 random(1);
+  for(int i = 0; i < 3; ++i)
+  {
+    Turned_body shuffled = body;
+    std::vector<std::size_t> new_index(body.soup.points.size());
+    std::iota(new_index.begin(), new_index.end(), 0);
+    std::shuffle(new_index.begin(), new_index.end(), random);
+    for(std::size_t v = 0; v < new_index.size(); ++v)
+      shuffled.soup.points[new_index[v]] = body.soup.points[v];
+    for(auto& cell : shuffled.soup.cells)
+      for(std::size_t& v : cell)
+        v = new_index[v];
+    std::shuffle(shuffled.soup.cells.begin(), shuffled.soup.cells.end(), random);
+    REQUIRE(shuffled.parameterize(VMP::Polycube_axes::FOUND, 0.5) == VMP::OK);
+    double largest = 0;
+    for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
+      largest = (std::max)(largest, (shuffled.image_of(new_index[v]) - body.image_of(v)).norm());
+    CHECK(largest < 1e-9);
   }
 }
 

@@ -46,10 +46,12 @@ determine the polycube up to the coordinates of its faces, which are chosen as c
 of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
 fifth of the line that is mapped to it. The polycube lies where the complex lies.
 
+Facets are visited in an order that depends on the distances of their vertices from the center of the boundary alone, so the
+numbers of vertices do not decide, unless distances are equal.
+
 The axes fit the body: it is turned about the center of its bounding box, by a rotation with which its unit normals are
 nearly closest to the axes, in the mean over the area of their distances from the nearest one. The polycube is that of the
-turned body, with faces that are normal to the axes of the coordinates; the rotation is told. With a spacing, the lower
-corner of the bounding box of a turned body is moved to the nearest multiples, so that all positions give the same faces.
+turned body, with faces that are normal to the axes of the coordinates; the rotation is told.
 Among up to three rotations that are about as good, the one is taken whose polycube is less distorted. A body that lies well
 already, by 0.003 of that mean, is not turned, and one with given labels never is. Minima are found by Weiszfeld's
 algorithm from 27 starts, with normals that are summed up before such that there are at most some ten thousand.
@@ -67,7 +69,8 @@ both sides.
 
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
 All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
-faces are merged that an edge keeps apart. Coordinates of lines are multiples of the spacing too, or of its half or quarter where
+faces are merged that an edge keeps apart. Unless axes or labels are given, the polycube is moved by at most half of the spacing
+along each axis, such that rounding changes the faces least, whose positions relative to each other then are those of any place of the body. Coordinates of lines are multiples of the spacing too, or of its half or quarter where
 these are clearly nearer, or there is no room. Lines that are shorter than the spacing are not made.
 
 The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted

@@ -67,6 +67,9 @@ public:
     return result;
   }
 
+  // Returns the planes that the coordinates are on.
+  const Grid_planes_3& planes() const { return m_planes; }
+
 private:
   // Edge of the polycube, with the box and the length of its chain on the surface.
   struct Edge
@@ -157,10 +160,13 @@ private:
     for(const auto& [first, second, distance] : m_orders)
       if(m_charts.axis(first) == axis)
         orders.push_back({ variables[first], variables[second], distance });
-    const auto coordinates = ordered_coordinates_3(areas, moments, orders, m_planes, axis);
-    for(std::size_t i = 0; coordinates && i < groups.size(); ++i)
-      m_coordinate[groups[i]] = (*coordinates)[i];
-    return coordinates.has_value();
+    const std::optional<Ordered_coordinates> coordinates = ordered_coordinates_3(areas, moments, orders, m_planes, axis);
+    if(!coordinates)
+      return false;
+    for(std::size_t i = 0; i < groups.size(); ++i)
+      m_coordinate[groups[i]] = coordinates->values[i];
+    m_planes.origin[axis] = coordinates->origin;
+    return true;
   }
 
   // Joins coordinates that differ by rounding alone, as of faces in one plane of bodies side by side: hexahedra between two
@@ -277,7 +283,7 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
-  const Grid_planes_3& m_planes;
+  Grid_planes_3 m_planes;
   const Budget& m_budget;
   std::vector<double> m_coordinate; // by group, as area and moment
   std::vector<double> m_area, m_moment;

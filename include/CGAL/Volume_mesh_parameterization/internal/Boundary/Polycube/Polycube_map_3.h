@@ -30,14 +30,15 @@ class Polycube_map_3
 public:
   using Face = Boundary_mesh_3::Face_index;
 
-  // Takes the spacing that coordinates of faces are multiples of, or 0 for any coordinates.
+  // Takes the spacing that coordinates of faces are multiples of, or 0 for any coordinates, and whether the polycube may be moved
+  // from where the surface is to be close to it.
   Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
-                 const double spacing)
+                 const double spacing, const bool may_move)
     : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
       m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
   {
     const double size = box.sizes().maxCoeff();
-    m_planes = { -box.center() / size, spacing / size };
+    m_planes = { -box.center() / size, spacing / size, may_move };
   }
 
   // Finds the polycube, and maps the charts harmonically.
@@ -46,6 +47,7 @@ public:
     Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_planes, budget);
     if(m_charts.number_of_defects() > 0 || !coordinates.run())
       return ERROR_NO_POLYCUBE;
+    m_planes = coordinates.planes();
     return start(coordinates.of_charts(), budget);
   }
 
@@ -74,9 +76,9 @@ public:
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
     for(Eigen::Vector3d& image : m_images)
-      image = m_box.center() + m_box.sizes().maxCoeff() * image;
+      image = in_space(image);
     if(m_spacing > 0)
-      remove_rounding();
+      move_to_multiples();
     const auto faces = m_mesh.faces();
     if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
       return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
@@ -209,9 +211,17 @@ private:
     return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }
 
-  // Makes the coordinates of faces multiples of the spacing again, and those of lines multiples of a part of it.
-  void remove_rounding()
+  Eigen::Vector3d in_space(const Eigen::Vector3d& p) const { return m_box.center() + m_box.sizes().maxCoeff() * p; }
+
+  // Makes the coordinates of faces multiples of the spacing, and those of lines multiples of a part of it.
+  void move_to_multiples()
   {
+    if(m_planes.may_move)
+    {
+      const Eigen::Array3d origin = in_space(m_planes.origin);
+      for(Eigen::Vector3d& image : m_images)
+        image.array() += m_spacing * (origin / m_spacing).round() - origin;
+    }
     const auto round = [](double& x, const double unit) { x = unit * std::round(x / unit); };
     for(const auto h : m_mesh.halfedges())
       round(m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))], m_spacing);

@@ -97,12 +97,13 @@ private:
       }
   }
 
-  // Returns an edge and those that continue its curve.
+  // Returns an edge and those that continue its curve: a fork ends it from all sides, wherever it begins.
   std::vector<Halfedge> follow(const Halfedge h, std::vector<bool>& is_used) const
   {
     std::vector<Halfedge> result(1, h);
     is_used[m_mesh.edge(h)] = true;
-    for(auto next = continuations(h); next.size() == 1 && !is_used[m_mesh.edge(next[0])]; next = continuations(next[0]))
+    for(auto next = continuations(h); next.size() == 1 && continuations(m_mesh.opposite(next[0])).size() == 1
+                                      && !is_used[m_mesh.edge(next[0])]; next = continuations(next[0]))
     {
       is_used[m_mesh.edge(next[0])] = true;
       result.push_back(next[0]);

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Order_of_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/frames_of_normals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
@@ -30,8 +31,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Proposes labels with more and more smoothing, and takes the map of the least distortion. Where the boundary is too coarse,
 // faces for which there is no room are given to neighboring charts, and borders that fold are unfolded.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp,
-                                             const Eigen::AlignedBox3d& box, const double spacing, std::vector<Eigen::Vector3d>& images,
-                                             const Budget& budget)
+                                             const Eigen::AlignedBox3d& box, const double spacing, const bool may_move,
+                                             std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   Error_code status = ERROR_NO_POLYCUBE;
   std::multimap<double, Polycube_map_3> maps; // by distortion
@@ -45,7 +46,7 @@ inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const 
     {
       if(!repair_labels_3(mesh, costs, smoothing, candidate, budget) || !tried.insert(candidate).second)
         break;
-      Polycube_map_3 map(mesh, box, candidate, spacing);
+      Polycube_map_3 map(mesh, box, candidate, spacing, may_move);
       const Error_code status_of_map = map.start(budget);
       if(status == ERROR_NO_POLYCUBE)
         status = status_of_map;
@@ -160,8 +161,7 @@ inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const doub
   return OK;
 }
 
-// Surface that is turned about the center of its bounding box, and the same as a mesh in the unit box. If there is a spacing, a
-// turned surface begins at multiples of it, so that the same body has the same faces from all positions.
+// Surface that is turned about the center of its bounding box, and the same as a mesh in the unit box.
 struct Turned_surface_3
 {
   Eigen::Matrix3d rotation;
@@ -170,27 +170,20 @@ struct Turned_surface_3
   std::vector<bool> is_sharp; // of the edges of the mesh
   Eigen::AlignedBox3d box;    // of the surface
 
-  Turned_surface_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh, const Eigen::Matrix3d& rotation,
-                   const double spacing)
+  Turned_surface_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh, const Eigen::Matrix3d& rotation)
     : rotation(rotation), surface(surface), mesh(mesh), is_sharp(are_among(mesh, surface.sharp_edges))
   {
     if(rotation != Eigen::Matrix3d::Identity()) // which would round
-      turn(bounding_box(mesh).center(), spacing);
+      turn(bounding_box(mesh).center());
     box = bounding_box(this->mesh);
     set_points(this->mesh, unit_points(this->mesh));
   }
 
 private:
-  void turn(const Eigen::Vector3d& center, const double spacing)
+  void turn(const Eigen::Vector3d& center)
   {
     for(Eigen::Vector3d& p : surface.points)
       p = center + rotation * (p - center);
-    set_points(mesh, surface.points);
-    if(!(spacing > 0))
-      return;
-    const Eigen::Array3d lower = (bounding_box(mesh).min)();
-    for(Eigen::Vector3d& p : surface.points)
-      p.array() += spacing * (lower / spacing).round() - lower;
     set_points(mesh, surface.points);
   }
 };
@@ -210,7 +203,7 @@ inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double 
 inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
                                              const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
-  Polycube_map_3 map(turned.mesh, turned.box, labels, spacing);
+  Polycube_map_3 map(turned.mesh, turned.box, labels, spacing, false);
   Error_code status = map.start(budget);
   if(status == OK)
     status = map.finish(turned.is_sharp, budget);
@@ -220,7 +213,7 @@ inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, con
 }
 
 // Takes the frame with the least distortion; if there is no polycube in any, the first one.
-inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing,
+inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing, const bool may_move,
                                   std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
 {
   double least_distortion = (std::numeric_limits<double>::infinity)();
@@ -228,7 +221,7 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
   for(const Turned_surface_3& turned : frames)
   {
     std::vector<Eigen::Vector3d> candidate;
-    if(map_to_proposed_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, candidate, budget) != OK)
+    if(map_to_proposed_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, candidate, budget) != OK)
       continue;
     const double distortion = facet_distortion_3(
       turned.surface.facets, [&](const std::size_t v) { return turned.surface.points[v]; },
@@ -246,31 +239,45 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
   return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, images, budget);
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
-                             const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
-                             Eigen::Matrix3d& rotation, const Budget& budget)
+// Maps a surface in the order in which it is searched.
+inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
+                                        const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
+                                        Eigen::Matrix3d& rotation, const Budget& budget)
 {
   Boundary_mesh_3 mesh;
   if(const Error_code status = build_boundary_mesh_3(surface, mesh); status != OK)
     return status;
   rotation.setIdentity();
-  std::vector<Turned_surface_3> frames(1, Turned_surface_3(surface, mesh, rotation, spacing));
+  std::vector<Turned_surface_3> frames(1, Turned_surface_3(surface, mesh, rotation));
   if(do_find_axes && labels.empty())
   {
     const std::vector<Eigen::Matrix3d> rotations = frames_of_normals_3(frames.front().mesh);
     frames.clear();
     for(const Eigen::Matrix3d& r : rotations)
-      frames.emplace_back(surface, mesh, r, spacing);
+      frames.emplace_back(surface, mesh, r);
   }
   const auto map = [&](const double spacing, std::vector<Eigen::Vector3d>& images)
   {
-    return labels.empty() ? map_in_frames_3(frames, spacing, images, rotation, budget)
+    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, images, rotation, budget)
                           : map_to_labelled_polycube_3(frames.front(), labels, spacing, images, budget);
   };
   const Error_code status = map(spacing, images);
   std::vector<Eigen::Vector3d> any;
   return status != OK && spacing > 0 && map(0, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
+                             const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
+                             Eigen::Matrix3d& rotation, const Budget& budget)
+{
+  const Order_of_surface_3 order(surface);
+  std::vector<Eigen::Vector3d> ordered_images;
+  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes, ordered_images,
+                                                  rotation, budget);
+  if(status == OK)
+    images = order.back(ordered_images);
+  return status;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

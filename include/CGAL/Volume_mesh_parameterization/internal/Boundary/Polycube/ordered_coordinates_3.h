@@ -19,16 +19,20 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0.
+// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. They may be moved if they are
+// to be as close to given faces as planes so far apart can be.
 struct Grid_planes_3
 {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double spacing = 0;
+  bool may_move = false;
 };
 
 // Order of elements: which come before which, or before themselves if there are cycles.
@@ -74,12 +78,47 @@ double nearest_integer(const NT& x)
   return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
 }
 
+// Returns by how much integers are moved that have the least sum of weight(i) (x(i) - nearest one)^2, relative to the weights. Of
+// two that are about as good, the one is taken with which the numbers extend farthest, whichever way the axis points.
+inline double closest_shift_of_integers(const std::vector<double>& weights, const std::vector<double>& x)
+{
+  constexpr double worth_of_extent = 0.001; // a guess; far above rounding, a sum that no one would notice
+  double result = 0, least = (std::numeric_limits<double>::infinity)();
+  for(const double first : x) // best is the mean distance to the next smaller integers, if these are moved to one of x before
+  {
+    double weight = 0, sum = 0, sum_of_squares = 0, lowest = 0, highest = 0;
+    for(std::size_t i = 0; i < x.size(); ++i)
+    {
+      const double integer = std::floor(x[i] - first), distance = x[i] - first - integer;
+      weight += weights[i];
+      sum += weights[i] * distance;
+      sum_of_squares += weights[i] * distance * distance;
+      lowest = (std::min)(lowest, integer);
+      highest = (std::max)(highest, integer);
+    }
+    const double cost = sum_of_squares / weight - std::pow(sum / weight, 2) - worth_of_extent * (highest - lowest);
+    if(cost < least - worth_of_extent / 2)
+    {
+      least = cost;
+      result = first + sum / weight;
+    }
+  }
+  return result - std::round(result);
+}
+
+// Coordinates along an axis, and the origin of the planes that they are on, if there are planes.
+struct Ordered_coordinates
+{
+  std::vector<double> values;
+  double origin;
+};
+
 // Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders, by
 // exact quadratic programming; none if they contradict each other.
 //
-// Rounds distances up to multiples of the spacing where there are planes of a grid, and the solution to the nearest multiples. As
-// floor(x + 1/2) is monotone and commutes with adding integers, that keeps all distances.
-inline std::optional<std::vector<double> >
+// Rounds distances up to multiples of the spacing where there are planes of a grid, and the solution to the nearest planes, which
+// are moved before if they may. As floor(x + 1/2) is monotone and commutes with adding integers, that keeps all distances.
+inline std::optional<Ordered_coordinates>
 ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
                       const std::vector<Order_of_coordinates>& orders, const Grid_planes_3& planes, const int axis)
 {
@@ -104,9 +143,15 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
   const auto solution = solve_quadratic_program(program, Exact_rational());
   if(solution.is_infeasible())
     return std::nullopt;
-  std::vector<double> result;
-  for(auto x = solution.variable_values_begin(); result.size() < areas.size(); ++x)
-    result.push_back(origin + scale * (has_planes ? nearest_integer(*x) : CGAL::to_double(*x)));
+  std::vector<double> x;
+  for(auto it = solution.variable_values_begin(); x.size() < areas.size(); ++it)
+    x.push_back(CGAL::to_double(*it));
+  if(!has_planes)
+    return Ordered_coordinates{ x, origin };
+  const double shift = planes.may_move ? closest_shift_of_integers(areas, x) : 0;
+  Ordered_coordinates result = { {}, origin + scale * shift };
+  for(auto it = solution.variable_values_begin(); result.values.size() < areas.size(); ++it)
+    result.values.push_back(result.origin + scale * nearest_integer(*it - Exact_rational(shift)));
   return result;
 }
 

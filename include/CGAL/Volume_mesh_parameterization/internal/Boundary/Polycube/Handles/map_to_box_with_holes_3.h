@@ -64,7 +64,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
-    Polycube_map_3 map(mesh, box, labels, spacing);
+    Polycube_map_3 map(mesh, box, labels, spacing, false);
     const std::vector<double> coordinates
       = coordinates_of_charts(map.charts(), box_with_holes.piece_of_face(), labels_of_box, coordinates_of_box);
     if(coordinates.empty())
