@@ -20,7 +20,7 @@ part_of()
       make_parameterizable.h | measure_distortion.h | measure_quality.h | merge_coinciding_points.h | mesh_complex_3_to_tetrahedron_soup.h | \
       orient_tetrahedron_soup.h | separate_pinched_vertices.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
     Volume_map_3.h | cell_distortions.h | evaluate_on_grid.h) REPLY=Evaluation ;;
-    *_boundary_parameterizer_3.h | boundary_vertices.h) REPLY=Boundary ;;
+    *_boundary_parameterizer_3.h | Polycube_result.h | boundary_vertices.h) REPLY=Boundary ;;
     Hexahedral_mesh_result.h | Hexahedron_soup_3.h | hexahedral_mesh.h) REPLY=Hexahedra ;;
     IO/*.h) REPLY=IO ;;
     Distributed/*.h | Distributed_tetrahedron_soup_3.h) REPLY=Distributed ;;

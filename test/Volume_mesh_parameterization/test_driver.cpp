@@ -781,6 +781,27 @@ TEST_CASE("Hexahedra follow a ridge that is in a list of features")
   CHECK(folder.text("stderr").find("triangles.sharp: line 2: '2' follows the two vertices of an edge") != std::string::npos);
 }
 
+TEST_CASE("Sharp edges that a polycube gives up are counted, and their place is told")
+{
+  const Folder folder;
+  const Soup source = cube(4);
+  folder.write("source.mesh", source);
+  const auto vertex = [&](const double x, const double y)
+  {
+    const Point p = { x, y, 4 };
+    return std::to_string(std::find(source.points.begin(), source.points.end(), p) - source.points.begin());
+  };
+  const std::string diagonal = vertex(1, 1) + " " + vertex(2, 2) + "\n" + vertex(2, 2) + " " + vertex(3, 3) + "\n";
+  folder.write("diagonal.feat", diagonal + vertex(1, 0) + " " + vertex(2, 0) + "\n");
+  REQUIRE(folder.run("source.mesh --to polycube --features diagonal.feat --report report.json") == 0);
+  CHECK(folder.text("stderr").find("2 of 3 sharp edges lead along no axis of the polycube, in 1 line, and hexahedra do not follow "
+                                   "them: the longest leads through (2, 2, 4)") != std::string::npos);
+  CHECK(folder.text("report.json").find("\"sharp_edges_given_up\": 2, \"features_given_up\": [2, 2, 4]") != std::string::npos);
+  REQUIRE(folder.run("source.mesh --to polycube --report report.json") == 0);
+  CHECK(folder.text("stderr").find("sharp edges lead") == std::string::npos);
+  CHECK(number(folder.text("report.json"), "sharp_edges_given_up") == 0);
+}
+
 TEST_CASE("A turned source has its own polycube, unless the axes are given")
 {
   const Folder folder;

@@ -656,6 +656,34 @@ TEST_CASE("a feature in a face becomes a line unless it is shorter than the spac
   CHECK_FALSE(is_line(4));
 }
 
+TEST_CASE("features that are given up are told as polylines, the longest one first")
+{
+  VMP::Tetrahedron_soup_3 soup = bricks({ 6, 6, 2 }, is_box, in_place);
+  const auto vertex = [&](const double x, const double y)
+  { return static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), in_place(x, y, 2)) - soup.points.begin()); };
+  const auto mark = [&](const std::vector<std::array<double, 2> >& line)
+  {
+    for(std::size_t k = 1; k < line.size(); ++k)
+    {
+      soup.edges.push_back({ vertex(line[k - 1][0], line[k - 1][1]), vertex(line[k][0], line[k][1]) });
+      soup.edge_references.push_back(1);
+    }
+  };
+  mark({ { 0, 5 }, { 1, 5 }, { 2, 5 } });           // along an axis
+  mark({ { 1, 3 }, { 2, 4 } });                     // diagonals, which are edges of bricks
+  mark({ { 1, 0 }, { 2, 1 }, { 3, 2 }, { 4, 3 } });
+  VMP::Polycube_result result;
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube(1, VMP::Polycube_axes::FOUND, &result).parameterize(soup, targets) == VMP::OK);
+  CHECK(result.number_of_sharp_edges == 6);
+  CHECK(result.number_of_edges_given_up() == 4);
+  REQUIRE(result.features_given_up.size() == 2);
+  VMP::Polycube_result::Polyline longest = result.features_given_up[0];
+  std::sort(longest.begin(), longest.end());
+  CHECK(longest == VMP::Polycube_result::Polyline{ { 1, 0, 2 }, { 2, 1, 2 }, { 3, 2, 2 }, { 4, 3, 2 } });
+  CHECK(result.features_given_up[1].size() == 2);
+}
+
 TEST_CASE("where a line between charts leads back behind its corner, another chart is extended to the turn")
 {
   using namespace VMP::internal;
@@ -700,7 +728,7 @@ struct Turned_body
 {
   VMP::Tetrahedron_soup_3 soup;
   std::vector<std::array<double, 3> > image;
-  Polycube::Rotation rotation = {}; // the one that is told
+  VMP::Polycube_result result; // of the polycube
 
   template <typename IsSolid, typename Move>
   Turned_body(const IsSolid& is_solid, const Move& move, const Eigen::Matrix3d& turn)
@@ -713,18 +741,18 @@ struct Turned_body
   {}
 
   VMP::Error_code parameterize(const VMP::Polycube_axes axes, const double spacing = 0)
-  { return Polycube(spacing, axes, &rotation).parameterize(soup.points, soup.cells, image); }
+  { return Polycube(spacing, axes, &result).parameterize(soup.points, soup.cells, image); }
 
   Eigen::Vector3d point(const std::size_t v) const { return Eigen::Vector3d(soup.points[v].data()); }
   Eigen::Vector3d image_of(const std::size_t v) const { return Eigen::Vector3d(image[v].data()); }
 
   Eigen::Matrix3d told() const
   {
-    Eigen::Matrix3d result;
+    Eigen::Matrix3d rotation;
     for(int i = 0; i < 3; ++i)
       for(int k = 0; k < 3; ++k)
-        result(i, k) = rotation[i][k];
-    return result;
+        rotation(i, k) = result.rotation[i][k];
+    return rotation;
   }
 
   double distortion() const

@@ -10,11 +10,13 @@
 #include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_result.h>
 
 #include <boost/algorithm/string/replace.hpp>
 
 #include <sys/resource.h>
 
+#include <array>
 #include <cstddef>
 #include <iostream>
 #include <optional>
@@ -31,7 +33,7 @@ struct Outcome
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
   std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0;
   std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0, number_of_targets_inside = 0, number_of_free_targets = 0;
-  std::vector<double> polycube_rotation = {}; // by rows, of the source into the axes of a polycube
+  std::optional<CGAL::Volume_mesh_parameterization::Polycube_result> polycube = {};
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
 };
@@ -158,6 +160,20 @@ inline void print_end(const Outcome& outcome)
     std::cout << "Success\n";
 }
 
+// Adds the rotation of the source into the axes of a polycube, by rows, and which sharp edges it gives up.
+inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
+{
+  std::vector<double> rotation, points;
+  for(const std::array<double, 3>& row : polycube.rotation)
+    rotation.insert(rotation.end(), row.begin(), row.end());
+  for(const auto& feature : polycube.features_given_up)
+    points.insert(points.end(), feature[feature.size() / 2].begin(), feature[feature.size() / 2].end());
+  report.add("polycube_rotation", rotation)
+        .add("sharp_edges", polycube.number_of_sharp_edges)
+        .add("sharp_edges_given_up", polycube.number_of_edges_given_up())
+        .add("features_given_up", points);
+}
+
 // Without a map, there is nothing to tell of bad input but the message and the options.
 inline void write_report(const Options& options, const Outcome& outcome, const Progress_line& progress)
 {
@@ -181,8 +197,8 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
           .add("seconds_reading", outcome.seconds_reading)
           .add("seconds_boundary", outcome.seconds_boundary)
           .add("seconds_hexahedra", outcome.seconds_hexahedra);
-    if(!outcome.polycube_rotation.empty())
-      report.add("polycube_rotation", outcome.polycube_rotation);
+    if(outcome.polycube)
+      add(report, *outcome.polycube);
     if(outcome.hexahedra)
       report.add("hexahedra", json(*outcome.hexahedra));
     report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());

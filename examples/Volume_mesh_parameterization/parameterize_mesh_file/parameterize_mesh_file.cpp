@@ -224,13 +224,18 @@ Outcome run(const Options& options, Progress_line& progress)
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
-  Polycube::Rotation rotation = {};
+  VMP::Polycube_result polycube_result;
   if(!options.domain.empty())
   {
     progress.begin("mapping the boundary to " + options.domain);
-    const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes), &rotation);
+    const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes), &polycube_result);
     target.points = naming(options.source, [&] { return targets_on_domain(options.domain, polycube, landmarks, mesh, progress); });
     target.is_constrained.resize(mesh.points.size(), false);
+    if(const std::string note = note_of_features_given_up(polycube_result); !note.empty() && !options.is_quiet)
+    {
+      progress.show("");
+      std::cerr << "note: " << options.source << ": " << note << std::endl;
+    }
   }
   const double seconds_boundary = progress.seconds() - seconds_reading;
 
@@ -247,8 +252,7 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.seconds_reading = seconds_reading;
   outcome.seconds_boundary = seconds_boundary;
   if(options.domain == "polycube")
-    for(const auto& row : rotation)
-      outcome.polycube_rotation.insert(outcome.polycube_rotation.end(), row.begin(), row.end());
+    outcome.polycube = polycube_result;
   outcome.number_of_coinciding_points = source.number_of_coinciding_points;
   outcome.number_of_merged_points = source.number_of_merged_points;
   outcome.number_of_turned_cells = source.number_of_turned_cells;

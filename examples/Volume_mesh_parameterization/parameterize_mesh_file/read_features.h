@@ -3,11 +3,13 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Polycube_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <algorithm>
 #include <array>
@@ -65,6 +67,20 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
     : std::to_string(unmarked.size()) + " sharp edges of the boundary, as that between the vertices "
       + std::to_string(unmarked[0][0]) + " and " + std::to_string(unmarked[0][1]) + " (counted from 0), are not among the marked ones, and are not followed; "
       "--features FILE tells others";
+}
+
+// Tells how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
+inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
+{
+  namespace internal = CGAL::Volume_mesh_parameterization::internal;
+  if(polycube.features_given_up.empty())
+    return "";
+  const std::size_t lines = polycube.features_given_up.size();
+  const auto& longest = polycube.features_given_up.front();
+  return internal::sentence(polycube.number_of_edges_given_up(), " of ", polycube.number_of_sharp_edges,
+                            " sharp edges lead along no axis of the polycube, in ", lines, lines == 1 ? " line" : " lines",
+                            ", and hexahedra do not follow them: the longest leads through ",
+                            internal::describe(internal::to_vector(longest[longest.size() / 2])));
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_FEATURES_H

@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Polycube_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/features_given_up_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
@@ -62,16 +64,17 @@ The coordinate that is constant on a face has exactly the same bits in all image
 the image does not intersect itself, which is checked with exact predicates on the coordinates written.
 
 Sharp edges inside of a chart become lines in the face that are parallel to an axis, if they do not lead too far across it: parts
-of curves between their turns, with one value of the coordinate across for all lines that meet and are not side by side. The order of lines and edges of
-the polycube stays; where lines would flip triangles, the shortest ones are given up. Sharp edges are the 1-dimensional features of the
-complex, or the marked edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on
-both sides.
+of curves between their turns, with one value of the coordinate across for all lines that meet and are not side by side. The
+order of lines and edges of the polycube stays; where lines would flip triangles, the shortest ones are given up. The result
+names all sharp edges that the polycube gives up. Sharp edges are the 1-dimensional features of the complex, or the marked
+edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on both sides.
 
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
 All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
 faces are merged that an edge keeps apart. Unless axes or labels are given, the polycube is moved by at most half of the spacing
-along each axis, such that rounding changes the faces least, whose positions relative to each other then are those of any place of the body. Coordinates of lines are multiples of the spacing too, or of its half or quarter where
-these are clearly nearer, or there is no room. Lines that are shorter than the spacing are not made.
+along each axis, such that rounding changes its faces least, and where the body lies does not matter. Coordinates of lines are
+multiples of the spacing too, or of its half or quarter where these are clearly nearer, or there is no room. Lines that are
+shorter than the spacing are not made.
 
 The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted
 is the map, and the less certain that labels with a polycube are found.
@@ -99,6 +102,7 @@ linear systems for each chart of the polycubes found.
 
 \cgalModels{BoundaryParameterizer_3}
 
+\sa `Polycube_result`
 \sa `Cube_boundary_parameterizer_3`
 */
 class Polycube_boundary_parameterizer_3
@@ -107,20 +111,16 @@ class Polycube_boundary_parameterizer_3
   friend internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>;
 
 public:
-  /// the rows of a rotation matrix
-  using Rotation = std::array<std::array<double, 3>, 3>;
-
-  /// chooses the grid, the axes, and where the rotation is told.
+  /// chooses the grid, the axes, and where is told what was found.
   ///
   /// \param spacing the spacing of the grid, in the units of the complex; 0 for faces with any coordinates
   /// \param axes the axes of the polycube
-  /// \param rotation receives, with each polycube that is found, the rotation of the body into the axes of the polycube: the
-  ///        identity for given axes or labels
+  /// \param result receives, with each polycube that is found, its rotation and the sharp edges that it gives up
   ///
   /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
-                                             Rotation* const rotation = nullptr)
-    : m_spacing(spacing), m_axes(axes), m_rotation(rotation)
+                                             Polycube_result* const result = nullptr)
+    : m_spacing(spacing), m_axes(axes), m_result(result)
   { internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is not negative."); }
 
   using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
@@ -189,15 +189,30 @@ private:
     Eigen::Matrix3d rotation;
     const Error_code status = internal::map_to_polycube_3(surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND,
                                                           images, rotation, budget);
-    if(status == OK && m_rotation != nullptr)
-      for(int i = 0; i < 3; ++i)
-        (*m_rotation)[i] = internal::coordinates(rotation.row(i));
+    if(status == OK && m_result != nullptr)
+      *m_result = result(surface, images, rotation);
     return status;
+  }
+
+  static Polycube_result result(const internal::Numbered_surface_3& surface, const std::vector<Eigen::Vector3d>& images,
+                                const Eigen::Matrix3d& rotation)
+  {
+    Polycube_result result;
+    for(int i = 0; i < 3; ++i)
+      result.rotation[i] = internal::coordinates(rotation.row(i));
+    result.number_of_sharp_edges = surface.sharp_edges.size();
+    for(const std::vector<Eigen::Vector3d>& feature : internal::features_given_up_3(surface, images))
+    {
+      result.features_given_up.emplace_back();
+      for(const Eigen::Vector3d& p : feature)
+        result.features_given_up.back().push_back(internal::coordinates(p));
+    }
+    return result;
   }
 
   double m_spacing;
   Polycube_axes m_axes;
-  Rotation* m_rotation;
+  Polycube_result* m_result;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -1,0 +1,51 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_RESULT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_RESULT_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationBoundary
+
+What is told of a polycube that `Polycube_boundary_parameterizer_3` finds.
+*/
+struct Polycube_result
+{
+  /// a sequence of points of the boundary, of which each is joined to the next one by an edge
+  using Polyline = std::vector<std::array<double, 3> >;
+
+  /// the rows of the rotation matrix of the body into the axes of the polycube: the identity for given axes or labels
+  std::array<std::array<double, 3>, 3> rotation = {};
+  /// how many sharp edges the boundary has
+  std::size_t number_of_sharp_edges = 0;
+  /// the sharp edges that are given up, as their images lead along no axis, joined to polylines in the body as it is given: the
+  /// longest one first. Grids do not follow them.
+  std::vector<Polyline> features_given_up = {};
+
+  /// returns how many edges the polylines have.
+  std::size_t number_of_edges_given_up() const
+  {
+    std::size_t result = 0;
+    for(const Polyline& polyline : features_given_up)
+      result += polyline.size() - 1;
+    return result;
+  }
+};
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_POLYCUBE_RESULT_H
