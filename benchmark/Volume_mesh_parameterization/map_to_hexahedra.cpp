@@ -139,6 +139,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
     return;
   }
 
+  std::cout << "boundary_distortion: " << map.boundary_distortion << std::endl;
   VMP::Hexahedron_soup_3 mesh;
   CGAL::Real_timer timer;
   timer.start();
