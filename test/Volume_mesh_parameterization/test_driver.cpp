@@ -1767,7 +1767,8 @@ TEST_CASE("The target may be a surface with the triangles of the boundary")
       os << "OFF\n" << order.size() << " " << facets.size() << " 0\n";
     if(extension == ".ply")
       os << "ply\nformat ascii 1.0\nelement vertex " << order.size()
-         << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << facets.size() << "\nproperty list uchar int vertex_indices\nend_header\n";
+         << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << facets.size()
+         << "\nproperty list uchar int vertex_indices\nend_header\n";
     if(extension == ".mesh")
       os << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << order.size() << "\n";
     if(extension == ".stl")

@@ -456,7 +456,8 @@ TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too
   const Eigen::AlignedBox3d box = bounding_box(mesh);
   set_points(mesh, unit_points(mesh));
   std::vector<Eigen::Vector3d> images;
-  const VMP::Error_code status = map_to_box_with_holes_3(mesh, are_among(mesh, surface.sharp_edges), box, 0, *surface.cells, surface.vertices, images, Budget());
+  const VMP::Error_code status = map_to_box_with_holes_3(mesh, are_among(mesh, surface.sharp_edges), box, 0, *surface.cells,
+                                                         surface.vertices, images, Budget());
   CHECK((status == VMP::OK || status == VMP::ERROR_BOUNDARY_TOO_COARSE));
   CHECK(images.size() == (status == VMP::OK ? surface.points.size() : 0));
 }
@@ -496,7 +497,8 @@ TEST_CASE("maps to boxes with holes can be ended anywhere, with nothing written"
 TEST_CASE("meridians bound discs, and cut all handles")
 {
   // a plate with three holes
-  const VMP::Tetrahedron_soup_3 soup = bricks({13, 5, 3}, [](const int x, const int y, int) { return x % 4 < 2 || y < 2 || y > 2; }, in_place);
+  const auto is_plate = [](const int x, const int y, int) { return x % 4 < 2 || y < 2 || y > 2; };
+  const VMP::Tetrahedron_soup_3 soup = bricks({13, 5, 3}, is_plate, in_place);
   VMP::internal::Meridians_3 meridians(soup.cells);
   const auto loops = meridians.loops(3, 0, VMP::internal::Budget());
   REQUIRE(loops.size() == 3);
@@ -514,7 +516,8 @@ TEST_CASE("meridians bound discs, and cut all handles")
       cut.insert({ w, v });
       for(int k = 0; k < 3; ++k)
       {
-        const auto angle = [&](const std::size_t u) { return std::atan2(soup.points[u][1] - 2.5, soup.points[u][0] - (4 * k + 3)); };
+        const auto angle
+          = [&](const std::size_t u) { return std::atan2(soup.points[u][1] - 2.5, soup.points[u][0] - (4 * k + 3)); };
         turns[k] += std::remainder(angle(w) - angle(v), 2 * CGAL_PI);
       }
     }
@@ -642,7 +645,10 @@ TEST_CASE("a feature in a face becomes a line unless it is shorter than the spac
   VMP::Tetrahedron_soup_3 soup = bricks({ 8, 8, 2 }, is_box, waved);
   std::vector<std::size_t> feature;
   for(int x = 2; x <= 5; ++x)
-    feature.push_back(static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), waved(x, 4, 2)) - soup.points.begin()));
+  {
+    const auto vertex = std::find(soup.points.begin(), soup.points.end(), waved(x, 4, 2));
+    feature.push_back(static_cast<std::size_t>(vertex - soup.points.begin()));
+  }
   for(std::size_t k = 1; k < feature.size(); ++k)
     soup.edges.push_back({ feature[k - 1], feature[k] });
   soup.edge_references.assign(soup.edges.size(), 1);
@@ -650,7 +656,8 @@ TEST_CASE("a feature in a face becomes a line unless it is shorter than the spac
   {
     std::vector<std::array<double, 3> > targets;
     REQUIRE(Polycube(spacing).parameterize(soup, targets) == VMP::OK);
-    return std::all_of(feature.begin(), feature.end(), [&](const std::size_t v) { return targets[v][1] == targets[feature[0]][1]; });
+    return std::all_of(feature.begin(), feature.end(),
+                       [&](const std::size_t v) { return targets[v][1] == targets[feature[0]][1]; });
   };
   CHECK(is_line(1));
   CHECK_FALSE(is_line(4));
@@ -692,7 +699,8 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const Budget budget;
-  const std::vector<std::size_t> labels = Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest();
+  const std::vector<bool> is_sharp(mesh.number_of_edges(), false);
+  const std::vector<std::size_t> labels = Normal_labels_3(mesh, is_sharp, budget).closest();
   std::vector<std::size_t> folded = labels; // on the top, a part has the label of the face y = 4
   for(const auto f : mesh.faces())
   {

@@ -84,8 +84,8 @@ inline boost::program_options::options_description distortion(Options& options)
   result.add_options()
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
      "what is minimized: stretch, for maps to a ball, box or polycube; symmetric_dirichlet, where the boundary moves little, or "
-     "cells are to keep their shapes, as in boundary layers; mips, for angles only, and the default of --improve; arap, dirichlet, "
-     "lscm or lpm")
+     "cells are to keep their shapes, as in boundary layers; mips, for angles only, and the default of --improve; arap, "
+     "dirichlet, lscm or lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
     ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
      "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum");

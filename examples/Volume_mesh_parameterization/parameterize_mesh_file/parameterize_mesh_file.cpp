@@ -228,7 +228,8 @@ Outcome run(const Options& options, Progress_line& progress)
   if(!options.domain.empty())
   {
     progress.begin("mapping the boundary to " + options.domain);
-    const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes), &polycube_result);
+    const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes),
+                            &polycube_result);
     target.points = naming(options.source, [&] { return targets_on_domain(options.domain, polycube, landmarks, mesh, progress); });
     target.is_constrained.resize(mesh.points.size(), false);
     if(const std::string note = note_of_features_given_up(polycube_result); !note.empty() && !options.is_quiet)

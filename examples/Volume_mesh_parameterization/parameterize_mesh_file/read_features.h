@@ -65,8 +65,8 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
   std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
   return unmarked.empty() ? std::string()
     : std::to_string(unmarked.size()) + " sharp edges of the boundary, as that between the vertices "
-      + std::to_string(unmarked[0][0]) + " and " + std::to_string(unmarked[0][1]) + " (counted from 0), are not among the marked ones, and are not followed; "
-      "--features FILE tells others";
+      + std::to_string(unmarked[0][0]) + " and " + std::to_string(unmarked[0][1])
+      + " (counted from 0), are not among the marked ones, and are not followed; --features FILE tells others";
 }
 
 // Tells how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.

@@ -73,7 +73,8 @@ struct Hexahedral_mesh_result
   double mean_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   std::vector<Subdomain_volumes> volumes; ///< the volumes of each subdomain before and after, by ascending references
   /// the largest distance between interfaces of the subdomains and the quadrangles there: from the vertices, the middles of edges
-  /// and the centers of quadrangles, and from the vertices of the interfaces; 0 if there is no interface, not a number if there are no hexahedra
+  /// and the centers of quadrangles, and from the vertices of the interfaces; 0 if there is no interface, not a number if there
+  /// are no hexahedra
   double interface_distance = std::numeric_limits<double>::quiet_NaN();
   /// the patches of the boundary, by ascending reference; none if there is no valid mesh
   std::vector<Hexahedral_mesh_patch> patches;

@@ -81,20 +81,22 @@ Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const do
 
 makes hexahedra of a tetrahedral mesh that has been mapped to a box or a polycube: the preimage of a grid.
 
-The grid has the planes of all boundary facets of the domain, those through lines of sharp edges in its faces that are at least a
-fifth of the spacing from others, and between two neighboring planes others at equal distances near the spacing. For a polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The boxes
-inside the domain are pulled back. So vertices on the boundary of the domain lie on the boundary of the body, and on the
-edges and corners of the body that are mapped to edges and corners of the domain. Then vertices move, in a few rounds: each corner of a
-hexahedron is taken for a tetrahedron, which is untangled \cgalCite{cgal:gkkrs-ffm-21} and then made similar to the
-corner of a box by the energy that untangles, and by its square for the sake of the worst corners. First the vertices inside
-move, and then all. Vertices on the boundary move in its tangent planes, and are put back to the nearest points of the boundary
-after each round; others move along sharp edges of the body whose images are parallel to an axis, as those on edges of the
-domain and on lines of a polycube are. Sharp edges are the marked edges of the soup, or the 1-dimensional features of the
-complex; if there are none on the boundary, those with more than 60 degrees between the normals on both sides. A weak pull to their first positions keeps vertices apart, and a strong one draws
-quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the boundary remains covered. If the smallest scaled Jacobian is below 0.1
-after a round, or below 0.3 after the last one, vertices move one after the other such that their worst corners become
-better; in the end that is repeated as long as they do. Of corners that stay below 0.05 the vertices leave the sharp edges, and
-small parts of the boundary may be left uncovered. The rounds end when a round raises the mean by less than 0.002.
+The grid has the planes of all boundary facets of the domain, those through lines of sharp edges in its faces that are at least
+a fifth of the spacing from others, and between two neighboring planes others at equal distances near the spacing. For a
+polycube of `Polycube_boundary_parameterizer_3` with the same spacing all boxes are cubes. The boxes inside the domain are
+pulled back. So vertices on the boundary of the domain lie on the boundary of the body, and on the edges and corners of the body
+that are mapped to edges and corners of the domain. Then vertices move, in a few rounds: each corner of a hexahedron is taken
+for a tetrahedron, which is untangled \cgalCite{cgal:gkkrs-ffm-21} and then made similar to the corner of a box by the energy
+that untangles, and by its square for the sake of the worst corners. First the vertices inside move, and then all. Vertices on
+the boundary move in its tangent planes, and are put back to the nearest points of the boundary after each round; others move
+along sharp edges of the body whose images are parallel to an axis, as those on edges of the domain and on lines of a polycube
+are. Sharp edges are the marked edges of the soup, or the 1-dimensional features of the complex; if there are none on the
+boundary, those with more than 60 degrees between the normals on both sides. A weak pull to their first positions keeps vertices
+apart, and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
+boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.3 after the last one, vertices
+move one after the other such that their worst corners become better; in the end that is repeated as long as they do. Of corners
+that stay below 0.05 the vertices leave the sharp edges, and small parts of the boundary may be left uncovered. The rounds end
+when a round raises the mean by less than 0.002.
 
 If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon

@@ -392,7 +392,8 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
 {
   const Body ball(8, 0, rounded);
   Sliding_hexahedra sliding(ball);
-  REQUIRE(VMP::internal::evaluated_hexahedra(sliding.start, false).minimal_scaled_jacobian < 0.11); // two faces of the cube on the sphere
+  // two faces of the cube are on the sphere
+  REQUIRE(VMP::internal::evaluated_hexahedra(sliding.start, false).minimal_scaled_jacobian < 0.11);
   sliding.hexahedra.smooth(0.3, 0.03);
   CHECK(VMP::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimal_scaled_jacobian > 0.2);
   const std::vector<K::Triangle_3> facets = ball.boundary_facets();
@@ -442,8 +443,10 @@ double distance_of_ridge(const Hexahedron_soup_3& mesh)
     for(const auto& f : mesh.facets)
       for(std::size_t k = 0; k < 4; ++k)
       {
-        const auto point = [&](const std::size_t v) { return K::Point_3(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]); };
-        least = (std::min)(least, CGAL::squared_distance(K::Point_3(i / 10., 3, 8), K::Segment_3(point(f[k]), point(f[(k + 1) % 4]))));
+        const auto point
+          = [&](const std::size_t v) { return K::Point_3(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]); };
+        const K::Segment_3 edge(point(f[k]), point(f[(k + 1) % 4]));
+        least = (std::min)(least, CGAL::squared_distance(K::Point_3(i / 10., 3, 8), edge));
       }
     farthest = (std::max)(farthest, std::sqrt(least));
   }
@@ -1018,12 +1021,18 @@ TEST_CASE("Quadrangles have the references of the facets that they lie on, of a 
   const auto reference = [](const Vector3d& center) // not those of the faces of the cube
   { return center[0] < 1e-9 ? 3 : center[2] > 4 - 1e-9 && center[1] < 2 ? 11 : center[2] > 4 - 1e-9 ? 12 : 0; };
   for(const auto& f : soup.facets)
-    soup.facet_references.push_back(reference((vector(soup.points[f[0]]) + vector(soup.points[f[1]]) + vector(soup.points[f[2]])) / 3));
+  {
+    const Vector3d sum = vector(soup.points[f[0]]) + vector(soup.points[f[1]]) + vector(soup.points[f[2]]);
+    soup.facet_references.push_back(reference(sum / 3));
+  }
   Hexahedron_soup_3 mesh, of_complex;
   REQUIRE(VMP::hexahedral_mesh(soup, soup.points, 1, mesh).status == VMP::OK);
   REQUIRE(mesh.facets.size() == 96);
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    CHECK(mesh.facet_references[f] == reference((vector(mesh.points[mesh.facets[f][0]]) + vector(mesh.points[mesh.facets[f][2]])) / 2));
+  {
+    const Vector3d sum = vector(mesh.points[mesh.facets[f][0]]) + vector(mesh.points[mesh.facets[f][2]]);
+    CHECK(mesh.facet_references[f] == reference(sum / 2));
+  }
   CHECK(std::count(mesh.facet_references.begin(), mesh.facet_references.end(), 11) == 8);
 
   Cube_complex<> complex(cube, soup);
@@ -1074,7 +1083,8 @@ TEST_CASE("Valid hexahedra with a scaled Jacobian below the bound have a status 
 
 namespace {
 
-// Returns the sections of an input file of Abaqus: for each line that begins with an asterisk, the words behind, separated by commas.
+// Returns the sections of an input file of Abaqus: for each line that begins with an asterisk, the words behind, separated by
+// commas.
 std::map<std::string, std::vector<std::string> > sections_of_inp(const std::string& text)
 {
   std::map<std::string, std::vector<std::string> > result;
@@ -1416,7 +1426,8 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
     for(const auto& cell : boxes.cells)
     {
       const Vector3d p = vector(boxes.points[cell[0]]);
-      boxes.cell_references.push_back(others.count({ static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2]) }) > 0 ? 2 : 1);
+      const std::array<int, 3> index = { static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2]) };
+      boxes.cell_references.push_back(others.count(index) > 0 ? 2 : 1);
     }
   };
   const auto quadrangles_at_edges = [&]
@@ -1428,7 +1439,8 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
     return result;
   };
   using Set = std::set<std::array<int, 3> >;
-  for(const Set& others : { Set{ {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {2, 1, 1} }, Set{ {1, 1, 1}, {2, 2, 2}, {1, 1, 2}, {0, 0, 0}, {0, 1, 0} } })
+  for(const Set& others : { Set{ {0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {2, 1, 1} },
+                            Set{ {1, 1, 1}, {2, 2, 2}, {1, 1, 2}, {0, 0, 0}, {0, 1, 0} } })
   {
     set(others);
     VMP::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
@@ -1476,7 +1488,8 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
     REQUIRE(begin != std::string::npos);
     const std::string section = inp.str().substr(begin + 1, inp.str().find('*', begin + 1) - begin - 1);
     CHECK(std::count(section.begin(), section.end(), '\n') == 16 + 1);
-    CHECK(section.find(name == "INTERFACE_2_3" || name == "INTERFACE_1_2" || name == "SURFACE_7" ? ", S2\n" : ", S1\n") != std::string::npos); // above or below
+    const bool is_above = name == "INTERFACE_2_3" || name == "INTERFACE_1_2" || name == "SURFACE_7";
+    CHECK(section.find(is_above ? ", S2\n" : ", S1\n") != std::string::npos);
   }
   VMP::IO::write_MEDIT(medit, mesh);
   CHECK(medit.str().find("\nQuadrilaterals\n128\n") != std::string::npos);

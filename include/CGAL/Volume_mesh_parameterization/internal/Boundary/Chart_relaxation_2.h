@@ -143,7 +143,8 @@ private:
     }
   }
 
-  std::pair<std::vector<Sparse_entry>, VectorXd> harmonic_system(const int axis, const std::vector<int>& numbers, const int n) const
+  std::pair<std::vector<Sparse_entry>, VectorXd> harmonic_system(const int axis, const std::vector<int>& numbers,
+                                                                 const int n) const
   {
     std::pair<std::vector<Sparse_entry>, VectorXd> result;
     result.second = VectorXd::Zero(n);

@@ -170,7 +170,8 @@ inline bool map_chart_to_polygon_3(const Surface_chart_3& chart, const int u, co
   if(SMP::parameterize(mesh, parameterizer, border, uv_map) != SMP::OK)
     return false;
   const auto vertices = chart.mesh.vertices();
-  if(!std::all_of(vertices.begin(), vertices.end(), [&](const auto w) { return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y()); }))
+  const auto is_finite = [&](const auto w) { return std::isfinite(uv_map[w].x()) && std::isfinite(uv_map[w].y()); };
+  if(!std::all_of(vertices.begin(), vertices.end(), is_finite))
     return false;
   for(const auto w : chart.mesh.vertices())
     if(!chart.mesh.is_border(w))

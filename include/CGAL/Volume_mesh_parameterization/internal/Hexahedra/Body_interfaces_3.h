@@ -48,7 +48,8 @@ public:
 
   // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: the nearest one, if normals
   // differ, as far as twice the width at most. Returns 0 if the subdomains have no interface.
-  std::size_t patch_of_quadrangle(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const double width, const Pair& pair)
+  std::size_t patch_of_quadrangle(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const double width,
+                                  const Pair& pair)
   {
     std::pair<double, std::size_t> best = { (std::numeric_limits<double>::infinity)(), 0 };
     const auto consider = [&](const std::size_t patch)
@@ -104,8 +105,8 @@ private:
   void collect_facets(const Tetrahedron_soup_3& soup)
   {
     const auto facet_of_side = [&](const std::size_t side) { return facet_of_cell(soup.cells[side / 4], side % 4); };
-    for_each_group(4 * soup.cells.size(), [&](const std::size_t side) { return std::make_pair(sorted(facet_of_side(side)), side); },
-                   [&](const auto begin, const auto end)
+    const auto facet_and_side = [&](const std::size_t side) { return std::make_pair(sorted(facet_of_side(side)), side); };
+    for_each_group(4 * soup.cells.size(), facet_and_side, [&](const auto begin, const auto end)
     {
       if(end - begin != 2)
         return;

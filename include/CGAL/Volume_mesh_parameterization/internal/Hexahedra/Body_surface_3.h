@@ -95,8 +95,8 @@ public:
   double distance_of_box(const Eigen::Vector3d& p) const
   {
     const Bbox_3 box = m_surface.bbox();
-    return (Eigen::Vector3d(box.xmin(), box.ymin(), box.zmin()) - p).cwiseMax(p - Eigen::Vector3d(box.xmax(), box.ymax(), box.zmax()))
-           .cwiseMax(0).norm();
+    const Eigen::Vector3d lower(box.xmin(), box.ymin(), box.zmin()), upper(box.xmax(), box.ymax(), box.zmax());
+    return (lower - p).cwiseMax(p - upper).cwiseMax(0).norm();
   }
 
   // Returns the projector onto the directions in which a vertex may move from a point where it may be.

@@ -113,7 +113,8 @@ private:
     {
       const auto& [sum, number] = centers.at(vertex);
       copy = m_result.points.size();
-      m_result.points.push_back(coordinates(Eigen::Vector3d((1 - depth) * to_vector(m_domain.points[vertex.first]) + depth * sum / number)));
+      const Eigen::Vector3d p = (1 - depth) * to_vector(m_domain.points[vertex.first]) + depth * sum / number;
+      m_result.points.push_back(coordinates(p));
     }
     for(std::size_t f = 0; f < m_domain.facets.size(); ++f)
       for(const std::size_t v : m_domain.facets[f])
@@ -133,8 +134,8 @@ private:
     const auto& axes = axes_of_quadrangle[quadrangle.side];
     const std::array<std::size_t, 3>& index = m_domain.cell_indices[below];
     m_result.cells.push_back({ copy(a), copy(b), copy(c), copy(d), a, b, c, d });
-    m_result.cell_blocks.push_back(m_first_block
-      + m_blocks.emplace(std::array<std::size_t, 2>{ m_domain.cell_blocks[below], quadrangle.side }, m_blocks.size()).first->second);
+    const std::array<std::size_t, 2> block = { m_domain.cell_blocks[below], quadrangle.side };
+    m_result.cell_blocks.push_back(m_first_block + m_blocks.emplace(block, m_blocks.size()).first->second);
     m_result.cell_indices.push_back({ index[axes[0]], index[axes[1]], index[3 - axes[0] - axes[1]] });
     m_result.cell_references.push_back(m_domain.cell_references[below]);
     m_parts.push_back(m_parts[below]);
@@ -223,7 +224,8 @@ inline Hexahedron_soup_3 with_enclosed_patches(const Hexahedron_soup_3& mesh, co
   for(Interface_quadrangle_3& q : quadrangles)
   {
     const int part = padding.parts()[q.sides[0].cell];
-    q.patch = part != 0 && part == padding.parts()[q.sides[1].cell] ? static_cast<std::size_t>(part) : old_patches.at(sorted(q.vertices));
+    const bool is_in_part = part != 0 && part == padding.parts()[q.sides[1].cell];
+    q.patch = is_in_part ? static_cast<std::size_t>(part) : old_patches.at(sorted(q.vertices));
   }
   return padding.result();
 }

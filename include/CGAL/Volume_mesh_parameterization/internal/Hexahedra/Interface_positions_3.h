@@ -100,8 +100,9 @@ struct Interface_positions_3
 // Finds the positions of vertices on interfaces by the patches that meet there: on a patch; on a line where just these meet, in
 // the body as well; or in a corner that has them, each of which is given to the vertex nearest to it. `freedom` is that of
 // vertices without interfaces: where a line of the boundary holds them, an interface crosses the line in a corner.
-inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
-                                             const std::vector<Freedom_3>& freedom, Body_interfaces_3& interfaces)
+inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh,
+                                                   const std::vector<Interface_quadrangle_3>& quadrangles,
+                                                   const std::vector<Freedom_3>& freedom, Body_interfaces_3& interfaces)
 {
   std::vector<Patches_3> patches(mesh.points.size());
   std::map<std::size_t, std::vector<std::array<std::size_t, 4> > > of_patches;

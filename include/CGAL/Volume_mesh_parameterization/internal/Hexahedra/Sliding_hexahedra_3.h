@@ -108,7 +108,8 @@ public:
   {
     constexpr double first_weight = 100, last_weight = 1e10, growth = 3; // guesses
     constexpr std::size_t number_of_steps = 20;                          // a guess
-    for(double weight = first_weight; weight <= last_weight && m_budget.may_begin_round(Phase::HEXAHEDRA, "return to the surface"); weight *= growth)
+    for(double weight = first_weight;
+        weight <= last_weight && m_budget.may_begin_round(Phase::HEXAHEDRA, "return to the surface"); weight *= growth)
     {
       Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
                                number_of_steps };

@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // around them gets worse by more than a part of its scaled Jacobian.
 inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedron_soup_3& mesh)
 {
-  constexpr double part = 2. / 3;      // mean distance of a bilinear quadrangle with its vertices on a sphere, by that of its center
+  constexpr double part = 2. / 3; // mean distance of a bilinear quadrangle, whose vertices are on a sphere, by that of its center
   constexpr double largest_loss = 0.1; // a guess
   std::vector<Interface_quadrangle_3> quadrangles = interface_quadrangles_3(mesh);
   set_patches(mesh, interfaces, quadrangles);

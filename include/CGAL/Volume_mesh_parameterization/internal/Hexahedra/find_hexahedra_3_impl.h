@@ -108,9 +108,9 @@ inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hex
     = mesh.cells[static_cast<std::size_t>(std::min_element(quality.begin(), quality.end()) - quality.begin())];
   const auto number = std::count_if(quality.begin(), quality.end(), [&](const double q) { return q < bound; });
   result.status = ERROR_POOR_HEXAHEDRON;
-  result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number, number == 1 ? " hexahedron is" : " hexahedra are",
-                            " below ", bound, "; the worst one, of ", result.minimal_scaled_jacobian, ", has a vertex at ",
-                            describe(to_vector(mesh.points[worst[0]])), ".");
+  result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number,
+                            number == 1 ? " hexahedron is" : " hexahedra are", " below ", bound, "; the worst one, of ",
+                            result.minimal_scaled_jacobian, ", has a vertex at ", describe(to_vector(mesh.points[worst[0]])), ".");
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
@@ -185,7 +185,8 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   const bool are_staircases = !may_keep_interfaces || (!best.result.has_valid_mesh && !budget.is_exhausted());
   if(are_staircases)
     best = best_hexahedra_3(map, boxes, surface, nullptr, solver, is_parallel, budget);
-  Hexahedral_mesh_result result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
+  Hexahedral_mesh_result result
+    = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
   {

@@ -117,7 +117,8 @@ void for_each_quadrangle(const Hexahedron_soup_3& mesh, const Function& f)
 }
 
 // Returns which of the six quadrangles of a hexahedron has these vertices, or 6 if none has.
-inline std::size_t side_of_quadrangle(const Hexahedron_soup_3& mesh, const std::size_t cell, const std::array<std::size_t, 4>& vertices)
+inline std::size_t side_of_quadrangle(const Hexahedron_soup_3& mesh, const std::size_t cell,
+                                      const std::array<std::size_t, 4>& vertices)
 {
   std::size_t side = 0;
   while(side < quadrangles_of_hexahedron.size() && sorted(vertices_of(mesh, { cell, side })) != sorted(vertices))
@@ -167,7 +168,8 @@ inline void check_hexahedra(const Hexahedron_soup_3& mesh)
      || mesh.cell_references.size() != n || mesh.facet_cells.size() != m || mesh.facet_patches.size() != m
      || mesh.facet_references.size() != m)
     throw Input_error("there is not one entry of each array per point, per hexahedron and per quadrangle");
-  if(mesh.interface_cells.size() != mesh.interface_facets.size() || mesh.interface_references.size() != mesh.interface_facets.size())
+  const std::size_t number_of_facets = mesh.interface_facets.size();
+  if(mesh.interface_cells.size() != number_of_facets || mesh.interface_references.size() != number_of_facets)
     throw Input_error("there is not one entry of each array per quadrangle of an interface");
   for(std::size_t c = 0; c < n; ++c)
     check_simplex(mesh.cells[c], mesh.points.size(), "hexahedron ", c);

@@ -183,7 +183,8 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 // gains little. Where corners are inverted or almost flat in between, or poor in the end, their vertices move one after the
 // other. Rounds that do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines. If
 // vertices may leave the surface, they do so before all else. The worst corners are improved last, as long as they gain: while
-// they are bad but positive, their vertices leave the lines, and tips count less. Where corners stay poor, vertices leave the interfaces.
+// they are bad but positive, their vertices leave the lines, and tips count less. Where corners stay poor, vertices leave the
+// interfaces.
 inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_leave_surface, const bool has_padding,
                                 const Budget& budget, Best_hexahedra_3& best)
 {
@@ -231,8 +232,9 @@ inline void improve_hexahedra_3(Sliding_hexahedra_3& hexahedra, const bool may_l
       break;
   }
   double price_of_worst = price;
-  for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience
-      && result.minimal_scaled_jacobian < sufficient_scaled_jacobian && budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
+  for(int round = 0, in_vain = 0;
+      round < number_of_rounds && in_vain < patience && result.minimal_scaled_jacobian < sufficient_scaled_jacobian
+      && budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
   {
     const double least = result.minimal_scaled_jacobian;
     result = smooth(result, price_of_worst);

@@ -28,7 +28,8 @@ struct Covered_surface_3
 };
 
 // Returns a surface with triangles whose vertices have new numbers.
-inline Covered_surface_3 covered_surface_3(const Body_surface_3& surface, const std::vector<std::array<std::size_t, 4> >& quadrangles,
+inline Covered_surface_3 covered_surface_3(const Body_surface_3& surface,
+                                           const std::vector<std::array<std::size_t, 4> >& quadrangles,
                                            const std::vector<int>& numbers, const double tolerance)
 {
   Covered_surface_3 result = { &surface, {}, tolerance };

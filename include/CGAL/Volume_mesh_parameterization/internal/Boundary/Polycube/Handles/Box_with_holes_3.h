@@ -168,7 +168,8 @@ private:
       {
         if(k > 0 && i > 0 && (best == none || sum[k - 1][i - 1] < sum[k - 1][best]))
           best = i - 1;
-        const double before = k == 0 ? (i < begin ? Shortest_paths_3::infinity : 0) : (best == none ? Shortest_paths_3::infinity : sum[k - 1][best]);
+        const bool is_out_of_reach = k == 0 ? i < begin : best == none;
+        const double before = is_out_of_reach ? Shortest_paths_3::infinity : k == 0 ? 0 : sum[k - 1][best];
         sum[k].push_back(before + paths.distance[m_mesh.source(line[i])]);
         previous[k].push_back(best);
       }

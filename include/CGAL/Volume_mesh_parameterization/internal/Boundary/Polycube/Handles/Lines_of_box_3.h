@@ -247,7 +247,8 @@ private:
     for(const Surface_line_3& meridian : m_meridians)
       quarter += length(m_mesh, meridian) / 4 / static_cast<double>(number_of_holes());
     std::vector<double> history(m_uses.size(), 0);
-    for(int round = 1; round <= maximal_number_of_rounds && budget.may_begin_round(Phase::BOUNDARY, "lines around handles"); ++round)
+    for(int round = 1;
+        round <= maximal_number_of_rounds && budget.may_begin_round(Phase::BOUNDARY, "lines around handles"); ++round)
     {
       for(Closed_line_3& line : m_lines)
       {

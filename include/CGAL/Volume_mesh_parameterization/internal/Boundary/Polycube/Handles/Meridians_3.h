@@ -38,9 +38,9 @@ public:
     : m_facets_of_cell(cells.size())
   {
     std::vector<std::array<std::size_t, 3> > facets, boundary;
-    for_each_group(4 * cells.size(),
-                   [&](const std::size_t side) { return std::make_pair(sorted(facet_of_cell(cells[side / 4], side % 4)), side / 4); },
-    [&](const auto begin, const auto end)
+    const auto facet_and_cell = [&](const std::size_t side)
+    { return std::make_pair(sorted(facet_of_cell(cells[side / 4], side % 4)), side / 4); };
+    for_each_group(4 * cells.size(), facet_and_cell, [&](const auto begin, const auto end)
     {
       if(end - begin == 1)
         boundary.push_back(begin->first);
@@ -154,7 +154,8 @@ private:
     for(const Edge& edge : m_edges)
     {
       std::vector<std::size_t> closed;
-      std::copy_if(edge.facets.begin(), edge.facets.end(), std::back_inserter(closed), [this](const std::size_t f) { return m_is_closed[f]; });
+      std::copy_if(edge.facets.begin(), edge.facets.end(), std::back_inserter(closed),
+                   [this](const std::size_t f) { return m_is_closed[f]; });
       for(const std::size_t f : closed)
         parts.unite(f, closed.front());
       if(edge.is_on_boundary && !closed.empty())
@@ -171,7 +172,8 @@ private:
   }
 
   // Returns the border of a disc of facets; an empty one if they are no disc, or touch other facets.
-  Loop border_of_disc(const std::vector<std::size_t>& facets, const std::map<std::size_t, std::vector<std::size_t> >& neighbors) const
+  Loop border_of_disc(const std::vector<std::size_t>& facets,
+                      const std::map<std::size_t, std::vector<std::size_t> >& neighbors) const
   {
     std::set<std::size_t> edges, vertices, border;
     for(const std::size_t f : facets)
@@ -185,7 +187,8 @@ private:
       if(edge.is_on_boundary)
         border.insert(edge.vertices.begin(), edge.vertices.end());
     }
-    const bool is_free = std::all_of(border.begin(), border.end(), [&](const std::size_t v) { return neighbors.at(v).size() == 2; })
+    const auto has_two_neighbors = [&](const std::size_t v) { return neighbors.at(v).size() == 2; };
+    const bool is_free = std::all_of(border.begin(), border.end(), has_two_neighbors)
       && std::none_of(vertices.begin(), vertices.end(), [this](const std::size_t v) { return m_is_used.count(v) > 0; });
     if(!is_free || border.empty() || vertices.size() + facets.size() != edges.size() + 1)
       return {};

@@ -60,7 +60,8 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
   const std::vector<double> coordinates_of_box
     = box_with_holes.coordinates(may_be_long, { -box.center() / size, spacing / size });
   std::vector<std::size_t> labels = labels_of_box;
-  for(int attempt = 0; attempt < maximal_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with holes"); ++attempt)
+  for(int attempt = 0;
+      attempt < maximal_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with holes"); ++attempt)
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
@@ -110,7 +111,8 @@ inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, 
         {
           std::vector<int> candidate = turns;
           candidate[k] += turn;
-          Map_to_box_with_holes_3 map = map_to_box_between_lines_3(mesh, box, spacing, lines, candidate, may_be_long, costs, budget);
+          Map_to_box_with_holes_3 map
+            = map_to_box_between_lines_3(mesh, box, spacing, lines, candidate, may_be_long, costs, budget);
           if(map.images.empty() && map.number_of_flipped_faces >= best.number_of_flipped_faces)
             continue;
           best = std::move(map);
