@@ -43,7 +43,7 @@ public:
   {
     const auto sharp = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return to_vector(soup.points[v]); });
     for(const auto& [v, w] : sharp)
-      if((to_vector(soup.images[v]).array() != to_vector(soup.images[w]).array()).count() == 1)
+      if(leads_along_axis(to_vector(soup.images[v]), to_vector(soup.images[w])))
         m_edges_of_lines.push_back({ v, w });
     build(soup.points, m_edges_of_lines);
     find_ends(soup.points);

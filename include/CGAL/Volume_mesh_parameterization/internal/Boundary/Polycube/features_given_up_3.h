@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 #include <CGAL/boost/graph/split_graph_into_polylines.h>
 
@@ -21,10 +22,6 @@
 #include <algorithm>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Tells whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
-inline bool leads_along_axis(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-{ return (p.array() == q.array()).count() >= 2; }
 
 // Returns the sharp edges of a surface whose images lead along no axis, joined to polylines of its points, the longest one first.
 inline std::vector<std::vector<Eigen::Vector3d> > features_given_up_3(const Numbered_surface_3& surface,

@@ -220,11 +220,11 @@ private:
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
       const auto& [v, w] = begin->first;
-      const Eigen::Vector3d way = m_mesh.target.col(w) - m_mesh.target.col(v);
-      if((way.array() != 0).count() != 1 || !std::binary_search(lines.begin(), lines.end(), begin->first)
+      const Eigen::Vector3d p = m_mesh.target.col(v), q = m_mesh.target.col(w);
+      if(!leads_along_axis(p, q) || !std::binary_search(lines.begin(), lines.end(), begin->first)
          || m_regions.region(begin->second[0] / 3) != m_regions.region((end - 1)->second[0] / 3))
         return;
-      const Eigen::Matrix3d along = (way.array() != 0).cast<double>().matrix().asDiagonal();
+      const Eigen::Matrix3d along = (p.array() != q.array()).cast<double>().matrix().asDiagonal();
       for(const int u : { v, w })
         if(!m_mesh.is_free(u) && m_projectors[u] != along)
           m_projectors[u] = m_projectors[u].trace() > 1.5 ? along : Eigen::Matrix3d(Eigen::Matrix3d::Zero());

@@ -29,6 +29,10 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
   return normal(f).dot(normal(g)) < cosine_of_sharp_edge;
 }
 
+// Tells whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
+inline bool leads_along_axis(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+{ return (p.array() != q.array()).count() == 1; }
+
 // Returns the sharp edges of a surface, the smaller vertex first: those among the marked ones, or if there are none, those
 // whose normals on both sides make more than 60 degrees.
 template <typename Vertex, typename Position>
