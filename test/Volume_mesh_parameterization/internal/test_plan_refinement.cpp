@@ -211,7 +211,6 @@ namespace {
 Found_map_3 stuck_map(const Numbered_mesh_3& mesh, const std::size_t number_of_inverted_cells)
 {
   Found_map_3 found;
-  found.is_stuck = true;
   Matrix3Xd positions = mesh.source;
   for(std::size_t c = 0; c < number_of_inverted_cells; ++c) // the cells are apart
     positions.col(mesh.cells[c][0]).swap(positions.col(mesh.cells[c][1]));
@@ -362,7 +361,6 @@ TEST_CASE("Where splits come with images of the new vertices, a search that cont
   Four_cells cells;
   const auto before = cells.numbered();
   Found_map_3 found;
-  found.is_stuck = true;
   found.map = evaluated_map(before.mesh, before.mesh.source);
   const Eigen::Vector3d new_image(2.5, 0, 0.25);
   found.splits = { { { before.vertices[0], before.vertices[1] } }, { new_image }, 2 * before.mesh.source };

@@ -288,7 +288,7 @@ TEST_CASE("Few cells that the first attempt leaves inverted are left to splits t
   {
     const Attempts attempts = attempts_at(mesh, start, may_split);
     CHECK(attempts.at_whole_mesh.size() == 1);
-    CHECK(attempts.found.is_stuck == may_split);
+    CHECK(attempts.found.is_stuck() == may_split);
     CHECK(attempts.found.splits.edges.empty() == !may_split);
   }
 }
@@ -301,7 +301,7 @@ TEST_CASE("Where no splits are found, untangling goes on with the next attempt, 
       const Numbered_mesh_3 mesh = tangled_cube(has_few_inverted_cells);
       const Attempts attempts = attempts_at(mesh, snapped(mesh, mesh.source), may_split);
       CHECK(attempts.at_whole_mesh.size() == VMP::internal::untangling_attempts.size());
-      CHECK(!attempts.found.is_stuck);
+      CHECK(!attempts.found.is_stuck());
       const std::size_t number_of_rings = 3;
       CHECK(attempts.number_at_splits == (may_split ? number_of_rings * VMP::internal::patch_attempts().size() : 0));
     }

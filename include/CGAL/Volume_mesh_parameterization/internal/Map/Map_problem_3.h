@@ -53,16 +53,18 @@ struct Found_map_3
   bool may_be_near_minimum = false;     // if the initial map needed no step to untangle; then the full Hessian is tried first
   std::size_t number_of_sliding_vertices = 0;
   std::size_t number_of_inverted_cells_at_start = 0;
-  bool is_stuck = false;                // with so few inverted cells that splits of edges make them fewer,
-  Splits_3 splits;                      // which are these
+  Splits_3 splits;                      // with which fewer cells are inverted, if few are left and some were found
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
   double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized
   double missed_angle_distortion = 0;      // the largest bound that was not reached
 
+  // Are cells left inverted, and splits known that make them fewer?
+  bool is_stuck() const { return !splits.edges.empty(); }
+
   // Is a map missing, or does it miss the boundary, such that a refinement may help?
   bool is_blocked() const
-  { return is_stuck || status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary); }
+  { return is_stuck() || status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary); }
 };
 
 // Where a search for a map starts, and what the searches before the last refinements have come to.

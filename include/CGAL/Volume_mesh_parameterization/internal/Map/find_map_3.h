@@ -81,9 +81,9 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
   found.reason = check.message;
   if(check.allows_fixed_boundary() && mode != Boundary_mode::SOFT && start.stage != Search_start_3::Stage::SOFT_BOUNDARY)
     found = find_map_with_fixed_boundary_3(mesh, problem, start);
-  if(found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck && mesh.is_whole())
+  if(found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck() && mesh.is_whole())
     found.diagnosis = diagnose_3(mesh, found.map.inverted_cells, progress.budget());
-  if(check.allows_soft_boundary() && mode != Boundary_mode::FIXED && !found.map.is_valid() && !found.is_stuck
+  if(check.allows_soft_boundary() && mode != Boundary_mode::FIXED && !found.map.is_valid() && !found.is_stuck()
      && !progress.is_interrupted())
   {
     const Found_map_3 fixed = std::move(found);
@@ -97,7 +97,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
   if(is_more_wanted ? progress.is_interrupted() : progress.was_interrupted())
   {
     found.status = ERROR_INTERRUPTED;
-    found.is_stuck = false;
+    found.splits = {};
   }
   return found;
 }

@@ -87,7 +87,7 @@ inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, co
 inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
                                            const Search_start_3& before)
 {
-  if(found.is_stuck)
+  if(found.is_stuck())
     return plan_splits_3(found, before);
   constexpr double notable = 0.9; // a guess; a distance that is shorter by a tenth
   constexpr std::size_t patience = 3; // a guess: maps that were found needed no more than one such round

@@ -195,7 +195,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
       break;
     const Refinement_plan_3 plan = plan_refinement_3(checked.numbered.mesh, *found, start);
     const std::vector<Insertion_3> splits = split_edges_of_vertices_3(body, checked.numbered.points, plan.edges);
-    if(splits.empty() && !found->is_stuck)
+    if(splits.empty() && !found->is_stuck())
       break;
     number_of_splits += splits.size();
     const std::vector<std::size_t> points_before = std::move(checked.numbered.points);

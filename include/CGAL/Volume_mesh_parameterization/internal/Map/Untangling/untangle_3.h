@@ -46,8 +46,7 @@ public:
     m_progress.begin_stage();
     m_progress.begin_attempt("splits");
     m_best.splits = find_splits_3(m_mesh, m_system.solver(), m_best.map, m_progress);
-    m_best.is_stuck = !m_best.splits.edges.empty();
-    return m_best.is_stuck;
+    return m_best.is_stuck();
   }
 
   // Returns the best map. Cells that have just become positive are flat, and are relaxed.
@@ -219,7 +218,7 @@ inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3
     found = untangle_from_3(system, initial, may_split, progress);
     found.may_be_near_minimum = found.status == OK && progress.number_of_steps() == 0;
   }
-  if(!continues && found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck)
+  if(!continues && found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck())
     found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_split, progress);
   if(found.untangling_method.empty())
     found.untangling_method = start.method;
