@@ -7,8 +7,10 @@
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/map_to_voxels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/repair_labels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -492,6 +494,166 @@ TEST_CASE("maps to boxes with holes can be ended anywhere, with nothing written"
   Labelled_complex complex(bricks(size_of_frame, is_frame, tie));
   const auto target = boost::make_assoc_property_map(complex.image);
   check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, target, np); }, complex.image);
+}
+
+namespace {
+
+// A ring of prisms: three edges lead around it, and a box with holes has four sides there.
+VMP::Tetrahedron_soup_3 ring_of_prisms()
+{
+  constexpr std::size_t number = 12;
+  VMP::Tetrahedron_soup_3 soup;
+  for(std::size_t i = 0; i < number; ++i)
+    for(std::size_t j = 0; j < 3; ++j)
+    {
+      const double a = 2 * CGAL_PI * i / number, b = 2 * CGAL_PI * j / 3 + 0.3, radius = 3 + std::cos(b);
+      soup.points.push_back({radius * std::cos(a), radius * std::sin(a), std::sin(b)});
+    }
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const auto at = [&](const std::size_t k, const std::size_t j) { return (i + k) % number * 3 + j; };
+    soup.cells.push_back({at(0, 0), at(0, 1), at(0, 2), at(1, 0)});
+    soup.cells.push_back({at(0, 1), at(1, 1), at(0, 2), at(1, 0)});
+    soup.cells.push_back({at(0, 2), at(1, 1), at(1, 2), at(1, 0)});
+  }
+  soup.cell_references.assign(soup.cells.size(), 1);
+  VMP::orient_tetrahedron_soup(soup);
+  return soup;
+}
+
+double volume_of(const VMP::Tetrahedron_soup_3& soup)
+{
+  const auto vector = [&](const std::size_t v) { return VMP::internal::to_vector(soup.points[v]); };
+  double result = 0;
+  for(const auto& [a, b, c, d] : soup.cells)
+  {
+    const double volume = (vector(b) - vector(a)).cross(vector(c) - vector(a)).dot(vector(d) - vector(a)) / 6;
+    CHECK(volume > 0);
+    result += volume;
+  }
+  return result;
+}
+
+// Voxels of the solid bricks, two voxels along each side of a brick.
+template <typename IsSolid>
+VMP::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
+{
+  const VMP::Tetrahedron_soup_3 soup = bricks(size, is_solid, in_place);
+  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
+  return VMP::internal::voxels_of_surface_3(surface.points, surface.facets, 0.5, {0, 0, 0}, 0.5);
+}
+
+} // namespace
+
+TEST_CASE("a ring that is too coarse for a box with holes is refined for a polycube of voxels")
+{
+  const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube().parameterize(ring, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  VMP::Tetrahedron_soup_3 soup = ring;
+  const double spacing = GENERATE(0., 0.25);
+  REQUIRE(Polycube(spacing).refine_and_parameterize(soup, targets) == VMP::OK);
+  REQUIRE(soup.points.size() > ring.points.size());
+  REQUIRE(targets.size() == soup.points.size());
+  CHECK(std::equal(ring.points.begin(), ring.points.end(), soup.points.begin()));
+  CHECK(volume_of(soup) == Approx(volume_of(ring)));
+  CHECK(soup.cell_references == std::vector<int>(soup.cells.size(), 1));
+
+  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
+  double volume = 0;
+  for(const auto& [a, b, c] : surface.facets)
+  {
+    const auto image = [&](const std::size_t v)
+    {
+      const auto& [x, y, z] = targets[surface.vertices[v]];
+      return Point_3(x, y, z);
+    };
+    const std::array<Point_3, 3> t = {image(a), image(b), image(c)};
+    const std::size_t d = direction(t);
+    REQUIRE(d < 6);
+    if(spacing > 0)
+      CHECK(std::remainder(t[0][static_cast<int>(d / 2)], spacing) == 0);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+  }
+  CHECK(volume > 0);
+}
+
+TEST_CASE("a search for polycubes of voxels can be ended anywhere, with nothing written")
+{
+  const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
+  VMP::Tetrahedron_soup_3 soup = ring;
+  std::vector<std::array<double, 3> > targets;
+  check_interruption([&](const auto& np)
+  {
+    soup = ring;
+    return Polycube().refine_and_parameterize(soup, targets, np);
+  }, targets);
+  CHECK(soup.points == ring.points);
+  CHECK(soup.cells == ring.cells);
+}
+
+TEST_CASE("voxels have the topology of their body")
+{
+  using namespace VMP::internal;
+  const auto is_plate = [](const int x, const int y, int) { return x % 2 == 0 || y != 1; };
+  const int holes = GENERATE(0, 1, 2, 3);
+  Voxels_3 voxels = voxels_of({2 * holes + 1, 3, 1}, is_plate);
+  CHECK(std::count(voxels.is_inside.begin(), voxels.is_inside.end(), true) == 8 * (3 * (2 * holes + 1) - holes));
+  CHECK(characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size) == 2 - 2 * holes);
+  const std::vector<bool> is_inside = voxels.is_inside;
+  CHECK(make_surface_of_characteristic(voxels, 0.5, 2 - 2 * holes));
+  CHECK(voxels.is_inside == is_inside);
+  CHECK(!make_surface_of_characteristic(voxels, 0.5, 4 - 2 * holes));
+}
+
+TEST_CASE("voxels that touch along an edge or at a corner are joined or parted")
+{
+  using namespace VMP::internal;
+  const int z = GENERATE(0, 1); // of the second brick
+  const auto are_two = [&](const int x, const int y, const int k)
+  { return (x == 0 && y == 0 && k == 0) || (x == 1 && y == 1 && k == z); };
+  Voxels_3 voxels = voxels_of({2, 2, 2}, are_two);
+  CHECK(!characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size));
+  CHECK(make_manifold(voxels, 0.5));
+  CHECK(characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size).value_or(0) > 0);
+}
+
+TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
+{
+  using namespace VMP::internal;
+  const VMP::Tetrahedron_soup_3 ring = bricks(size, is_ring, bend);
+  const Numbered_surface_3 surface = surface_of(body_of(ring));
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  Voxels_3 voxels = voxels_of_surface_3(points, surface.facets, 0.1, {0, 0, 0}, 0.5);
+  REQUIRE(make_surface_of_characteristic(voxels, 0.5, 0));
+  Split_surface_3 fine = {points, surface.facets};
+  fine.split_long_edges(0.05);
+  const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
+  CHECK(polycube.label_of_chart.size() >= 10); // of a ring along the axes
+  CHECK(polycube.label_of_chart.size() <= 12);
+  const Drawn_polycube_3 drawn = draw_polycube_3(polycube, fine, Budget());
+  REQUIRE(drawn.chart_of_facet.size() == drawn.surface.facets.size());
+  Boundary_mesh_3 refined;
+  REQUIRE(build_boundary_mesh_3(drawn.surface, refined) == VMP::OK);
+  std::vector<std::size_t> labels;
+  for(const std::size_t c : drawn.chart_of_facet)
+    labels.push_back(polycube.label_of_chart[c]);
+  const Polycube_charts_3 charts(refined, labels);
+  CHECK(charts.number_of_charts() == polycube.label_of_chart.size());
+  CHECK(charts.number_of_defects() == 0);
+}
+
+TEST_CASE("ordered means are the closest ones that keep a gap")
+{
+  using namespace VMP::internal;
+  const std::vector<Plane_of_voxels_3> planes = {{1, 0}, {2, 6}, {1, 1}, {4, 40}}; // means 0, 3, 1, 10
+  const std::vector<double> means = ordered_means(planes, 1);
+  const std::vector<double> expected = {0, 2, 3, 10}; // (2 (x - 3)^2 + (x + 1 - 1)^2)' = 0 at x = 2
+  REQUIRE(means.size() == expected.size());
+  for(std::size_t i = 0; i < means.size(); ++i)
+    CHECK(means[i] == Approx(expected[i]).margin(1e-12));
 }
 
 TEST_CASE("meridians bound discs, and cut all handles")

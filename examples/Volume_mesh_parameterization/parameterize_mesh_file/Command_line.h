@@ -140,7 +140,8 @@ inline Command_line command_line(Options& options)
   boundary.add_options()
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
      "in place of TARGET: ball, the unit ball; cube, the unit cube; box=X,Y,Z, a box with sides of these lengths; "
-     "polycube, one that is close to the source; most meshes need --refine for that")
+     "polycube, one that is close to the source; most meshes need --refine for that, which also splits edges of the boundary of a "
+     "body with handles where the polycube needs that")
     ("polycube-axes", po::value(&options.polycube_axes)->value_name("WHICH")->default_value("found"),
      "found: the source is turned such that its faces are nearly normal to the axes of the polycube; given: it stays as it is")
     ("improve", po::bool_switch(&options.do_improve),

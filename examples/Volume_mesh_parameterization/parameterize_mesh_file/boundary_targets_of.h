@@ -38,10 +38,11 @@ struct Boundary_error : std::runtime_error
   CGAL::Volume_mesh_parameterization::Error_code status;
 };
 
-// Landmarks are vertices with the place where each should be. If there are none, a domain finds its way without.
+// Landmarks are vertices with the place where each should be. If there are none, a domain finds its way without. A mesh that may
+// be refined can get more points.
 using Landmarks = std::vector<std::pair<std::size_t, std::array<double, 3> > >;
 using Boundary_parameterizer = std::function<CGAL::Volume_mesh_parameterization::Error_code(
-  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3&, const Landmarks&, Points&, Progress_line&)>;
+  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3&, const Landmarks&, Points&, Progress_line&)>;
 
 inline Boundary_parameterizer ball_parameterizer()
 {
@@ -80,10 +81,13 @@ inline Boundary_parameterizer box_parameterizer(const CGAL::Volume_mesh_paramete
 
 using Polycube = CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3;
 
-inline Boundary_parameterizer polycube_parameterizer(const Polycube& polycube)
+inline Boundary_parameterizer polycube_parameterizer(const Polycube& polycube, const bool do_refine)
 {
-  return [polycube](const auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
-  { return polycube.parameterize(mesh, targets, CGAL::parameters::visitor(std::ref(progress))); };
+  return [polycube, do_refine](auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
+  {
+    const auto np = CGAL::parameters::visitor(std::ref(progress));
+    return do_refine ? polycube.refine_and_parameterize(mesh, targets, np) : polycube.parameterize(mesh, targets, np);
+  };
 }
 
 // The lengths of the sides of a box from text such as 1,2,0.5
@@ -98,7 +102,8 @@ inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
   return box_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
 }
 
-inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name, const Polycube& polycube)
+inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name, const Polycube& polycube,
+                                                           const bool do_refine)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   const std::string box = "box=";
@@ -108,7 +113,7 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     {"ball", ball_parameterizer()},
     {"cube", box_parameterizer(VMP::Cube_boundary_parameterizer_3())},
     {"box=X,Y,Z", nullptr},
-    {"polycube", polycube_parameterizer(polycube)}});
+    {"polycube", polycube_parameterizer(polycube, do_refine)}});
 }
 
 // Reads the triangles of a surface.
@@ -202,12 +207,13 @@ inline Landmarks landmarks_of_file(const std::string& filename,
   return landmarks;
 }
 
-inline Points targets_on_domain(const std::string& domain, const Polycube& polycube, const Landmarks& landmarks,
-                                const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
+inline Points targets_on_domain(const std::string& domain, const Polycube& polycube, const bool do_refine,
+                                const Landmarks& landmarks, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+                                Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Points targets;
-  const VMP::Error_code status = named_boundary_parameterizer(domain, polycube)(mesh, landmarks, targets, progress);
+  const VMP::Error_code status = named_boundary_parameterizer(domain, polycube, do_refine)(mesh, landmarks, targets, progress);
   if(status == VMP::OK)
     return targets;
   if(status == VMP::ERROR_INTERRUPTED)

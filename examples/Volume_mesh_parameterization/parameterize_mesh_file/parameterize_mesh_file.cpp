@@ -34,17 +34,16 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
-// Splits all bridges of a mesh, and extends what is told of its vertices. Returns the number of new ones.
-std::size_t split_bridges(VMP::Tetrahedron_soup_3& mesh, Target_points& target, Points& initial, Progress_line& progress)
+// Splits all bridges of a mesh, and extends what is told of its vertices.
+void split_bridges(VMP::Tetrahedron_soup_3& mesh, Target_points& target, Points& initial, Progress_line& progress)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::size_t result = VMP::make_parameterizable(
+  VMP::make_parameterizable(
     mesh, params::vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained)).visitor(std::ref(progress)));
   target.points.resize(mesh.points.size(), { nan, nan, nan });
   target.is_constrained.resize(mesh.points.size(), false);
   if(!initial.empty())
     initial.resize(mesh.points.size(), { nan, nan, nan });
-  return result;
 }
 
 Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, const Points& initial,
@@ -201,8 +200,10 @@ Outcome run(const Options& options, Progress_line& progress)
   CGAL_USE(limit);
 #endif
   progress.begin("reading " + options.source);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Source source = read_source(options, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;
+  const std::size_t number_of_points = mesh.points.size();
   progress.show("");
   if(!options.is_quiet)
     for(const std::string& note : source.notes)
@@ -230,8 +231,12 @@ Outcome run(const Options& options, Progress_line& progress)
     progress.begin("mapping the boundary to " + options.domain);
     const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes),
                             &polycube_result);
-    target.points = naming(options.source, [&] { return targets_on_domain(options.domain, polycube, landmarks, mesh, progress); });
+    const bool do_refine = named_refinement(options.refinement).do_refine;
+    target.points = naming(options.source, [&]
+    { return targets_on_domain(options.domain, polycube, do_refine, landmarks, mesh, progress); });
     target.is_constrained.resize(mesh.points.size(), false);
+    if(!initial.empty())
+      initial.resize(mesh.points.size(), { nan, nan, nan });
     if(const std::string note = note_of_features_given_up(polycube_result); !note.empty() && !options.is_quiet)
     {
       progress.show("");
@@ -240,13 +245,14 @@ Outcome run(const Options& options, Progress_line& progress)
   }
   const double seconds_boundary = progress.seconds() - seconds_reading;
 
-  const std::size_t number_of_bridges
-    = named_refinement(options.refinement).splits_all_bridges ? split_bridges(mesh, target, initial, progress) : 0;
+  if(named_refinement(options.refinement).splits_all_bridges)
+    split_bridges(mesh, target, initial, progress);
+  const std::size_t number_of_new_points = mesh.points.size() - number_of_points;
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;
   Result result
     = naming(options.source, [&] { return parameterize(mesh, target, initial, options, progress, uvw); });
-  result.number_of_added_vertices += number_of_bridges;
+  result.number_of_added_vertices += number_of_new_points;
   if(has_file && result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
     name_missing_target(options.target, mesh, target.points);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };

@@ -16,14 +16,31 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/features_given_up_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+// Returns the points of the vertices of a surface, and of the new ones behind them, which are appended to all points.
+inline std::vector<std::size_t> points_after_splits(std::vector<std::size_t> vertices, const std::size_t number_of_points,
+                                                    const std::size_t number_of_splits)
+{
+  for(std::size_t i = 0; i < number_of_splits; ++i)
+    vertices.push_back(number_of_points + i);
+  return vertices;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationBoundary
@@ -89,11 +106,15 @@ mean square of the logarithms of the singular values. If its map is not valid, t
 is none, a topological sphere is mapped to its bounding box, and the boundary of a body with handles to a box with as many
 holes, which exists for each body that discs cut into a ball, also a knotted one: meridians around the handles are found
 inside the body, and the edges of the box as disjoint lines on its boundary. At least four edges of the mesh must
-lead around each handle, and more where it is to be mapped with low distortion.
+lead around each handle, and more where it is to be mapped with low distortion. `refine_and_parameterize()` does without them,
+and has another choice there: voxels whose boundary has as many handles are simplified by moving their faces, as long as that
+lowers the cost of labels, and the edges of the polycube that they are then become disjoint paths on the boundary. Up to 84 grids
+are tried, with 8 to 48 voxels along the body; bodies with finer handles are not found.
 
 `parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,
-`ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat,
+`ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, against which
+`refine_and_parameterize()` may help,
 `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
 `ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`. The
 running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights and each rotation, with \f$ n \f$ boundary vertices of
@@ -178,8 +199,65 @@ public:
     return this->parameterize_arrays(body, targets, np, label_of_facet);
   }
 
+  /// writes the image of each point on the boundary of a soup, which may be refined for that: a point is added at the midpoint
+  /// of an edge. Where no labels lead to a polycube, and a box with holes is too coarse or clearly more distorted, bodies with
+  /// handles are mapped to a polycube whose faces are those of voxels. New points come behind all others, and new cells,
+  /// facets and edges have the references and data of those they come from.
+  ///
+  /// \param soup the mesh; it is refined only if `OK` is returned
+  /// \param targets receives the images, one for each point of the refined soup; it must be resizable
+  /// \param np the same as for `parameterize()`
+  ///
+  /// \return the same as `parameterize()`
+  template <typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code refine_and_parameterize(Tetrahedron_soup_3& soup, TargetRange& targets,
+                                     const CGAL_NP_CLASS& np = parameters::default_values()) const
+  {
+    internal::check_named_parameters(np);
+    internal::Limits<CGAL_NP_CLASS> limits(np);
+    const internal::Budget budget = limits.budget();
+    const internal::Body_3 body = internal::body_of(soup);
+    const internal::Numbered_surface_3 surface = internal::surface_of(body);
+    std::vector<Eigen::Vector3d> images;
+    Eigen::Matrix3d rotation;
+    std::vector<std::array<std::size_t, 2> > splits;
+    const Error_code status = internal::map_to_polycube_3(surface, {}, m_spacing, m_axes == Polycube_axes::FOUND, images, rotation,
+                                                          budget, &splits);
+    if(budget.is_exhausted())
+      return ERROR_INTERRUPTED;
+    if(status != OK)
+      return status;
+    const std::vector<std::size_t> points = internal::points_after_splits(surface.vertices, soup.points.size(), splits.size());
+    for(auto& [v, w] : splits)
+    {
+      v = points[v];
+      w = points[w];
+    }
+    std::optional<Tetrahedron_soup_3> refined = internal::with_split_edges_3(body, splits);
+    if(!refined)
+      return ERROR_BOUNDARY_TOO_COARSE;
+    soup = std::move(*refined);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    std::vector<std::array<double, 3> > all(soup.points.size(), { nan, nan, nan });
+    for(std::size_t v = 0; v < points.size(); ++v)
+      all[points[v]] = internal::coordinates(images[v]);
+    if(m_result != nullptr)
+      tell_result(internal::surface_of(internal::body_of(soup)), all, rotation);
+    internal::assign_coordinates(all, targets);
+    return OK;
+  }
+
 private:
   using Given = std::vector<std::size_t>; // labels
+
+  void tell_result(const internal::Numbered_surface_3& surface, const std::vector<std::array<double, 3> >& targets,
+                   const Eigen::Matrix3d& rotation) const
+  {
+    std::vector<Eigen::Vector3d> images;
+    for(const std::size_t v : surface.vertices)
+      images.push_back(internal::to_vector(targets[v]));
+    *m_result = result(surface, images, rotation);
+  }
 
   Error_code map(const internal::Numbered_surface_3& surface, const std::vector<std::size_t>& label_of_facet,
                  std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const

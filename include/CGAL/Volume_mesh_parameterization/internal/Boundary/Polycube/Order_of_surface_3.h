@@ -74,14 +74,18 @@ public:
     return result;
   }
 
-  // Returns values of points that are in this order in that of the surface that was given.
+  // Returns values of points that are in this order in that of the surface that was given. Points that were added to the surface
+  // come behind all others in both.
   std::vector<Eigen::Vector3d> back(const std::vector<Eigen::Vector3d>& values) const
   {
     std::vector<Eigen::Vector3d> result(values.size());
     for(std::size_t i = 0; i < values.size(); ++i)
-      result[m_points[i]] = values[i];
+      result[point(i)] = values[i];
     return result;
   }
+
+  // Returns the point of the surface that was given, or that was added to it, at a place in this order.
+  std::size_t point(const std::size_t i) const { return i < m_points.size() ? m_points[i] : i; }
 
 private:
   template <std::size_t n>

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Order_of_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/map_to_voxels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/frames_of_normals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
@@ -188,16 +189,45 @@ private:
   }
 };
 
+using Splits_of_edges = std::vector<std::array<std::size_t, 2> >;
+
+template <typename Facets>
+double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vector3d>& points,
+                              const std::vector<Eigen::Vector3d>& images)
+{
+  return facet_distortion_3(facets, [&](const std::size_t v) { return points[v]; },
+                            [&](const std::size_t v) { return images[v]; });
+}
+
+// Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
+// be far less distorted than a box with holes.
+inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing, Splits_of_edges* const splits,
+                                         std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
+  const Error_code status = map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,
+                                                    turned.surface.vertices, images, budget);
+  const double maximal_distortion = status != OK ? (std::numeric_limits<double>::infinity)()
+    : enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, images);
+  if(splits == nullptr || maximal_distortion < usual)
+    return status;
+  Map_to_voxels_3 map = map_to_voxels_3(turned.surface, turned.mesh, turned.box, spacing, budget);
+  if(map.images.empty() || map.distortion > maximal_distortion)
+    return status;
+  *splits = std::move(map.splits);
+  images = std::move(map.images);
+  return OK;
+}
+
 // Maps a surface for which no labels of a polycube are found.
-inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, std::vector<Eigen::Vector3d>& images,
-                                   const Budget& budget)
+inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, Splits_of_edges* const splits,
+                                   std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   const Error_code kind = check_sphere(turned.mesh);
   if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
     return map_bodies_apart_3(turned.surface, spacing, images, budget);
   return kind == OK ? map_to_bounding_box_3(turned.mesh, turned.box, spacing, images, budget)
-                    : map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,
-                                              turned.surface.vertices, images, budget);
+                    : map_to_box_or_voxels_3(turned, spacing, splits, images, budget);
 }
 
 inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
@@ -214,7 +244,8 @@ inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, con
 
 // Takes the frame with the least distortion; if there is no polycube in any, the first one.
 inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing, const bool may_move,
-                                  std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
+                                  Splits_of_edges* const splits, std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation,
+                                  const Budget& budget)
 {
   double least_distortion = (std::numeric_limits<double>::infinity)();
   bool has_polycube = false;
@@ -223,9 +254,7 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
     std::vector<Eigen::Vector3d> candidate;
     if(map_to_proposed_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, candidate, budget) != OK)
       continue;
-    const double distortion = facet_distortion_3(
-      turned.surface.facets, [&](const std::size_t v) { return turned.surface.points[v]; },
-      [&](const std::size_t v) { return candidate[v]; });
+    const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, candidate);
     if(has_polycube && !(distortion < least_distortion))
       continue;
     has_polycube = true;
@@ -236,13 +265,13 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
   if(has_polycube)
     return OK;
   rotation = frames.front().rotation;
-  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, images, budget);
+  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, splits, images, budget);
 }
 
 // Maps a surface in the order in which it is searched.
 inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
-                                        const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
-                                        Eigen::Matrix3d& rotation, const Budget& budget)
+                                        const double spacing, const bool do_find_axes, Splits_of_edges* const splits,
+                                        std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
 {
   Boundary_mesh_3 mesh;
   if(const Error_code status = build_boundary_mesh_3(surface, mesh); status != OK)
@@ -256,28 +285,35 @@ inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const
     for(const Eigen::Matrix3d& r : rotations)
       frames.emplace_back(surface, mesh, r);
   }
-  const auto map = [&](const double spacing, std::vector<Eigen::Vector3d>& images)
+  const auto map = [&](const double spacing, Splits_of_edges* const splits, std::vector<Eigen::Vector3d>& images)
   {
-    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, images, rotation, budget)
+    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, splits, images, rotation, budget)
                           : map_to_labelled_polycube_3(frames.front(), labels, spacing, images, budget);
   };
-  const Error_code status = map(spacing, images);
+  const Error_code status = map(spacing, splits, images);
   std::vector<Eigen::Vector3d> any;
-  return status != OK && spacing > 0 && map(0, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
+  return status != OK && spacing > 0 && map(0, nullptr, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
                              const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
-                             Eigen::Matrix3d& rotation, const Budget& budget)
+                             Eigen::Matrix3d& rotation, const Budget& budget, Splits_of_edges* const splits)
 {
   const Order_of_surface_3 order(surface);
   std::vector<Eigen::Vector3d> ordered_images;
-  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes, ordered_images,
-                                                  rotation, budget);
-  if(status == OK)
-    images = order.back(ordered_images);
-  return status;
+  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes, splits,
+                                                  ordered_images, rotation, budget);
+  if(status != OK)
+    return status;
+  images = order.back(ordered_images);
+  if(splits != nullptr)
+    for(auto& [v, w] : *splits)
+    {
+      v = order.point(v);
+      w = order.point(w);
+    }
+  return OK;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

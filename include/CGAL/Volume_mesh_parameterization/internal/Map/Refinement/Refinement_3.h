@@ -105,8 +105,8 @@ private:
   std::vector<std::vector<std::size_t> > m_incident;
 };
 
-// Makes new points vertices of interior edges, facets and cells of a body. New cells, facets and edges have the references
-// and data of those they come from.
+// Makes new points vertices of edges, facets and cells of a body, of interior ones unless others are asked for. New cells,
+// facets and edges have the references and data of those they come from.
 class Refinement_3
 {
 public:
@@ -151,8 +151,12 @@ public:
   std::optional<Insertion_3> insert(const Simplex_3& simplex)
   {
     const std::vector<std::size_t> cells = cells_around(simplex);
-    if(!is_interior(simplex, cells))
-      return std::nullopt;
+    return is_interior(simplex, cells) ? insert(simplex, cells) : std::nullopt;
+  }
+
+  // Makes a point a vertex of a simplex that may belong to the boundary, which changes then.
+  std::optional<Insertion_3> insert(const Simplex_3& simplex, const std::vector<std::size_t>& cells)
+  {
     const Weights weights = weights_of_point(simplex, cells);
     if(weights.empty())
       return std::nullopt;
@@ -248,6 +252,16 @@ inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<st
     if(const std::optional<Insertion_3> insertion = refinement.insert(edge))
       result.push_back(*insertion);
   return result;
+}
+
+// Splits edges one after the other, also those of the boundary. Nothing if rounding leaves no point for one.
+inline std::optional<Tetrahedron_soup_3> with_split_edges_3(Body_3 body, const std::vector<std::array<std::size_t, 2> >& edges)
+{
+  Refinement_3 refinement(body);
+  for(const auto& [v, w] : edges)
+    if(const Simplex_3 edge = { v, w }; !refinement.insert(edge, refinement.cells_around(edge)))
+      return std::nullopt;
+  return std::move(body.soup);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

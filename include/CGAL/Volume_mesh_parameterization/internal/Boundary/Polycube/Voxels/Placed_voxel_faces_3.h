@@ -1,0 +1,232 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Split_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Voxel_faces_3.h>
+
+#include <limits>
+#include <numeric>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Finds among points with normals the one nearest to another point and normal: a tree in six dimensions, split at medians.
+class Nearest_with_normal_3
+{
+public:
+  using Vector_6 = Small_matrix<6, 1>;
+
+  // Takes the distance that counts as much as a right angle between normals.
+  explicit Nearest_with_normal_3(const double weight) : m_weight(weight) {}
+
+  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) { m_points.push_back(joined(p, normal)); }
+
+  void build()
+  {
+    m_order.resize(m_points.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    split(0, m_order.size(), 0);
+  }
+
+  std::size_t nearest(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
+  {
+    Query query = { joined(p, normal) };
+    search(query, 0, m_order.size(), 0);
+    return query.nearest;
+  }
+
+private:
+  static constexpr std::size_t size_of_leaf = 8; // a guess
+
+  struct Query
+  {
+    Vector_6 point;
+    double squared_distance = (std::numeric_limits<double>::infinity)();
+    std::size_t nearest = 0;
+  };
+
+  Vector_6 joined(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
+  {
+    Vector_6 result;
+    result << p, m_weight * normal;
+    return result;
+  }
+
+  // Takes coordinates of points twice as often as those of normals, which vary less.
+  static Eigen::Index dimension(const std::size_t depth)
+  {
+    constexpr std::array<Eigen::Index, 9> dimensions = { 0, 1, 2, 0, 1, 2, 3, 4, 5 };
+    return dimensions[depth % 9];
+  }
+
+  void split(const std::size_t begin, const std::size_t end, const std::size_t depth)
+  {
+    if(end - begin <= size_of_leaf)
+      return;
+    const auto at = [&](const std::size_t i) { return m_order.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::size_t middle = (begin + end) / 2;
+    const Eigen::Index k = dimension(depth);
+    std::nth_element(at(begin), at(middle), at(end),
+                     [&](const std::size_t i, const std::size_t j) { return m_points[i][k] < m_points[j][k]; });
+    split(begin, middle, depth + 1);
+    split(middle + 1, end, depth + 1);
+  }
+
+  void search(Query& query, const std::size_t begin, const std::size_t end, const std::size_t depth) const
+  {
+    if(end - begin <= size_of_leaf)
+    {
+      for(std::size_t i = begin; i < end; ++i)
+        test(query, m_order[i]);
+      return;
+    }
+    const std::size_t middle = (begin + end) / 2;
+    test(query, m_order[middle]);
+    const double distance = query.point[dimension(depth)] - m_points[m_order[middle]][dimension(depth)];
+    for(const bool is_lower : { distance < 0, distance >= 0 }) // the side of the query first
+      if(is_lower == (distance < 0) || distance * distance < query.squared_distance)
+        is_lower ? search(query, begin, middle, depth + 1) : search(query, middle + 1, end, depth + 1);
+  }
+
+  void test(Query& query, const std::size_t i) const
+  {
+    const double distance = (m_points[i] - query.point).squaredNorm();
+    if(distance < query.squared_distance)
+    {
+      query.squared_distance = distance;
+      query.nearest = i;
+    }
+  }
+
+  double m_weight;
+  std::vector<Vector_6> m_points;
+  std::vector<std::size_t> m_order;
+};
+
+// Places the corners of faces of voxels on a surface, by rounds of smoothing and projection to planes of facets that are near
+// in position and normal.
+class Placement_of_voxel_faces_3
+{
+public:
+  Placement_of_voxel_faces_3(const Facets_3& facets, const double spacing)
+    : m_facets(facets), m_spacing(spacing), m_nearest(1.5 * spacing), m_nearest_in_position(0) // 1.5 is a guess
+  {
+    for(std::size_t f = 0; f < facets.areas.size(); ++f)
+    {
+      m_nearest.add(facets.centers[f], facets.normals[f]);
+      m_nearest_in_position.add(facets.centers[f], facets.normals[f]);
+    }
+    m_nearest.build();
+    m_nearest_in_position.build();
+  }
+
+  // Returns the faces after the number of rounds with which fewest of them are folded: more rounds make them smoother, but let
+  // them slide off thin parts.
+  Voxel_faces_3 run(const Voxel_faces_3& faces) const
+  {
+    constexpr int maximal_number_of_rounds = 40; // a guess
+    Voxel_faces_3 present = faces, best = faces;
+    std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
+    for(int round = 0; round < maximal_number_of_rounds && fewest > 0; ++round)
+    {
+      if(round > 0)
+        smooth(present);
+      project(present, round < 5 ? 0.5 : 1);
+      if(const std::size_t number = number_of_folded_faces(present); round > 0 && number < fewest)
+      {
+        fewest = number;
+        best = present;
+      }
+    }
+    return best;
+  }
+
+private:
+  static void smooth(Voxel_faces_3& faces)
+  {
+    std::vector<Eigen::Vector3d> sums(faces.points.size(), Eigen::Vector3d::Zero());
+    std::vector<double> numbers(faces.points.size(), 0);
+    for(const std::array<std::size_t, 4>& c : faces.corners)
+      for(std::size_t k = 0; k < 4; ++k) // each edge once in each direction
+      {
+        sums[c[k]] += faces.points[c[(k + 1) % 4]];
+        ++numbers[c[k]];
+      }
+    for(std::size_t v = 0; v < sums.size(); ++v)
+      faces.points[v] = (faces.points[v] + sums[v] / numbers[v]) / 2;
+  }
+
+  void project(Voxel_faces_3& faces, const double part) const
+  {
+    const std::vector<Eigen::Vector3d> normals = faces.normals_of_points();
+    for(std::size_t v = 0; v < faces.points.size(); ++v)
+    {
+      Eigen::Vector3d& p = faces.points[v];
+      const std::size_t f = m_nearest.nearest(p, normals[v]);
+      Eigen::Vector3d to = p - (p - m_facets.centers[f]).dot(m_facets.normals[f]) * m_facets.normals[f] - m_facets.centers[f];
+      if(const double distance = to.norm(); distance > m_spacing / 2)
+        to *= m_spacing / 2 / distance; // the plane may leave the surface
+      p += part * (m_facets.centers[f] + to - p);
+    }
+  }
+
+  // Counts faces with a corner whose normal leads away from that of the nearest facet.
+  std::size_t number_of_folded_faces(const Voxel_faces_3& faces) const
+  {
+    std::size_t result = 0;
+    for(const std::array<std::size_t, 4>& c : faces.corners)
+    {
+      const auto point = [&](const std::size_t k) { return faces.points[c[k % 4]]; };
+      const std::size_t f
+        = m_nearest_in_position.nearest((point(0) + point(1) + point(2) + point(3)) / 4, Eigen::Vector3d::Zero());
+      bool is_folded = false;
+      for(std::size_t k = 0; k < 4; ++k)
+        is_folded = is_folded
+          || (point(k + 1) - point(k)).cross(point(k + 3) - point(k)).dot(m_facets.normals[f]) <= 0;
+      result += is_folded;
+    }
+    return result;
+  }
+
+  const Facets_3& m_facets;
+  double m_spacing;
+  Nearest_with_normal_3 m_nearest, m_nearest_in_position;
+};
+
+// Returns the face that is nearest to each facet.
+inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, const Voxel_faces_3& faces, const double spacing)
+{
+  constexpr std::size_t samples = 5; // along each edge; a guess
+  Nearest_with_normal_3 nearest(spacing);
+  const std::vector<Eigen::Vector3d> normals = faces.normals_of_points();
+  for(const std::array<std::size_t, 4>& c : faces.corners)
+    for(std::size_t i = 0; i < samples; ++i)
+      for(std::size_t j = 0; j < samples; ++j)
+      {
+        const double u = (static_cast<double>(i) + 0.5) / samples, v = (static_cast<double>(j) + 0.5) / samples;
+        const auto bilinear = [&](const std::vector<Eigen::Vector3d>& values) -> Eigen::Vector3d
+        {
+          return (1 - v) * ((1 - u) * values[c[0]] + u * values[c[1]]) + v * (u * values[c[2]] + (1 - u) * values[c[3]]);
+        };
+        nearest.add(bilinear(faces.points), bilinear(normals).normalized());
+      }
+  nearest.build();
+  std::vector<std::size_t> result;
+  for(std::size_t f = 0; f < facets.areas.size(); ++f)
+    result.push_back(nearest.nearest(facets.centers[f], facets.normals[f]) / (samples * samples));
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H

@@ -1,0 +1,120 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_SPLIT_SURFACE_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_SPLIT_SURFACE_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Triangulated surface whose edges are split at their midpoints. The splits are those of the edges one after the other, so that
+// they can be made in a tetrahedral mesh, too.
+struct Split_surface_3
+{
+  using Edge = std::pair<std::size_t, std::size_t>; // the smaller one first
+
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<std::size_t, 3> > facets;
+  std::vector<std::array<std::size_t, 2> > splits = {}; // edges whose midpoints were appended to the points, one after the other
+
+  static Edge edge(const std::array<std::size_t, 3>& facet, const std::size_t i)
+  { return (std::minmax)(facet[i], facet[(i + 1) % 3]); }
+
+  double length(const Edge& e) const { return (points[e.first] - points[e.second]).norm(); }
+
+  // Splits edges, the longest one first. Returns which facet each one comes from.
+  std::vector<std::size_t> split(const std::set<Edge>& edges)
+  {
+    std::vector<Edge> order(edges.begin(), edges.end());
+    std::stable_sort(order.begin(), order.end(), [&](const Edge& e, const Edge& f) { return length(e) > length(f); });
+    std::map<Edge, std::size_t> midpoints;
+    for(const Edge& e : order)
+    {
+      midpoints.emplace(e, points.size());
+      points.push_back((points[e.first] + points[e.second]) / 2);
+      splits.push_back({ e.first, e.second });
+    }
+    std::vector<std::array<std::size_t, 3> > parts;
+    std::vector<std::size_t> parents;
+    for(std::size_t f = 0; f < facets.size(); ++f)
+    {
+      append_parts(facets[f], midpoints, parts);
+      parents.resize(parts.size(), f);
+    }
+    facets = std::move(parts);
+    return parents;
+  }
+
+  // Splits edges that are longer, and their halves, until there are none.
+  void split_long_edges(const double maximal_length)
+  {
+    for(std::set<Edge> edges; ; edges.clear())
+    {
+      for(const std::array<std::size_t, 3>& facet : facets)
+        for(std::size_t i = 0; i < 3; ++i)
+          if(length(edge(facet, i)) > maximal_length)
+            edges.insert(edge(facet, i));
+      if(edges.empty())
+        return;
+      split(edges);
+    }
+  }
+
+private:
+  // Splits a facet at the first of the midpoints of its edges, which have the order of the splits, and then its parts.
+  static void append_parts(const std::array<std::size_t, 3>& facet, const std::map<Edge, std::size_t>& midpoints,
+                           std::vector<std::array<std::size_t, 3> >& parts)
+  {
+    std::size_t first = 3, midpoint = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      if(const auto it = midpoints.find(edge(facet, i)); it != midpoints.end() && (first == 3 || it->second < midpoint))
+      {
+        first = i;
+        midpoint = it->second;
+      }
+    if(first == 3)
+    {
+      parts.push_back(facet);
+      return;
+    }
+    append_parts({ facet[first], midpoint, facet[(first + 2) % 3] }, midpoints, parts);
+    append_parts({ midpoint, facet[(first + 1) % 3], facet[(first + 2) % 3] }, midpoints, parts);
+  }
+};
+
+// Measures of the facets of a surface.
+struct Facets_3
+{
+  std::vector<Eigen::Vector3d> centers, normals; // unit normals, or 0
+  std::vector<double> areas;
+
+  explicit Facets_3(const Split_surface_3& surface)
+  {
+    for(const auto& [a, b, c] : surface.facets)
+    {
+      const Eigen::Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
+      const Eigen::Vector3d n = (q - p).cross(r - p) / 2;
+      areas.push_back(n.norm());
+      normals.push_back(n.normalized());
+      centers.push_back((p + q + r) / 3);
+    }
+  }
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_SPLIT_SURFACE_3_H
