@@ -12,11 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Harmonic_extension_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
+
+#include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -36,27 +37,25 @@ public:
   Chart_relaxation_2(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                      const Held_coordinates& is_held, const int u, const int v,
                      std::vector<Eigen::Vector3d>& images)
-    : m_u(u), m_v(v)
+    : m_u(u), m_v(v), m_chart(mesh, faces)
   {
-    std::vector<int> number(mesh.number_of_vertices(), -1);
-    for(const auto f : faces)
-      add_triangle(mesh, f, number);
-    m_images.resize(2, m_vertices.size());
+    const std::vector<Boundary_mesh_3::Vertex_index>& vertices = m_chart.vertices;
+    m_images.resize(2, vertices.size());
     double area = 0, image_area = 0;
-    for(std::size_t i = 0; i < m_vertices.size(); ++i)
+    for(std::size_t i = 0; i < vertices.size(); ++i)
     {
-      m_images.col(i) << images[m_vertices[i]][u], images[m_vertices[i]][v];
+      m_images.col(i) << images[vertices[i]][u], images[vertices[i]][v];
       m_unknown.emplace_back();
       for(const int axis : { 0, 1 })
-        m_unknown.back()[axis] = is_held[m_vertices[i]][axis == 0 ? u : v] ? -1 : m_number_of_unknowns++;
+        m_unknown.back()[axis] = is_held[vertices[i]][axis == 0 ? u : v] ? -1 : m_number_of_unknowns++;
     }
     move_to_harmonic_map();
-    for(const Triangle& t : m_triangles)
+    for(const Triangle& t : m_chart.triangles)
     {
       area += t.area;
       image_area += edges(t, m_images).determinant() / 2;
     }
-    for(Triangle& t : m_triangles)
+    for(Triangle& t : m_chart.triangles)
     {
       t.to_rest *= std::sqrt(area / image_area);
       t.area /= area;
@@ -86,93 +85,34 @@ public:
 private:
   using Columns_2 = Dynamic_matrix<double, 2, Eigen::Dynamic>;
 
-  struct Triangle
-  {
-    std::array<int, 3> vertices;
-    Small_matrix<2, 2> to_rest; // the Jacobian is the edges of the image times this matrix
-    double area;
-  };
+  using Triangle = Chart_triangles_2::Triangle;
 
   struct State { double energy, smallest_determinant; };
 
-  void add_triangle(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f, std::vector<int>& number)
-  {
-    Triangle t;
-    const auto v = vertices_of_face(mesh, f);
-    for(int i = 0; i < 3; ++i)
-    {
-      if(number[v[i]] < 0)
-      {
-        number[v[i]] = static_cast<int>(m_vertices.size());
-        m_vertices.push_back(v[i]);
-      }
-      t.vertices[i] = number[v[i]];
-    }
-    const Small_matrix<3, 2> X = edges_of_face(mesh, f);
-    const Eigen::Vector3d a = X.col(0), b = X.col(1);
-    Small_matrix<2, 2> rest;
-    rest << a.norm(), a.dot(b) / a.norm(), 0, a.cross(b).norm() / a.norm();
-    t.to_rest = rest.inverse();
-    t.area = rest.determinant() / 2;
-    m_triangles.push_back(t);
-  }
-
-  // Minimizes the sum over triangles of area |J|^2, for each coordinate alone; with one matrix if the same vertices are held.
+  // Maps each coordinate for itself; with one factorization if the same vertices are held.
   void move_to_harmonic_map()
   {
-    std::unique_ptr<Symmetric_sparse_solver> solver;
-    std::vector<int> numbers, numbers_before;
-    for(int axis = 0; axis < 2; ++axis, numbers_before = numbers)
+    std::optional<Harmonic_extension_2> extension;
+    std::vector<bool> is_held, was_held;
+    for(int axis = 0; axis < 2; ++axis, was_held = is_held)
     {
-      int n = 0;
-      numbers.clear();
+      is_held.clear();
       for(const std::array<int, 2>& unknown : m_unknown)
-        numbers.push_back(unknown[axis] < 0 ? -1 : n++);
-      if(n == 0)
-        continue;
-      const auto [entries, right] = harmonic_system(axis, numbers, n);
-      if(numbers != numbers_before)
-      {
-        solver = make_symmetric_sparse_solver();
-        solver->factorize(n, entries);
-      }
-      const VectorXd solution = solver->solve(right);
-      for(std::size_t i = 0; i < numbers.size(); ++i)
-        if(numbers[i] >= 0)
-          m_images(axis, i) = solution[numbers[i]];
+        is_held.push_back(unknown[axis] < 0);
+      if(is_held != was_held)
+        extension.emplace(m_chart, is_held);
+      VectorXd values = m_images.row(axis).transpose();
+      extension->apply(values);
+      m_images.row(axis) = values.transpose();
     }
-  }
-
-  std::pair<std::vector<Sparse_entry>, VectorXd> harmonic_system(const int axis, const std::vector<int>& numbers,
-                                                                 const int n) const
-  {
-    std::pair<std::vector<Sparse_entry>, VectorXd> result;
-    result.second = VectorXd::Zero(n);
-    Small_matrix<3, 2> difference;
-    difference << -1, -1, 1, 0, 0, 1;
-    for(const Triangle& t : m_triangles)
-    {
-      const Small_matrix<3, 2> gradients = difference * t.to_rest;
-      const Eigen::Matrix3d K = t.area * gradients * gradients.transpose();
-      for(int i = 0; i < 3; ++i)
-        for(int k = 0; k < 3; ++k)
-        {
-          const int row = numbers[t.vertices[i]], column = numbers[t.vertices[k]];
-          if(row >= 0 && column >= 0)
-            result.first.push_back({ row, column, K(i, k) });
-          else if(row >= 0)
-            result.second[row] -= K(i, k) * m_images(axis, t.vertices[k]);
-        }
-    }
-    return result;
   }
 
   void write(std::vector<Eigen::Vector3d>& images) const
   {
-    for(std::size_t i = 0; i < m_vertices.size(); ++i)
+    for(std::size_t i = 0; i < m_chart.vertices.size(); ++i)
     {
-      images[m_vertices[i]][m_u] = m_images(0, i);
-      images[m_vertices[i]][m_v] = m_images(1, i);
+      images[m_chart.vertices[i]][m_u] = m_images(0, i);
+      images[m_chart.vertices[i]][m_v] = m_images(1, i);
     }
   }
 
@@ -186,7 +126,7 @@ private:
   State evaluate(const Columns_2& u, const double epsilon) const
   {
     State state = { 0, (std::numeric_limits<double>::infinity)() };
-    for(const Triangle& t : m_triangles)
+    for(const Triangle& t : m_chart.triangles)
     {
       const Small_matrix<2, 2> J = edges(t, u) * t.to_rest;
       const double D = J.determinant();
@@ -200,7 +140,7 @@ private:
   {
     VectorXd gradient = VectorXd::Zero(m_number_of_unknowns);
     std::vector<Sparse_entry> entries;
-    for(const Triangle& t : m_triangles)
+    for(const Triangle& t : m_chart.triangles)
       add_derivatives(t, gradient, entries);
     solver.factorize(m_number_of_unknowns, entries);
     const VectorXd solution = solver.solve(-gradient);
@@ -283,8 +223,7 @@ private:
   }
 
   int m_u, m_v;
-  std::vector<Boundary_mesh_3::Vertex_index> m_vertices; // vertices of the mesh
-  std::vector<Triangle> m_triangles;
+  Chart_triangles_2 m_chart;
   Columns_2 m_images;
   std::vector<std::array<int, 2> > m_unknown; // number of each coordinate of a vertex, or -1 if it is held
   int m_number_of_unknowns = 0;
