@@ -61,9 +61,12 @@ maps the boundary of a complex onto the boundary of a polycube: a polyhedron who
 Each facet of the boundary is labelled with the direction, along an axis, that the normal of its image will have.
 Connected facets with the same label form a chart, which is mapped to a face of the polycube; the lines between two
 charts are mapped to its edges, and the vertices where three or more charts meet to its corners. The charts
-determine the polycube up to the coordinates of its faces, which are chosen as close as possible to the mean coordinates
+determine the polycube up to the coordinates of its faces. These are first chosen as close as possible to the mean coordinates
 of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
-fifth of the line that is mapped to it. The polycube lies where the complex lies.
+fifth of the line that is mapped to it. Then they are moved such that lengths on the polycube become those on the boundary, as a
+limb that leads askew to the axes is longer than its shadow: as the harmonic map of the charts is linear in the coordinates,
+the least mean square of the logarithms of its singular values is found by Newton's method. The polycube gets the volume of the
+body, and lies where the complex lies; if it has no map, the first one is taken.
 
 Facets are visited in an order that depends on the distances of their vertices from the center of the boundary alone, so the
 numbers of vertices do not decide, unless distances are equal.
@@ -87,11 +90,11 @@ names all sharp edges that the polycube gives up. Sharp edges are the 1-dimensio
 edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on both sides.
 
 With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
-All distances along edges become multiples too, rounded up, and the solution of the quadratic program is rounded: no two
-faces are merged that an edge keeps apart. Unless axes or labels are given, the polycube is moved by at most half of the spacing
-along each axis, such that rounding changes its faces least, and where the body lies does not matter. Coordinates of lines are
-multiples of the spacing too, or of its half or quarter where these are clearly nearer, or there is no room. Lines that are
-shorter than the spacing are not made.
+All distances along edges become multiples too, rounded up; coordinates are rounded one after the other, while the others
+follow such that lengths stay; and no two faces are merged that an edge keeps apart. Unless axes or labels are given, the
+polycube is moved by at most half of the spacing along each axis, such that rounding changes its faces least, and where the body
+lies does not matter. Coordinates of lines are multiples of the spacing too, or of its half or quarter where these are clearly
+nearer, or there is no room. Lines that are shorter than the spacing are not made.
 
 The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted
 is the map, and the less certain that labels with a polycube are found.

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_groups_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/ordered_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
@@ -26,33 +26,47 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Finds the coordinates of the faces of a polycube for valid charts, along their axes, that minimize
-//   sum over charts c of area(c) (x(c) - mean coordinate of c)^2
-// such that each edge of the polycube has at least a part of the length of its chain. The charts of an axis that meet in a
-// corner have the same coordinate. The axes are independent of each other, and small quadratic programs. Edges of a face
-// that intersect then get the order that their chains have on the surface, too, if the other orders allow it.
+// Returns the mean coordinate of the faces of each group along their axis.
+inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                              const Polycube_groups_3& groups)
+{
+  std::vector<double> result = groups.sums([&](const auto f)
+  {
+    const auto [a, b, c] = vertices_of_face(mesh, f);
+    const int axis = charts.axis(charts.chart_of_face()[f]);
+    return area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
+  });
+  const std::vector<double> areas = groups.sums([&](const auto f) { return area_of_face(mesh, f); });
+  for(std::size_t g = 0; g < groups.size(); ++g)
+    result[g] /= groups[g] == g ? areas[g] : 1;
+  return result;
+}
+
+// Finds the coordinates of the groups of faces of a polycube, along their axes, that minimize
+//   sum over groups g of area(g) (x(g) - wanted coordinate of g)^2
+// such that each edge of the polycube has at least a part of the length of its chain. The axes are independent of each other,
+// and small quadratic programs. Edges of a face that intersect then get the order that their chains have on the surface, too,
+// if the other orders allow it.
 class Polycube_coordinates_3
 {
 public:
-  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Grid_planes_3& planes,
-                        const Budget& budget)
-    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_budget(budget),
-      m_coordinate(charts.number_of_charts()), m_group(charts.number_of_charts()),
-      m_order(charts.number_of_charts())
+  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups,
+                         const Grid_planes_3& planes, const Budget& budget)
+    : m_mesh(mesh), m_charts(charts), m_groups(groups), m_planes(planes), m_budget(budget),
+      m_coordinate(groups.size()), m_order(groups.size())
   {}
 
   // Returns whether there are coordinates.
-  bool run()
+  bool run(const std::vector<double>& wanted)
   {
-    group_charts();
-    sum_up_faces();
+    const std::vector<double> areas = m_groups.sums([this](const auto f) { return area_of_face(m_mesh, f); });
     for(const Polycube_chain_3& chain : m_charts.chains())
       m_edges.emplace_back(chain, *this);
     for(const Edge& edge : m_edges)
       add_order({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
     do
       for(int axis = 0; axis < 3; ++axis)
-        if(m_budget.is_exhausted() || !solve(axis))
+        if(m_budget.is_exhausted() || !solve(axis, areas, wanted))
           return false;
     while(separate_intersecting_edges());
     join_equal_coordinates();
@@ -62,8 +76,8 @@ public:
   std::vector<double> of_charts() const
   {
     std::vector<double> result;
-    for(const std::size_t group : m_group)
-      result.push_back(m_coordinate[group]);
+    for(std::size_t c = 0; c < m_groups.size(); ++c)
+      result.push_back(m_coordinate[m_groups[c]]);
     return result;
   }
 
@@ -84,8 +98,8 @@ private:
       : axis(chain.axis), charts(chain.charts)
     {
       const std::vector<Polycube_charts_3::Vertex> path = coordinates.m_charts.vertices(chain);
-      lowest = coordinates.groups_at(path.front());
-      highest = coordinates.groups_at(path.back());
+      lowest = coordinates.m_groups.at(path.front());
+      highest = coordinates.m_groups.at(path.back());
       if(chain.sign < 0)
         lowest.swap(highest);
       for(std::size_t i = 0; i < path.size(); ++i)
@@ -103,58 +117,17 @@ private:
     }
   };
 
-  // Joins charts of an axis that meet in a corner to groups. The number of a group is that of one of its charts.
-  void group_charts()
+  bool solve(const int axis, const std::vector<double>& areas_of_groups, const std::vector<double>& wanted)
   {
-    std::iota(m_group.begin(), m_group.end(), 0);
-    Disjoint_sets sets(m_group.size());
-    for(const auto v : m_charts.corners())
-    {
-      const std::array<std::size_t, 3> charts = groups_at(v);
-      for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
-      {
-        const std::size_t c = m_charts.chart(h);
-        sets.unite(c, charts[m_charts.axis(c)]);
-      }
-    }
-    for(std::size_t c = 0; c < m_group.size(); ++c)
-      m_group[c] = sets.find(c);
-  }
-
-  std::array<std::size_t, 3> groups_at(const Polycube_charts_3::Vertex v) const
-  {
-    std::array<std::size_t, 3> result = {};
-    for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
-      result[m_charts.axis(m_charts.chart(h))] = m_group[m_charts.chart(h)];
-    return result;
-  }
-
-  void sum_up_faces()
-  {
-    m_area.assign(m_group.size(), 0);
-    m_moment.assign(m_group.size(), 0);
-    for(const auto f : m_mesh.faces())
-    {
-      const std::size_t chart = m_charts.chart_of_face()[f], group = m_group[chart];
-      const auto [a, b, c] = vertices_of_face(m_mesh, f);
-      const int axis = m_charts.axis(chart);
-      const double area = area_of_face(m_mesh, f);
-      m_area[group] += area;
-      m_moment[group] += area * (m_mesh.point(a)[axis] + m_mesh.point(b)[axis] + m_mesh.point(c)[axis]) / 3;
-    }
-  }
-
-  bool solve(const int axis)
-  {
-    std::vector<std::size_t> groups, variables(m_group.size());
+    std::vector<std::size_t> groups, variables(m_groups.size());
     std::vector<double> areas, moments;
-    for(std::size_t c = 0; c < m_group.size(); ++c)
-      if(m_group[c] == c && m_charts.axis(c) == axis)
+    for(std::size_t c = 0; c < m_groups.size(); ++c)
+      if(m_groups[c] == c && m_charts.axis(c) == axis)
       {
         variables[c] = groups.size();
         groups.push_back(c);
-        areas.push_back(m_area[c]);
-        moments.push_back(m_moment[c]);
+        areas.push_back(areas_of_groups[c]);
+        moments.push_back(areas_of_groups[c] * wanted[c]);
       }
     std::vector<Order_of_coordinates> orders;
     for(const auto& [first, second, distance] : m_orders)
@@ -173,7 +146,9 @@ private:
   // planes so close would be a layer of slivers.
   void join_equal_coordinates()
   {
-    std::vector<std::size_t> groups(m_group);
+    std::vector<std::size_t> groups(m_groups.size());
+    for(std::size_t c = 0; c < groups.size(); ++c)
+      groups[c] = m_groups[c];
     std::sort(groups.begin(), groups.end(), [this](const std::size_t c, const std::size_t d)
     {
       return std::pair(m_charts.axis(c), m_coordinate[c]) < std::pair(m_charts.axis(d), m_coordinate[d]);
@@ -251,7 +226,7 @@ private:
     Polygon result;
     for(const auto v : border)
     {
-      const std::array<std::size_t, 3> groups = groups_at(v);
+      const std::array<std::size_t, 3> groups = m_groups.at(v);
       result.emplace_back(m_coordinate[groups[axes[0]]], m_coordinate[groups[axes[1]]]);
     }
     return result;
@@ -283,11 +258,10 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
+  const Polycube_groups_3& m_groups;
   Grid_planes_3 m_planes;
   const Budget& m_budget;
-  std::vector<double> m_coordinate; // by group, as area and moment
-  std::vector<double> m_area, m_moment;
-  std::vector<std::size_t> m_group;
+  std::vector<double> m_coordinate; // by group
   std::vector<Edge> m_edges;
   std::vector<Order_of_coordinates> m_orders;
   Order_of_elements m_order;

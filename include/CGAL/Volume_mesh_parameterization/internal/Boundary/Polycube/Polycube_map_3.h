@@ -15,11 +15,13 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Lines_of_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_lengths_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <cmath>
+#include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -41,14 +43,24 @@ public:
     m_planes = { -box.center() / size, spacing / size, may_move };
   }
 
-  // Finds the polycube, and maps the charts harmonically.
+  // Finds the polycube that is closest to the surface, and maps the charts harmonically.
   Error_code start(const Budget& budget)
   {
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_planes, budget);
-    if(m_charts.number_of_defects() > 0 || !coordinates.run())
+    if(m_charts.number_of_defects() > 0)
       return ERROR_NO_POLYCUBE;
-    m_planes = coordinates.planes();
-    return start(coordinates.of_charts(), budget);
+    const Polycube_groups_3 groups(m_mesh, m_charts);
+    return start_close_to(mean_coordinates_3(m_mesh, m_charts, groups), groups, budget);
+  }
+
+  // Returns the map to the polycube whose lengths are those of the surface, if that has less distortion.
+  std::optional<Polycube_map_3> with_lengths_of_surface(const Budget& budget) const
+  {
+    const Polycube_groups_3 groups(m_mesh, m_charts);
+    const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, groups).run(m_coordinates, m_planes, budget);
+    Polycube_map_3 result(*this);
+    if(result.start_close_to(coordinates, groups, budget) != OK || !(result.distortion() < distortion()))
+      return std::nullopt;
+    return result;
   }
 
   // Maps the charts harmonically to faces with the coordinates along their axes.
@@ -93,21 +105,36 @@ public:
   // Returns faces for which the edges of the polycube leave no room, if the boundary is too coarse.
   const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
 
-  // Returns the integral of log(s)^2 + log(t)^2 over the surface, s and t the singular values of the harmonic map. In
-  // experiments with several polycubes, the one of the least integral had (nearly) the least distortion inside, too.
+  // Returns the integral of log(s)^2 + log(t)^2 over the surface, s and t the singular values of the harmonic map after the best
+  // scaling. In experiments with several polycubes, the one of the least integral had (nearly) the least distortion inside, too.
   double distortion() const
   {
-    double sum = 0;
+    double area = 0, sum = 0, sum_of_squares = 0;
     for(const Face f : m_mesh.faces())
     {
       const auto X = edges_of_face(m_mesh, f);
       const auto U = edges_of_facet(vertices_of_face(m_mesh, f), [this](const auto v) { return m_images[v]; });
-      sum += area_of_facet(X) * squared_singular_values_of_facet(X, U).log().square().sum() / 4;
+      const Small_array_2 logarithms = squared_singular_values_of_facet(X, U).log() / 2;
+      area += area_of_facet(X);
+      sum += area_of_facet(X) * logarithms.sum();
+      sum_of_squares += area_of_facet(X) * logarithms.square().sum();
     }
-    return std::isfinite(sum) ? sum : (std::numeric_limits<double>::infinity)();
+    const double result = sum_of_squares - sum * sum / (2 * area);
+    return std::isfinite(result) ? result : (std::numeric_limits<double>::infinity)();
   }
 
 private:
+  // Finds the polycube that is closest to coordinates of its faces, by chart.
+  Error_code start_close_to(const std::vector<double>& coordinates_of_charts, const Polycube_groups_3& groups,
+                            const Budget& budget)
+  {
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, groups, m_planes, budget);
+    if(!coordinates.run(coordinates_of_charts))
+      return ERROR_NO_POLYCUBE;
+    m_planes = coordinates.planes();
+    return start(coordinates.of_charts(), budget);
+  }
+
   // Maps the lines between charts, by arc length between the vertices whose coordinate is held, and holds all their vertices.
   void map_edges()
   {

@@ -1,0 +1,70 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_GROUPS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_GROUPS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Groups of the charts whose faces of the polycube are in one plane, as those of an axis that meet in a corner are. The number
+// of a group is that of one of its charts.
+class Polycube_groups_3
+{
+public:
+  Polycube_groups_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
+    : m_mesh(mesh), m_charts(charts), m_group(charts.number_of_charts())
+  {
+    std::iota(m_group.begin(), m_group.end(), 0);
+    Disjoint_sets sets(m_group.size());
+    for(const auto v : charts.corners())
+    {
+      const std::array<std::size_t, 3> groups = at(v);
+      for(const auto h : CGAL::halfedges_around_target(v, mesh))
+        sets.unite(charts.chart(h), groups[charts.axis(charts.chart(h))]);
+    }
+    for(std::size_t c = 0; c < m_group.size(); ++c)
+      m_group[c] = sets.find(c);
+  }
+
+  std::size_t operator[](const std::size_t chart) const { return m_group[chart]; }
+  std::size_t size() const { return m_group.size(); }
+
+  // Returns the groups of the charts around a corner, by axis.
+  std::array<std::size_t, 3> at(const Polycube_charts_3::Vertex corner) const
+  {
+    std::array<std::size_t, 3> result = {};
+    for(const auto h : CGAL::halfedges_around_target(corner, m_mesh))
+      result[m_charts.axis(m_charts.chart(h))] = m_group[m_charts.chart(h)];
+    return result;
+  }
+
+  // Returns the sums over the groups of a value of each face.
+  template <typename Value>
+  std::vector<double> sums(const Value& value) const
+  {
+    std::vector<double> result(size(), 0);
+    for(const auto f : m_mesh.faces())
+      result[m_group[m_charts.chart_of_face()[f]]] += value(f);
+    return result;
+  }
+
+private:
+  const Boundary_mesh_3& m_mesh;
+  const Polycube_charts_3& m_charts;
+  std::vector<std::size_t> m_group; // by chart
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_GROUPS_3_H
