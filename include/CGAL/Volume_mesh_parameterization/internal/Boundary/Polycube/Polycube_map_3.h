@@ -271,6 +271,18 @@ private:
   std::vector<Face> m_flipped_faces;
 };
 
+// Lowers the distortion of a map, and checks it; with the lengths of the surface, if that leads to a map.
+inline Error_code finish(Polycube_map_3& map, const std::vector<bool>& is_sharp, std::vector<Eigen::Vector3d>& images,
+                         const Budget& budget)
+{
+  std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget);
+  Polycube_map_3& best = other && other->finish(is_sharp, budget) == OK ? *other : map;
+  const Error_code status = &best == &map ? map.finish(is_sharp, budget) : OK;
+  if(status == OK)
+    images = best.images();
+  return status;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_MAP_3_H

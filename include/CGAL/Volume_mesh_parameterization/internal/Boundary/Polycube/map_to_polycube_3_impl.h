@@ -29,18 +29,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Lowers the distortion of a map, and checks it; with the lengths of the surface, if that leads to a map.
-inline Error_code finish(Polycube_map_3& map, const std::vector<bool>& is_sharp, std::vector<Eigen::Vector3d>& images,
-                         const Budget& budget)
-{
-  std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget);
-  Polycube_map_3& best = other && other->finish(is_sharp, budget) == OK ? *other : map;
-  const Error_code status = &best == &map ? map.finish(is_sharp, budget) : OK;
-  if(status == OK)
-    images = best.images();
-  return status;
-}
-
 // Proposes labels with more and more smoothing, and takes the map of the least distortion. Where the boundary is too coarse,
 // faces for which there is no room are given to neighboring charts, and borders that fold are unfolded.
 inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp,

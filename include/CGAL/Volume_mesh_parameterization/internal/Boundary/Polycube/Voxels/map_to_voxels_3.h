@@ -126,10 +126,10 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
     return result;
   for(std::size_t f = 0; f < labels.size(); ++f)
     of_charts[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
-  if(map.start(of_charts, budget) != OK || map.finish(std::vector<bool>(mesh.number_of_edges(), false), budget) != OK)
-    return result;
+  if(map.start(of_charts, budget) != OK
+     || finish(map, std::vector<bool>(mesh.number_of_edges(), false), result.images, budget) != OK)
+    return {};
   result.splits = drawn.surface.splits;
-  result.images = map.images();
   const auto point = [&](const std::size_t v) { return Eigen::Vector3d(size * drawn.surface.points[v]); };
   result.distortion = facet_distortion_3(drawn.surface.facets, point, [&](const std::size_t v) { return result.images[v]; });
   return result;
