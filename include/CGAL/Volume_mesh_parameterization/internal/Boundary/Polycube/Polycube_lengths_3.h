@@ -14,15 +14,17 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Harmonic_polycube_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/ordered_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -59,6 +61,18 @@ private:
   // Sum of squares x^T A x / 2 - b^T x, up to a constant.
   struct Sum_of_squares { Matrix A; VectorXd b; };
 
+  static std::unique_ptr<Symmetric_sparse_solver> factorized(const Matrix& A)
+  {
+    std::vector<Sparse_entry> entries;
+    for(int i = 0; i < A.rows(); ++i)
+      for(int k = 0; k < A.cols(); ++k)
+        if(A(i, k) != 0)
+          entries.push_back({ i, k, A(i, k) });
+    std::unique_ptr<Symmetric_sparse_solver> solver = make_symmetric_sparse_solver();
+    solver->factorize(static_cast<int>(A.rows()), entries);
+    return solver;
+  }
+
   VectorXd minimum_of_energy(const VectorXd& start, const Budget& budget) const
   {
     constexpr int maximal_number_of_steps = 20; // five or six are usual
@@ -69,7 +83,7 @@ private:
         && budget.may_begin_round(Phase::BOUNDARY, "lengths of a polycube"); ++step)
     {
       const Sum_of_squares squares = sum_of_squares(x, start);
-      const VectorXd direction = squares.A.ldlt().solve(squares.b) - x;
+      const VectorXd direction = factorized(squares.A)->solve(squares.b) - x;
       gain = 0;
       for(double length = 1; length > shortest_step && gain <= 0; length /= 2)
       {
@@ -157,8 +171,14 @@ private:
         largest[axis] = m_map.areas()[g];
         planes.origin[axis] = x[g];
       }
-    const Sum_of_squares squares = sum_of_squares(x, x);
-    Matrix covariance = squares.A.ldlt().solve(Matrix::Identity(x.size(), x.size()));
+    const std::unique_ptr<Symmetric_sparse_solver> solver = factorized(sum_of_squares(x, x).A);
+    Matrix covariance(x.size(), x.size());
+    for(Eigen::Index g = 0; g < x.size(); ++g)
+    {
+      VectorXd unit = VectorXd::Zero(x.size());
+      unit[g] = 1;
+      covariance.col(g) = solver->solve(unit);
+    }
     const auto distance = [&](const Eigen::Index g)
     {
       const double multiple = (x[g] - planes.origin[m_map.axes()[g]]) / planes.spacing;
