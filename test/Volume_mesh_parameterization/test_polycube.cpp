@@ -1189,7 +1189,7 @@ TEST_CASE("a face of a polycube has no handle, although a cube on it would turn 
   CHECK(complex.parameterize_with_labels() == VMP::ERROR_NO_POLYCUBE);
 }
 
-TEST_CASE("no other coordinates of the faces of a polycube have less distortion, and it has the volume of the body")
+TEST_CASE("no other coordinates of the faces of a polycube have less distortion, and it has no less volume than the body")
 {
   using namespace VMP::internal;
   const Soup_surface straight(bricks(size, is_stair, in_place)), surface(bricks(size, is_stair, bend));
@@ -1219,7 +1219,7 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
     coordinates[chart] = best->images()[a][best->charts().axis(chart)];
     volume += best->images()[a].cross(best->images()[b]).dot(best->images()[c]) / 6;
   }
-  CHECK(volume == Approx(CGAL::Polygon_mesh_processing::volume(mesh)));
+  CHECK(volume > (1 - 1e-9) * CGAL::Polygon_mesh_processing::volume(mesh));
   const Polycube_groups_3 groups(mesh, best->charts());
   for(std::size_t group = 0; group < groups.size(); ++group)
     for(const double step : { -0.02, 0.02 })

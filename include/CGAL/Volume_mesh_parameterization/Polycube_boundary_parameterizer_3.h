@@ -65,8 +65,8 @@ determine the polycube up to the coordinates of its faces. These are first chose
 of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
 fifth of the line that is mapped to it. Then they are moved such that lengths on the polycube become those on the boundary, as a
 limb that leads askew to the axes is longer than its shadow: as the harmonic map of the charts is linear in the coordinates,
-the least mean square of the logarithms of its singular values is found by Newton's method. The polycube gets the volume of the
-body, and lies where the complex lies; if it has no map, the first one is taken.
+the least mean square of the logarithms of its singular values is found by Newton's method. The polycube has at least the
+volume of the body, and lies where the complex lies; if it has no map, the first one is taken.
 
 Facets are visited in an order that depends on the distances of their vertices from the center of the boundary alone, so the
 numbers of vertices do not decide, unless distances are equal.

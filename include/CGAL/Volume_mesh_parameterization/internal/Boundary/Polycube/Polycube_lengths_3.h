@@ -31,8 +31,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Moves the faces of a polycube along their axes such that lengths on it become those on the surface: a limb that leads askew
 // to the axes gets its own length, not that of its shadow. With s and t the singular values of the harmonic map, the least
 //   sum over facets of area (log(s)^2 + log(t)^2)
-// is looked for, by Newton's method on sums of squares that are weighted anew in each step. In the end the polycube gets the
-// volume of the body, since hexahedra of a spacing are to have its cube as their mean volume.
+// is looked for, by Newton's method on sums of squares that are weighted anew in each step. Its scale is that of the surface; if
+// the polycube has less volume than the body then, it gets the same, so that hexahedra are on the mean not larger than the spacing
+// of a grid, neither inside nor where thin limbs have more surface than volume.
 class Polycube_lengths_3
 {
 public:
@@ -49,7 +50,7 @@ public:
       return coordinates;
     VectorXd x = minimum_of_energy(start, budget);
     if(const double volume = m_map.volume(x); volume > 0)
-      x *= std::cbrt(Polygon_mesh_processing::volume(m_mesh) / volume);
+      x *= (std::max)(1., std::cbrt(Polygon_mesh_processing::volume(m_mesh) / volume));
     if(planes.spacing > 0)
       round_to_planes(planes, x);
     return m_map.of_charts(x);
