@@ -34,12 +34,10 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
-// Splits all bridges of a mesh, and extends what is told of its vertices.
-void split_bridges(VMP::Tetrahedron_soup_3& mesh, Target_points& target, Points& initial, Progress_line& progress)
+// Extends what is told of the vertices of a mesh to new ones.
+void extend(const VMP::Tetrahedron_soup_3& mesh, Target_points& target, Points& initial)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  VMP::make_parameterizable(
-    mesh, params::vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained)).visitor(std::ref(progress)));
   target.points.resize(mesh.points.size(), { nan, nan, nan });
   target.is_constrained.resize(mesh.points.size(), false);
   if(!initial.empty())
@@ -200,7 +198,6 @@ Outcome run(const Options& options, Progress_line& progress)
   CGAL_USE(limit);
 #endif
   progress.begin("reading " + options.source);
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Source source = read_source(options, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;
   const std::size_t number_of_points = mesh.points.size();
@@ -234,9 +231,7 @@ Outcome run(const Options& options, Progress_line& progress)
     const bool do_refine = named_refinement(options.refinement).do_refine;
     target.points = naming(options.source, [&]
     { return targets_on_domain(options.domain, polycube, do_refine, landmarks, mesh, progress); });
-    target.is_constrained.resize(mesh.points.size(), false);
-    if(!initial.empty())
-      initial.resize(mesh.points.size(), { nan, nan, nan });
+    extend(mesh, target, initial);
     if(const std::string note = note_of_features_given_up(polycube_result); !note.empty() && !options.is_quiet)
     {
       progress.show("");
@@ -246,7 +241,11 @@ Outcome run(const Options& options, Progress_line& progress)
   const double seconds_boundary = progress.seconds() - seconds_reading;
 
   if(named_refinement(options.refinement).splits_all_bridges)
-    split_bridges(mesh, target, initial, progress);
+  {
+    VMP::make_parameterizable(
+      mesh, params::vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained)).visitor(std::ref(progress)));
+    extend(mesh, target, initial);
+  }
   const std::size_t number_of_new_points = mesh.points.size() - number_of_points;
   progress.begin("numbering cells and vertices, solving for a start");
   Points uvw;

@@ -36,6 +36,9 @@ using Boundary_point_2 = Boundary_kernel::Point_2;
 using Boundary_point_3 = Boundary_kernel::Point_3;
 using Boundary_mesh_3 = Surface_mesh<Boundary_point_3>;
 
+inline Boundary_mesh_3::Vertex_index vertex_index(const std::size_t v)
+{ return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v)); }
+
 // Builds the surface with its neighborhoods. The mesh is complete only if OK is returned: the surface is a closed manifold.
 template <typename Surface>
 Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
@@ -48,12 +51,10 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
   if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(surface.facets))
     return ERROR_NON_MANIFOLD_BOUNDARY;
 
-  const auto index = [](const std::size_t v)
-  { return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v)); };
   for(const Eigen::Vector3d& p : surface.points)
     mesh.add_vertex(Boundary_point_3(p[0], p[1], p[2]));
   for(const std::array<std::size_t, 3>& facet : surface.facets)
-    mesh.add_face(index(facet[0]), index(facet[1]), index(facet[2]));
+    mesh.add_face(vertex_index(facet[0]), vertex_index(facet[1]), vertex_index(facet[2]));
   return CGAL::is_closed(mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
 }
 
@@ -62,13 +63,23 @@ inline std::vector<bool> are_among(const Boundary_mesh_3& mesh, const std::vecto
 {
   std::vector<bool> result(mesh.number_of_edges(), false);
   for(const auto& [v, w] : edges)
-    result[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v)),
-                                   Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(w))))] = true;
+    result[mesh.edge(mesh.halfedge(vertex_index(v), vertex_index(w)))] = true;
   return result;
 }
 
 inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
 { return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()); }
+
+// Returns the lengths of a path up to each of its vertices.
+template <typename Path>
+std::vector<double> arc_lengths(const Boundary_mesh_3& mesh, const Path& path)
+{
+  const auto point = [&](const std::size_t i) { return eigen_point(mesh, Boundary_mesh_3::Vertex_index(path[i])); };
+  std::vector<double> result(1, 0.);
+  for(std::size_t i = 1; i < path.size(); ++i)
+    result.push_back(result.back() + (point(i) - point(i - 1)).norm());
+  return result;
+}
 
 // Returns the vertices of a face, counterclockwise as seen from outside.
 inline std::array<Boundary_mesh_3::Vertex_index, 3> vertices_of_face(const Boundary_mesh_3& mesh,

@@ -76,10 +76,7 @@ template <typename Path>
 void map_path_to_segment_3(const Boundary_mesh_3& mesh, const Path& path, const int axis,
                            std::vector<Eigen::Vector3d>& images)
 {
-  const auto point = [&](const std::size_t i) { return eigen_point(mesh, Boundary_mesh_3::Vertex_index(path[i])); };
-  std::vector<double> length(1, 0.);
-  for(std::size_t i = 1; i < path.size(); ++i)
-    length.push_back(length.back() + (point(i) - point(i - 1)).norm());
+  const std::vector<double> length = arc_lengths(mesh, path);
   const Eigen::Vector3d first = images[path.front()], last = images[path.back()];
   for(std::size_t i = 1; i + 1 < path.size(); ++i)
   {

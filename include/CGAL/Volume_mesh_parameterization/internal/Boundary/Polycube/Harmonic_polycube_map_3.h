@@ -126,7 +126,6 @@ private:
 
   void number_groups(const Polycube_charts_3& charts)
   {
-    const std::vector<double> areas = m_groups.sums([this](const auto f) { return area_of_face(m_mesh, f); });
     m_number.assign(m_groups.size(), -1);
     for(std::size_t g = 0; g < m_groups.size(); ++g)
       if(m_groups[g] == g)
@@ -137,7 +136,7 @@ private:
     m_areas.resize(m_axes.size());
     for(std::size_t g = 0; g < m_groups.size(); ++g)
       if(m_groups[g] == g)
-        m_areas[m_number[g]] = areas[g];
+        m_areas[m_number[g]] = m_groups.areas()[g];
   }
 
   int number(const std::size_t chart) const { return m_number[m_groups[chart]]; }
@@ -149,9 +148,7 @@ private:
     for(const Polycube_chain_3& chain : charts.chains())
     {
       const std::vector<Polycube_charts_3::Vertex> path = charts.vertices(chain);
-      std::vector<double> length(1, 0.);
-      for(std::size_t i = 1; i < path.size(); ++i)
-        length.push_back(length.back() + (eigen_point(m_mesh, path[i]) - eigen_point(m_mesh, path[i - 1])).norm());
+      const std::vector<double> length = arc_lengths(m_mesh, path);
       Edge_position position = { numbers_at(path.front()), numbers_at(path.back()), {} };
       for(std::size_t i = 0; i < path.size(); ++i)
       {

@@ -36,9 +36,8 @@ inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const
     const int axis = charts.axis(charts.chart_of_face()[f]);
     return area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
   });
-  const std::vector<double> areas = groups.sums([&](const auto f) { return area_of_face(mesh, f); });
   for(std::size_t g = 0; g < groups.size(); ++g)
-    result[g] /= groups[g] == g ? areas[g] : 1;
+    result[g] /= groups[g] == g ? groups.areas()[g] : 1;
   return result;
 }
 
@@ -59,14 +58,13 @@ public:
   // Returns whether there are coordinates.
   bool run(const std::vector<double>& wanted)
   {
-    const std::vector<double> areas = m_groups.sums([this](const auto f) { return area_of_face(m_mesh, f); });
     for(const Polycube_chain_3& chain : m_charts.chains())
       m_edges.emplace_back(chain, *this);
     for(const Edge& edge : m_edges)
       add_order({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
     do
       for(int axis = 0; axis < 3; ++axis)
-        if(m_budget.is_exhausted() || !solve(axis, areas, wanted))
+        if(m_budget.is_exhausted() || !solve(axis, wanted))
           return false;
     while(separate_intersecting_edges());
     join_equal_coordinates();
@@ -92,7 +90,7 @@ private:
     std::array<std::size_t, 2> charts;
     std::array<std::size_t, 3> lowest, highest; // groups of charts at its ends, by axis
     Eigen::AlignedBox3d box;
-    double length = 0;
+    double length;
 
     Edge(const Polycube_chain_3& chain, const Polycube_coordinates_3& coordinates)
       : axis(chain.axis), charts(chain.charts)
@@ -102,13 +100,9 @@ private:
       highest = coordinates.m_groups.at(path.back());
       if(chain.sign < 0)
         lowest.swap(highest);
-      for(std::size_t i = 0; i < path.size(); ++i)
-      {
-        const Eigen::Vector3d point = eigen_point(coordinates.m_mesh, path[i]);
-        box.extend(point);
-        if(i > 0)
-          length += (point - eigen_point(coordinates.m_mesh, path[i - 1])).norm();
-      }
+      for(const Polycube_charts_3::Vertex v : path)
+        box.extend(eigen_point(coordinates.m_mesh, v));
+      length = arc_lengths(coordinates.m_mesh, path).back();
     }
 
     bool has_corner_with(const Edge& other) const
@@ -117,7 +111,7 @@ private:
     }
   };
 
-  bool solve(const int axis, const std::vector<double>& areas_of_groups, const std::vector<double>& wanted)
+  bool solve(const int axis, const std::vector<double>& wanted)
   {
     std::vector<std::size_t> groups, variables(m_groups.size());
     std::vector<double> areas, moments;
@@ -126,8 +120,8 @@ private:
       {
         variables[c] = groups.size();
         groups.push_back(c);
-        areas.push_back(areas_of_groups[c]);
-        moments.push_back(areas_of_groups[c] * wanted[c]);
+        areas.push_back(m_groups.areas()[c]);
+        moments.push_back(areas.back() * wanted[c]);
       }
     std::vector<Order_of_coordinates> orders;
     for(const auto& [first, second, distance] : m_orders)

@@ -35,10 +35,14 @@ public:
     }
     for(std::size_t c = 0; c < m_group.size(); ++c)
       m_group[c] = sets.find(c);
+    m_areas = sums([&](const auto f) { return area_of_face(mesh, f); });
   }
 
   std::size_t operator[](const std::size_t chart) const { return m_group[chart]; }
   std::size_t size() const { return m_group.size(); }
+
+  // Returns the areas of the faces of the groups on the surface.
+  const std::vector<double>& areas() const { return m_areas; }
 
   // Returns the groups of the charts around a corner, by axis.
   std::array<std::size_t, 3> at(const Polycube_charts_3::Vertex corner) const
@@ -63,6 +67,7 @@ private:
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
   std::vector<std::size_t> m_group; // by chart
+  std::vector<double> m_areas;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -64,7 +64,7 @@ public:
     {
       Surface_line_3 loop;
       for(std::size_t i = 0; i < vertices.size(); ++i)
-        loop.push_back(mesh.halfedge(vertex(vertices[i]), vertex(vertices[(i + 1) % vertices.size()])));
+        loop.push_back(mesh.halfedge(vertex_index(vertices[i]), vertex_index(vertices[(i + 1) % vertices.size()])));
       m_meridians.push_back(without_shortcuts(mesh, loop));
       for(const Halfedge h : m_meridians.back())
         m_is_on_meridian[mesh.source(h)] = true;
@@ -105,8 +105,6 @@ public:
 
 private:
   static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-
-  static Vertex vertex(const std::size_t v) { return Vertex(static_cast<Boundary_mesh_3::size_type>(v)); }
 
   // Finds the path of a line, given the lengths of halfedges. Returns whether there is one.
   template <typename Length>

@@ -41,7 +41,7 @@ inline std::vector<Boundary_mesh_3::Halfedge_index> halfedges_leaving(const Boun
 inline std::vector<std::size_t> vertices_around(const Boundary_mesh_3& mesh, const std::size_t v)
 {
   std::vector<std::size_t> result;
-  for(const auto h : halfedges_leaving(mesh, Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v))))
+  for(const auto h : halfedges_leaving(mesh, vertex_index(v)))
     result.push_back(mesh.target(h));
   return result;
 }

@@ -68,9 +68,6 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  static Boundary_mesh_3::Vertex_index vertex(const std::size_t v)
-  { return Boundary_mesh_3::Vertex_index(static_cast<Boundary_mesh_3::size_type>(v)); }
-
   // Routes the borders one after the other. Returns the first one that is blocked.
   std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
   {
@@ -160,7 +157,7 @@ private:
     for(std::size_t i = 0; i < m_paths.size(); ++i)
       for(std::size_t k = 1; k < m_paths[i].size(); ++k)
       {
-        const auto h = m_mesh.halfedge(vertex(m_paths[i][k - 1]), vertex(m_paths[i][k]));
+        const auto h = m_mesh.halfedge(vertex_index(m_paths[i][k - 1]), vertex_index(m_paths[i][k]));
         chart_of_halfedge[h] = m_borders.borders()[i].left;
         chart_of_halfedge[m_mesh.opposite(h)] = m_borders.borders()[i].right;
       }
