@@ -291,16 +291,49 @@ TEST_CASE("Sections of a MEDIT file with the same keyword are joined")
   CHECK(read(os.str()).edge_references == soup.edge_references);
 }
 
+TEST_CASE("Corners of a MEDIT file are kept, and edges count whether they are ridges or not")
+{
+  const std::string begin = "MeshVersionFormatted 2 Dimension 3 Corners 2 4 2 Ridges 1 2\n"
+                            "Vertices 4 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 0\n"
+                            "Edges 2 1 2 5 2 3 6\nTetrahedra 1 1 2 3 4 11 Corners 1";
+  const Soup soup = read(begin + " 1\n");
+  CHECK(soup.corners == std::vector<std::size_t>{3, 1, 0});
+  CHECK(soup.edges.size() == 2);
+  CHECK(reading_error(begin + " 5\n") == "line 4: vertex 5 does not exist, the vertices are numbered from 1 to 4");
+  std::ostringstream os;
+  VMP::IO::write_MEDIT(os, soup);
+  CHECK(read(os.str()).corners == soup.corners);
+
+  C3t3 c3t3;
+  std::vector<Vertex_handle> vertices;
+  std::vector<Cell_handle> cells;
+  VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+  CHECK(c3t3.number_of_vertices_in_complex() == 3);
+  for(const std::size_t v : { 0, 1, 3 })
+    CHECK((c3t3.is_in_complex(vertices[v]) && c3t3.in_dimension(vertices[v]) == 0));
+  Soup again;
+  VMP::mesh_complex_3_to_tetrahedron_soup(c3t3, again, vertices);
+  std::set<std::array<double, 3> > points, expected = { soup.points[0], soup.points[1], soup.points[3] };
+  for(const std::size_t v : again.corners)
+    points.insert(again.points[v]);
+  CHECK(points == expected);
+
+  Soup wrong = soup;
+  wrong.corners.push_back(4);
+  CHECK(sentence([&] { VMP::IO::write_MEDIT(os, wrong); }) == "corner 3 (counted from 0) has a vertex 4 that does not exist");
+}
+
 TEST_CASE("Of second-order cells the corners are read, and it is noted")
 {
   const Soup soup = read("MeshVersionFormatted 2\nDimension 3\nVertices\n11\n.5 0 0 0\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
                          "0 0 1 0\n.5 .5 0 0\n0 .5 0 0\n0 0 .5 0\n.5 0 .5 0\n0 .5 .5 0\n9 9 9 0\n"
-                         "TetrahedraP2\n1\n2 3 4 5 1 6 7 8 9 10 7\nTrianglesP2 1 2 3 4 1 6 7 3 EdgesP2 1 3 4 6 2\n");
+                         "TetrahedraP2\n1\n2 3 4 5 1 6 7 8 9 10 7\nTrianglesP2 1 2 3 4 1 6 7 3 EdgesP2 1 3 4 6 2 Corners 1 5\n");
   CHECK(soup.points == single_cell().points);
   CHECK(soup.cells == single_cell().cells);
   CHECK(soup.cell_references == std::vector<int>{7});
   CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{0, 1, 2}});
   CHECK(soup.edges == std::vector<std::array<std::size_t, 2> >{{1, 2}});
+  CHECK(soup.corners == std::vector<std::size_t>{3});
   REQUIRE(soup.notes.size() == 1);
   CHECK(soup.notes[0]
         == "the mesh has cells of a higher order: their corners are used, and 7 points that are no corners are left out");
@@ -773,6 +806,7 @@ TEST_CASE("Of a binary MEDIT file, sections of a kind are joined, and of second-
     }
   }
   const auto end = [&](const std::int32_t size) { return static_cast<std::int32_t>(file.text.size()) + 8 + 4 * size; };
+  numbers({ 13, end(3), 2, 4, 2 });
   numbers({ 5, end(4), 1, 1, 2, 3 });
   numbers({ 30, end(12), 1, 1, 2, 3, 4, 1, 2, 3, 1, 2, 3, -7 });
   numbers({ 24, end(8), 1, 1, 2, 3, 1, 2, 3, 5 });
@@ -783,6 +817,7 @@ TEST_CASE("Of a binary MEDIT file, sections of a kind are joined, and of second-
   CHECK(soup.cell_references == std::vector<int>{-7});
   CHECK(soup.facet_references == std::vector<int>{5});
   CHECK(soup.edges == std::vector<std::array<std::size_t, 2> >{{0, 1}});
+  CHECK(soup.corners == std::vector<std::size_t>{3, 1});
   CHECK(soup.notes.size() == 1);
 }
 

@@ -39,6 +39,7 @@ Soup two_torn_cells()
   soup.points.insert(soup.points.end(), {{0, 1, 0}, {1, 0, 0}, {0, 0, 0}});
   soup.cells[1] = {7, 5, 6, 4};
   soup.facets.push_back({5, 6, 7});
+  soup.corners = {5, 3};
   soup.facet_references.push_back(8);
   return soup;
 }
@@ -53,6 +54,7 @@ TEST_CASE("Points at one place become the first of them")
   CHECK(soup.points.size() == 8); // indices keep their meaning
   CHECK(soup.cells == two_cells().cells);
   CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{2, 1, 0}, {2, 1, 0}});
+  CHECK(soup.corners == std::vector<std::size_t>{2, 3});
   CHECK(VMP::boundary_vertices(soup.points, soup.cells).size() == 5);
 
   CHECK(VMP::merge_coinciding_points(soup) == VMP::first_coinciding_points(soup.points)); // nothing changes any more
@@ -72,6 +74,7 @@ TEST_CASE("A body that touches itself gets a vertex for each fan")
   soup.edges = {{1, 0}, {3, 2}, {4, 1}, {8, 1}}; // the first one is in two of the parts
   soup.edge_references = {7, 8, 9, 10};
   soup.edge_data = {{"length", 1, false, {1, 2, 3, 4}}};
+  soup.corners = {3, 1};
   CHECK(VMP::non_manifold_boundary_vertices(soup.points, soup.cells).size() == 2);
   const Soup before = soup;
   CHECK(VMP::separate_pinched_vertices(soup) == std::vector<std::size_t>{0, 1, 1});
@@ -84,6 +87,7 @@ TEST_CASE("A body that touches itself gets a vertex for each fan")
   CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{5, 9, 10}, {0, 1, 2}, {6, 7, 11}});
   CHECK(soup.edges == std::vector<std::array<std::size_t, 2> >{{1, 0}, {3, 2}, {4, 10}, {8, 11}, {9, 10}});
   CHECK(soup.edge_references == std::vector<int>{7, 8, 9, 10, 7});
+  CHECK(soup.corners == std::vector<std::size_t>{3, 1, 10, 11});
   CHECK(soup.edge_data[0].values == std::vector<double>{1, 2, 3, 4, 1});
   CHECK(VMP::non_manifold_boundary_vertices(soup.points, soup.cells).empty());
   CHECK(VMP::separate_pinched_vertices(soup).empty());

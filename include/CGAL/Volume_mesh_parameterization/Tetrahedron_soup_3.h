@@ -48,6 +48,7 @@ struct Tetrahedron_soup_3
   std::vector<int> facet_references;                 ///< one per facet
   std::vector<std::array<std::size_t, 2> > edges = {};        ///< marked edges
   std::vector<int> edge_references = {};                      ///< one per edge
+  std::vector<std::size_t> corners = {};                      ///< marked points, which VTU files do not hold
   std::map<std::pair<int, int>, std::string> group_names = {}; ///< by dimension (3 for cells) and reference
   std::vector<Data_array_3> point_data = {};                  ///< arrays with values of the points
   std::vector<Data_array_3> cell_data = {};                   ///< arrays with values of the cells

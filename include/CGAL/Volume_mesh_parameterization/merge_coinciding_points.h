@@ -36,7 +36,7 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// makes cells, marked facets and marked edges use the first one of points with the same coordinates. The other ones stay, so
+/// makes cells and marked facets, edges and corners use the first one of points with the same coordinates. The other ones stay, so
 /// that indices have their meaning, and have no cell any more.
 ///
 /// \return that of `first_coinciding_points()`
@@ -52,6 +52,8 @@ inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup
   for(std::array<std::size_t, 2>& edge : soup.edges)
     for(std::size_t& v : edge)
       v = first[v];
+  for(std::size_t& v : soup.corners)
+    v = first[v];
   return first;
 }
 

@@ -33,8 +33,8 @@ std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// collects the cells of a mesh complex and their vertices in a tetrahedron soup without marked facets, in linear time. The edges
-/// of 1-dimensional features are marked, if the complex is a model of `MeshComplexWithFeatures_3InTriangulation_3`.
-/// Former contents of the soup are removed.
+/// of 1-dimensional features and the corners, 0-dimensional ones, are marked, if the complex is a model of
+/// `MeshComplexWithFeatures_3InTriangulation_3`. Former contents of the soup are removed.
 ///
 /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose type `Subdomain_index` is an integer type
 ///

@@ -100,7 +100,7 @@ inline void renumber_edges(const std::vector<std::array<std::size_t, 4> >& befor
 ///
 /// \param soup the mesh, whose cells are all positive or all negative. The first fan keeps its vertex; points at the same
 ///        place for the other ones are appended, with the same data. Marked facets and edges follow their cells; an
-///        edge in several fans becomes one for each.
+///        edge in several fans becomes one for each, and so does a corner.
 ///
 /// \return for each appended point, the vertex that it was
 ///
@@ -132,6 +132,10 @@ inline std::vector<std::size_t> separate_pinched_vertices(Tetrahedron_soup_3& so
   internal::renumber_facets(before, soup);
   if(!origins.empty())
     internal::renumber_edges(before, soup);
+  const std::set<std::size_t> corners(soup.corners.begin(), soup.corners.end());
+  for(std::size_t i = 0; i < origins.size(); ++i)
+    if(corners.count(origins[i]) > 0)
+      soup.corners.push_back(soup.points.size() - origins.size() + i);
   return origins;
 }
 

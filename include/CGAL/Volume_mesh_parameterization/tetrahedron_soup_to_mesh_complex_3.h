@@ -47,6 +47,7 @@ public:
     close_boundary();
     add_facets();
     add_edges();
+    add_corners();
   }
 
 private:
@@ -222,6 +223,19 @@ private:
     }
   }
 
+  // Adds the marked corners of cells, numbered from 1, likewise.
+  void add_corners()
+  {
+    if constexpr(boost::is_detected<Corners_of_complex, C3t3>::value)
+      for(std::size_t c = 0; c < m_soup.corners.size(); ++c)
+        if(const Vertex_handle v = m_vertices[m_soup.corners[c]]; v != Vertex_handle())
+        {
+          const typename C3t3::Corner_index corner(static_cast<int>(c) + 1);
+          m_c3t3.add_to_complex(v, corner);
+          m_c3t3.set_index(v, Index(corner));
+        }
+  }
+
   const Tetrahedron_soup_3& m_soup;
   const Facet_matching_3& m_matching;
   C3t3& m_c3t3;
@@ -238,7 +252,8 @@ private:
 /// All cells are in the complex; their subdomain indices are the references of the soup.
 /// In the complex are also the facets of cells that the soup lists, with their references as patch indices,
 /// the other facets of the boundary, and the facets between different subdomains.
-/// So are the marked edges, as features, if the complex is a model of `MeshComplexWithFeatures_3InTriangulation_3`.
+/// So are the marked edges and corners, as features, if the complex is a model of
+/// `MeshComplexWithFeatures_3InTriangulation_3`; corners are numbered from 1.
 /// Since index 0 means outside the complex, cells, facets and edges with reference 0 and facets without reference
 /// get the smallest positive number that is not used as a reference.
 ///

@@ -47,6 +47,13 @@ void write_MEDIT_cells(Text_writer& writer, const char* keyword,
   }
 }
 
+inline void write_MEDIT_corners(Text_writer& writer, const std::vector<std::size_t>& corners)
+{
+  writer << "Corners\n" << corners.size() << "\n";
+  for(const std::size_t v : corners)
+    writer << v + 1 << "\n";
+}
+
 } // namespace internal
 
 namespace IO {
@@ -57,10 +64,10 @@ namespace IO {
 /// (`.mesh`), with or without a byte order mark of UTF-8, or binary (`.meshb`), in both orders of bytes. The content tells
 /// which.
 ///
-/// The sections `Vertices`, `Tetrahedra`, `Triangles` and `Edges` are read, in any order, and joined where there are several
-/// of a kind. Of second-order elements (`TetrahedraP2`, ...), the corners are read, and points that are no corners are left
-/// out, as a note of the soup tells. The references of vertices and the other sections are skipped, except that volume
-/// elements other than tetrahedra are an error.
+/// The sections `Vertices`, `Tetrahedra`, `Triangles`, `Edges` and `Corners` are read, in any order, and joined where there are
+/// several of a kind. Of second-order elements (`TetrahedraP2`, ...), the corners are read, and points that are no corners are
+/// left out, as a note of the soup tells. The references of vertices and the other sections are skipped, among them `Ridges`, as
+/// all `Edges` are marked; but volume elements other than tetrahedra are an error.
 /// The final keyword `End` may be missing. The time is linear in the size of the file.
 ///
 /// \param is the stream
@@ -116,6 +123,8 @@ inline bool write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
   internal::check_simplices(soup);
   internal::Text_writer writer(os);
   internal::write_MEDIT_points(writer, soup.points);
+  if(!soup.corners.empty())
+    internal::write_MEDIT_corners(writer, soup.corners);
   if(!soup.edges.empty())
     internal::write_MEDIT_cells(writer, "Edges", soup.edges, soup.edge_references);
   if(!soup.facets.empty())

@@ -101,6 +101,7 @@ public:
     Tetrahedron_soup_3 soup;
     while(m_scanner.rest() > 0 && read_section(soup))
       go_on(m_budget);
+    check_vertices(std::array{ soup.corners }, soup.points.size());
     check_vertices(soup.edges, soup.points.size());
     check_vertices(soup.facets, soup.points.size());
     check_vertices(soup.cells, soup.points.size());
@@ -111,7 +112,7 @@ public:
   }
 
 private:
-  enum Keyword { DIMENSION = 3, VERTICES = 4, EDGES = 5, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10,
+  enum Keyword { DIMENSION = 3, VERTICES = 4, EDGES = 5, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10, CORNERS = 13,
                  TRIANGLES_P2 = 24, EDGES_P2 = 25, TETRAHEDRA_P2 = 30, PYRAMIDS = 49, END = 54 };
 
   static std::int32_t first_number(const std::string_view bytes)
@@ -149,6 +150,7 @@ private:
           next_integer();
         });
         break;
+      case CORNERS: read_elements(size_of_integer(), [&] { soup.corners.push_back(next_vertex()); }); break;
       case EDGES: read_simplices(2, soup.edges, soup.edge_references); break;
       case TRIANGLES: read_simplices(3, soup.facets, soup.facet_references); break;
       case TETRAHEDRA: read_simplices(4, soup.cells, soup.cell_references); break;
@@ -164,13 +166,16 @@ private:
     return end != 0;
   }
 
-  template <std::size_t N>
-  static void check_vertices(const std::vector<std::array<std::size_t, N> >& simplices, const std::size_t number_of_points)
+  template <typename Simplices>
+  static void check_vertices(const Simplices& simplices, const std::size_t number_of_points)
   {
     for(const auto& simplex : simplices)
       for(const std::size_t v : simplex)
         checked_vertex(static_cast<std::int64_t>(v) + 1, 1, number_of_points);
   }
+
+  // Returns a vertex, which may come later in the file.
+  std::size_t next_vertex() { return checked_vertex(next_integer(), 1, (std::numeric_limits<std::int64_t>::max)()); }
 
   std::size_t size_of_integer() const { return m_version == 4 ? 8 : 4; }
 
@@ -198,7 +203,7 @@ private:
     {
       simplices.emplace_back();
       for(std::size_t& v : simplices.back())
-        v = checked_vertex(next_integer(), 1, (std::numeric_limits<std::int64_t>::max)()); // vertices may come later
+        v = next_vertex();
       for(std::size_t i = N; i < number_of_vertices; ++i)
         next_integer();
       references.push_back(checked_reference(next_integer()));

@@ -62,6 +62,7 @@ public:
     });
     soup.points.shrink_to_fit();
     const std::size_t number_of_points = sum(soup.points.size());
+    read_section(CORNERS, [&](Text_scanner& scanner) { soup.corners.push_back(next_vertex(scanner, number_of_points)); });
     read_simplices(EDGES, number_of_points, 2, soup.edges, soup.edge_references);
     read_simplices(TRIANGLES, number_of_points, 3, soup.facets, soup.facet_references);
     read_simplices(TETRAHEDRA, number_of_points, 4, soup.cells, soup.cell_references);
@@ -81,11 +82,11 @@ public:
   }
 
 private:
-  enum { VERSION, DIMENSION, VERTICES, EDGES, TRIANGLES, TETRAHEDRA, EDGES_P2, TRIANGLES_P2, TETRAHEDRA_P2,
-         END = 14, OTHER, NONE };
+  enum { VERSION, DIMENSION, VERTICES, CORNERS, EDGES, TRIANGLES, TETRAHEDRA, EDGES_P2, TRIANGLES_P2, TETRAHEDRA_P2,
+         END = 15, OTHER, NONE };
   static constexpr std::array<std::string_view, OTHER> m_keywords
-    = { "MeshVersionFormatted", "Dimension", "Vertices", "Edges", "Triangles", "Tetrahedra", "EdgesP2", "TrianglesP2",
-        "TetrahedraP2", "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
+    = { "MeshVersionFormatted", "Dimension", "Vertices", "Corners", "Edges", "Triangles", "Tetrahedra", "EdgesP2",
+        "TrianglesP2", "TetrahedraP2", "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
 
   // The sections with a keyword.
   struct Sections

@@ -31,8 +31,8 @@ inline void require_tetrahedra(const std::size_t number_of_cells, const std::siz
                     "the file; a volume mesher fills it: " + command);
 }
 
-// Removes the points that are no corner of a cell, facet or edge, as those on the edges of second-order cells are not, and
-// notes it.
+// Removes the points that are no corner of a cell, facet or edge, as those on the edges of second-order cells are not, and no
+// marked one, and notes it.
 inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
 {
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -48,6 +48,7 @@ inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
     of_all(soup.cells);
     of_all(soup.facets);
     of_all(soup.edges);
+    std::for_each(soup.corners.begin(), soup.corners.end(), f);
   };
   for_each_vertex([&](const std::size_t v) { indices[v] = 0; });
   std::size_t number_of_points = 0;

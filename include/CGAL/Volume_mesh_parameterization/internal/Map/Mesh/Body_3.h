@@ -105,6 +105,9 @@ Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_o
 template <typename C3t3>
 using Edges_of_complex = decltype(std::declval<const C3t3&>().edges_in_complex_begin());
 
+template <typename C3t3>
+using Corners_of_complex = decltype(std::declval<const C3t3&>().vertices_in_complex_begin());
+
 // Marks the edges of the 1-dimensional features of a complex, if it knows any, by the indices of the points of its vertices.
 template <typename C3t3, typename Indices>
 void mark_edges(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& soup)
@@ -124,7 +127,20 @@ void mark_edges(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& so
       }
 }
 
-// The body of a complex, with its features as marked edges, with references of cells 0, and the way back.
+// Marks the 0-dimensional features, likewise.
+template <typename C3t3, typename Indices>
+void mark_corners(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& soup)
+{
+  if constexpr(boost::is_detected<Corners_of_complex, C3t3>::value)
+  {
+    for(auto it = c3t3.vertices_in_complex_begin(); it != c3t3.vertices_in_complex_end(); ++it)
+      if(const auto v = indices.find(it); v != indices.end())
+        soup.corners.push_back(v->second);
+    std::sort(soup.corners.begin(), soup.corners.end()); // the complex has them in the order of their addresses
+  }
+}
+
+// The body of a complex, with its features as marked edges and corners, with references of cells 0, and the way back.
 template <typename C3t3>
 struct Body_of_complex_3 : Body_3
 {
@@ -157,6 +173,7 @@ struct Body_of_complex_3 : Body_3
     }
     soup.cell_references.resize(cells.size());
     mark_edges(c3t3, indices, soup);
+    mark_corners(c3t3, indices, soup);
     boundary = facets_of_sides(soup.cells, sides);
   }
 };

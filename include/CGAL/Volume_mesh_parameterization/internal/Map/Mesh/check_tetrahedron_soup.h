@@ -76,6 +76,8 @@ inline void check_simplices(const Tetrahedron_soup_3& soup)
     check_simplex(soup.facets[f], soup.points.size(), "triangle ", f);
   for(std::size_t e = 0; e < soup.edges.size(); ++e)
     check_simplex(soup.edges[e], soup.points.size(), "edge ", e);
+  for(std::size_t c = 0; c < soup.corners.size(); ++c)
+    check_simplex(std::array{ soup.corners[c] }, soup.points.size(), "corner ", c);
 }
 
 // Are the cells negatively oriented? All must be oriented alike, and none may be flat.
