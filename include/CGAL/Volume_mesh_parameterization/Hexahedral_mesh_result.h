@@ -78,6 +78,9 @@ struct Hexahedral_mesh_result
   double interface_distance = std::numeric_limits<double>::quiet_NaN();
   /// the patches of the boundary, by ascending reference; none if there is no valid mesh
   std::vector<Hexahedral_mesh_patch> patches;
+  /// the marked corners on the boundary of the body that are no vertices of the mesh, as there was no vertex near enough that
+  /// had no corner yet, or hexahedra were inverted or poor there; none if there is no valid mesh
+  std::vector<std::array<double, 3> > corners_given_up;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -91,12 +91,14 @@ that untangles, and by its square for the sake of the worst corners. First the v
 the boundary move in its tangent planes, and are put back to the nearest points of the boundary after each round; others move
 along sharp edges of the body whose images are parallel to an axis, as those on edges of the domain and on lines of a polycube
 are. Sharp edges are the marked edges of the soup, or the 1-dimensional features of the complex; if there are none on the
-boundary, those with more than 60 degrees between the normals on both sides. A weak pull to their first positions keeps vertices
+boundary, those with more than 60 degrees between the normals on both sides. The vertex nearest to a marked corner of the soup, or
+a 0-dimensional feature of the complex, is moved to it and stays there: along a sharp edge, if the corner is on one, and at most by
+the spacing in the domain. A weak pull to their first positions keeps vertices
 apart, and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
 boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.3 after the last one, vertices
 move one after the other such that their worst corners become better; in the end that is repeated as long as they do. Of corners
-that stay below 0.05 the vertices leave the sharp edges, and small parts of the boundary may be left uncovered. The rounds end
-when a round raises the mean by less than 0.002.
+that stay below 0.05 the vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left
+uncovered. The rounds end when a round raises the mean by less than 0.002.
 
 If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon

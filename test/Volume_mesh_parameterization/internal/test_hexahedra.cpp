@@ -485,6 +485,73 @@ TEST_CASE("Edges of hexahedra follow a blunt ridge that a complex has as a featu
   }
 }
 
+TEST_CASE("Marked corners on a ridge, in a face and on an edge of a complex are vertices of its hexahedra")
+{
+  constexpr double spacing = 2;
+  Body body(8, 0, roof);
+  std::map<std::array<double, 3>, std::size_t> vertex_at;
+  for(std::size_t v = 0; v < body.images.size(); ++v)
+    vertex_at[body.images[v]] = v;
+  const auto mark_edges = [&](const std::array<double, 3>& p, const std::array<double, 3>& way)
+  {
+    for(double i = 0; i < 8; ++i)
+      body.soup.edges.push_back({ vertex_at.at({ p[0] + i * way[0], p[1] + i * way[1], p[2] + i * way[2] }),
+                                  vertex_at.at({ p[0] + (i + 1) * way[0], p[1] + (i + 1) * way[1], p[2] + (i + 1) * way[2] }) });
+  };
+  mark_edges({ 0, 3, 8 }, { 1, 0, 0 });
+  mark_edges({ 0, 0, 0 }, { 0, 1, 0 });
+  body.soup.edge_references.assign(body.soup.edges.size(), 7);
+  Points corners; // all as far from planes of the grid as can be, in the directions in which vertices may move
+  for(const std::array<double, 3>& p : { std::array<double, 3>{ 3, 3, 8 }, { 5, 5, 0 }, { 0, 5, 0 }, { 8, 3, 5 } })
+    corners.push_back(body.soup.points[vertex_at.at(p)]);
+  for(const bool is_marked : { false, true })
+  {
+    body.soup.corners.clear();
+    for(const std::array<double, 3>& p : corners)
+      if(is_marked)
+        body.soup.corners.push_back(static_cast<std::size_t>(std::find(body.soup.points.begin(), body.soup.points.end(), p)
+                                                             - body.soup.points.begin()));
+    Cube_complex<>::C3t3 c3t3;
+    std::vector<Cube_complex<>::Vertex_handle> vertices;
+    std::vector<Cube_complex<>::Cell_handle> cells;
+    VMP::tetrahedron_soup_to_mesh_complex_3(body.soup, c3t3, vertices, cells);
+    Cube_complex<>::Point_map uvw;
+    const auto uvw_map = VMP::make_vertex_point_map(uvw);
+    REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
+              c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+                                              .do_slide_boundary(true)).status == VMP::OK);
+    Hexahedron_soup_3 mesh;
+    const Hexahedral_mesh_result result = VMP::hexahedral_mesh(c3t3, uvw_map, spacing, mesh);
+    REQUIRE(result.status == VMP::OK);
+    CHECK(result.minimal_scaled_jacobian > 0.4);
+    CHECK(result.corners_given_up.empty());
+    CHECK(distance_of_ridge(mesh) < 0.1 * spacing);
+    for(const std::array<double, 3>& corner : corners)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for(const std::array<double, 3>& p : mesh.points)
+        least = (std::min)(least, (vector(p) - vector(corner)).norm());
+      CHECK((least < 1e-9) == is_marked);
+      CHECK((least > 0.1 * spacing) == !is_marked);
+    }
+  }
+}
+
+TEST_CASE("Of marked corners nearer to each other than hexahedra are wide, those without a vertex are told")
+{
+  Body box(8, 0, same);
+  for(std::size_t v = 0; v < box.images.size(); ++v)
+    if(const auto& [x, y, z] = box.images[v]; (3 <= x && x <= 5 && y == 0 && z == 0) || (x == 4 && y == 4 && z == 4))
+      box.soup.corners.push_back(v);
+  REQUIRE(box.soup.corners.size() == 4); // one inside, which is no corner of the surface
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(box.soup, box.images, 4, mesh);
+  CHECK(result.status == VMP::OK);
+  const std::set<std::array<double, 3> > given_up(result.corners_given_up.begin(), result.corners_given_up.end());
+  CHECK(given_up == std::set<std::array<double, 3> >{ { 3, 0, 0 }, { 5, 0, 0 } });
+  CHECK(result.message.find("Of 3 marked corners, 2 have no vertex, among them the one at (") != std::string::npos);
+}
+
 TEST_CASE("The patches of hexahedra of a box have its areas, centers and normals")
 {
   Body box(4, 0, [](const Vector3d& p) -> Vector3d { return p.cwiseProduct(Vector3d(1, 2, 3)); });

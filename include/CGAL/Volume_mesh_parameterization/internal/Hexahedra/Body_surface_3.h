@@ -34,7 +34,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
 
 // Boundary of a body that is mapped to a domain whose facets are orthogonal to the axes, and its lines: the sharp edges that
-// are mapped to edges along an axis, which edges of the domain are, and some in its faces.
+// are mapped to edges along an axis, which edges of the domain are, and some in its faces. Marked corners stay wherever they are.
 class Body_surface_3
 {
 public:
@@ -47,6 +47,7 @@ public:
         m_edges_of_lines.push_back({ v, w });
     build(soup.points, m_edges_of_lines);
     find_ends(soup.points);
+    find_corners(soup);
   }
 
   // Takes any facets, and edges as lines.
@@ -60,16 +61,19 @@ public:
   // Returns the edges of the lines, as points of the soup.
   const std::vector<std::array<std::size_t, 2> >& lines() const { return m_edges_of_lines; }
 
+  // Returns the marked corners on the boundary, as points of the soup.
+  const std::set<std::size_t>& corners() const { return m_corners; }
+
   // Returns the freedom of a vertex of the boundary. Its image may be on an edge or in a corner of the domain: the vertex is held
-  // there only if the body has a line there, too, and stays only where lines end, turn or meet.
+  // there only if the body has a line there, too, and stays only in marked corners and where lines end, turn or meet.
   Freedom_3 freedom(const Eigen::Vector3d& p) const
   {
-    if(!is_on_line(p))
-      return Freedom_3::SURFACE;
-    const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Eigen::Vector3d& end)
-                                    { return (end - p).norm() <= m_rounding; });
-    return is_end ? Freedom_3::NONE : Freedom_3::LINE;
+    const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Eigen::Vector3d& end) { return are_equal(end, p); });
+    return is_end ? Freedom_3::NONE : is_on_line(p) ? Freedom_3::LINE : Freedom_3::SURFACE;
   }
+
+  // Tells whether two points are the same up to rounding.
+  bool are_equal(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const { return (p - q).norm() <= m_rounding; }
 
   bool is_on_line(const Eigen::Vector3d& p) const
   { return !m_segments.empty() && m_lines.squared_distance(exact_point(p)) <= m_rounding * m_rounding; }
@@ -133,6 +137,14 @@ private:
         m_ends.push_back(to_vector(points[v]));
   }
 
+  void find_corners(const Tetrahedron_soup_3& soup)
+  {
+    const std::vector<bool> is_on_boundary = used_points(m_facets, soup.points.size());
+    for(const std::size_t v : soup.corners)
+      if(is_on_boundary[v] && m_corners.insert(v).second)
+        m_ends.push_back(to_vector(soup.points[v]));
+  }
+
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Segments = std::vector<Kernel::Segment_3>;
@@ -175,6 +187,7 @@ private:
   std::vector<std::array<std::size_t, 2> > m_edges_of_lines;
   Segments m_segments; // of the lines
   std::vector<Eigen::Vector3d> m_ends;
+  std::set<std::size_t> m_corners;
   double m_rounding; // distance of points on lines from the lines, by rounding
   Tree<AABB_triangle_primitive<Kernel, Triangles::const_iterator> > m_surface;
   Tree<AABB_segment_primitive<Kernel, Segments::const_iterator> > m_lines;

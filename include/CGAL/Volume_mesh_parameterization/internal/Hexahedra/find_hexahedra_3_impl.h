@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/balance_interfaces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/fit_interfaces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/measure_interfaces_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/move_to_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -115,9 +116,9 @@ inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hex
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
 // keep interfaces if there are any.
-inline Best_hexahedra_3 best_hexahedra_3(const Volume_map_3& map, const Hexahedron_soup_3& boxes, const Body_surface_3& surface,
-                                         Body_interfaces_3* const interfaces, Linear_solver_3& solver, const bool is_parallel,
-                                         const Budget& budget)
+inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume_map_3& map, const Hexahedron_soup_3& boxes,
+                                         const double spacing, const Body_surface_3& surface, Body_interfaces_3* const interfaces,
+                                         Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
 {
   Best_hexahedra_3 best
     = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
@@ -134,6 +135,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Volume_map_3& map, const Hexahedr
     candidate = interfaces != nullptr
       ? fitted_to_interfaces(map, candidate, surface, *interfaces, is_parallel, budget, positions)
       : pulled_back(map, candidate, is_parallel, budget);
+    move_to_corners_3(soup, surface, spacing, positions, candidate);
     for(const bool may_leave_surface : { false, true })
     {
       if(budget.is_exhausted() || (may_leave_surface && best.result.has_valid_mesh))
@@ -178,13 +180,13 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   {
     Hexahedron_soup_3 separated = boxes;
     Subdomain_separation_3(separated).run(budget);
-    best = best_hexahedra_3(map, separated, surface, &interfaces, solver, is_parallel, budget);
+    best = best_hexahedra_3(soup, map, separated, spacing, surface, &interfaces, solver, is_parallel, budget);
     if(best.result.has_valid_mesh)
       balance_interfaces_3(interfaces, best.mesh);
   }
   const bool are_staircases = !may_keep_interfaces || (!best.result.has_valid_mesh && !budget.is_exhausted());
   if(are_staircases)
-    best = best_hexahedra_3(map, boxes, surface, nullptr, solver, is_parallel, budget);
+    best = best_hexahedra_3(soup, map, boxes, spacing, surface, nullptr, solver, is_parallel, budget);
   Hexahedral_mesh_result result
     = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted();
@@ -197,6 +199,10 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     if(may_keep_interfaces && are_staircases)
       result.message += " Interfaces between subdomains are staircases, as corners were inverted where they were kept.";
     evaluate_interfaces(soup, best.mesh, interfaces, are_staircases, result);
+    result.corners_given_up = corners_given_up_3(soup, surface, best.mesh);
+    if(!result.corners_given_up.empty())
+      result.message += sentence(" Of ", surface.corners().size(), " marked corners, ", result.corners_given_up.size(),
+                                 " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
     mesh = std::move(best.mesh);
   }
   else if(result.is_interrupted)
