@@ -343,6 +343,26 @@ TEST_CASE("Where a vertex has no place, some of the edges at it are split, and t
   CHECK(has_target_boundary(mesh, image));
 }
 
+TEST_CASE("A search for splits that is ended after the first attempt that helps splits all edges, and asks no more")
+{
+  Numbered_mesh_3 mesh = prism_to_U();
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  Matrix3Xd image = mesh.target;
+  image.col(0) = Vector3d(1.5, 0.5, 0.5);
+  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
+  std::size_t number_of_edges = 0;
+  for(std::size_t last = 1; number_of_edges == 0; ++last)
+  {
+    REQUIRE(last < 20);
+    std::size_t number_of_attempts = 0;
+    VMP::internal::Budget budget;
+    VMP::internal::Progress_3 progress(budget, 1000, [&](const auto&) { return ++number_of_attempts < last; });
+    number_of_edges = find_splits_3(mesh, linear_solver, evaluated_map(mesh, image), progress).edges.size();
+  }
+  CHECK(number_of_edges == 16);
+}
+
 TEST_CASE("An edge between prescribed vertices is split where it leaves the target, although no free vertex is at it")
 {
   // An octahedron around its axis, the edge of vertices 1 and 2; its lower half is filled from the vertex 0. Its lowest

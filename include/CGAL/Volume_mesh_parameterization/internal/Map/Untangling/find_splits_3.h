@@ -103,7 +103,7 @@ inline Matrix3Xd with_midpoints(const Matrix3Xd& points, const Edges_3& edges, c
 }
 
 // Splits edges of a patch, the longest first, as it is done to a body, at their midpoints in source and image. The new
-// vertices move.
+// vertices move. Takes time linear in the numbers of cells and, if the degrees of vertices are bounded, of edges.
 inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const Edges_3& edges)
 {
   const int n = patch.number_of_free_vertices;
@@ -121,18 +121,28 @@ inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const 
   const auto number = [&](const int v) { return v < n ? v : v + number_of_edges; };
   for(std::array<int, 4>& cell : patch.cells)
     std::transform(cell.begin(), cell.end(), cell.begin(), number);
+  std::vector<std::vector<std::size_t> > cells_at(patch.number_of_vertices()); // ascending, at the ends of edges
+  for(std::size_t c = 0; c < patch.cells.size(); ++c)
+    for(const int v : patch.cells[c])
+      cells_at[v].push_back(c);
   for(const int i : order)
-    for(std::size_t c = patch.cells.size(); c-- > 0; )
+  {
+    const int a = number(edges[i][0]), b = number(edges[i][1]), midpoint = n + i;
+    const std::vector<std::size_t> cells_at_a = cells_at[a];
+    for(auto c = cells_at_a.rbegin(); c != cells_at_a.rend(); ++c)
     {
-      std::array<int, 4> halves[2] = { patch.cells[c], patch.cells[c] };
-      const auto a = std::find(halves[0].begin(), halves[0].end(), number(edges[i][0]));
-      const auto b = std::find(halves[1].begin(), halves[1].end(), number(edges[i][1]));
-      if(a == halves[0].end() || b == halves[1].end())
+      std::array<int, 4>& cell = patch.cells[*c];
+      if(std::count(cell.begin(), cell.end(), b) == 0)
         continue;
-      *a = *b = n + i;
-      patch.cells[c] = halves[0];
-      patch.cells.push_back(halves[1]);
+      std::array<int, 4> half = cell;
+      std::replace(cell.begin(), cell.end(), a, midpoint);
+      cells_at[a].erase(std::find(cells_at[a].begin(), cells_at[a].end(), *c));
+      std::replace(half.begin(), half.end(), b, midpoint);
+      for(const int v : half)
+        cells_at[v].push_back(patch.cells.size());
+      patch.cells.push_back(half);
     }
+  }
 }
 
 // Leaves out halves of some items, then quarters, and so on, where the others suffice (delta debugging: Zeller and Hildebrandt,
@@ -197,6 +207,8 @@ std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solv
   best->is_harmonic = false;
   const auto leave_out = [&](const std::size_t first, const std::size_t number, const bool may_move)
   {
+    if(budget.is_exhausted())
+      return false;
     Edges_3 other_edges = edges;
     other_edges.erase(other_edges.begin() + first, other_edges.begin() + first + number);
     Patch_mesh_3 split = split_patch(other_edges);
