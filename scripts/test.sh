@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in build/test_suite/ and runs all tests, by the compiler in $CXX. Programs take
-# far longer to compile than to run: hence clang++, which needs half the time of g++ if it does not optimize.
+# far longer to compile than to run: hence clang++, which needs half the time of g++ if it does not optimize, and its linker,
+# which needs a third of the time of the usual one.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build="$root/build/test_suite"
 jobs=$(nproc)
 
-"$root/scripts/install_dependencies.sh" clang libclang-rt-dev
+"$root/scripts/install_dependencies.sh" clang libclang-rt-dev lld
 export CXX="${CXX:-clang++}"
 cmake -S "$root" -B "$build" -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" \
-  -DCGAL_Volume_mesh_parameterization_COMPILE_FAST=ON
+  -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=lld -DCGAL_Volume_mesh_parameterization_COMPILE_FAST=ON
 cmake --build "$build" --parallel "$jobs"
 ctest --test-dir "$build" --output-on-failure --parallel "$jobs"
