@@ -8,87 +8,23 @@
 #include "Target_points.h"
 #include "boundary_targets_of.h"
 #include "check_options.h"
+#include "mapped_to_targets.h"
 #include "read_source.h"
 
-#include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
-#include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
 #endif
 
-#include <cmath>
 #include <cstddef>
 #include <exception>
-#include <functional>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <string>
-#include <variant>
 
-namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
-
-using Result = VMP::Parameterization_result;
-
-// Extends what is told of the vertices of a mesh to new ones.
-void extend(const VMP::Tetrahedron_soup_3& mesh, Target_points& target, Points& initial)
-{
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  target.points.resize(mesh.points.size(), { nan, nan, nan });
-  target.is_constrained.resize(mesh.points.size(), false);
-  if(!initial.empty())
-    initial.resize(mesh.points.size(), { nan, nan, nan });
-}
-
-Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& target, const Points& initial,
-                    const Options& options, Progress_line& progress, Points& uvw)
-{
-  const Points& targets = target.points;
-  const Refinement refinement = named_refinement(options.refinement);
-  Result result = std::visit([&](const auto& solver)
-  {
-    const auto np
-      = params::boundary_mode(named_boundary_mode(options.boundary))
-        .do_refine(refinement.do_refine)
-        .refinement_mode(refinement.mode)
-        .do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE)
-        .vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained))
-        .energy(named_energy(options.energy))
-        .use_regular_references(options.do_improve)
-        .use_volume_weights(options.use_volume_weights)
-        .energy_tolerance(options.energy_tolerance)
-        .maximal_angle_distortion(options.maximal_angle_distortion)
-        .minimize_maximal_angle_distortion(options.minimize_maximal_angle_distortion)
-        .solver_traits(solver)
-        .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-        .visitor(std::ref(progress));
-    const auto parameterize_from = [&](const auto& np)
-    { return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mesh, targets, uvw, np); };
-    return initial.empty() ? parameterize_from(np) : parameterize_from(np.initial_map(CGAL::make_property_map(initial)));
-  }, named_solver(options.solver));
-  // vertices without a cell keep their points, or take the prescribed ones
-  for(std::size_t v = 0; v < uvw.size(); ++v)
-    if(std::isnan(uvw[v][0]))
-      uvw[v] = std::isnan(targets[v][0]) ? mesh.points[v] : targets[v];
-  result.message = with_names_of_options(result.message);
-  if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
-    result.message += " If TARGET has displacements, --displacements tells this.";
-  if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
-    result.message += " " + advice_to_improve + ".";
-  if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !refinement.do_refine
-     && result.message.find("No refinement helps") == std::string::npos)
-    result.message += " With --refine, such cells are split.";
-  if(!result.has_valid_map && target.number_inside > 0 && result.status != VMP::ERROR_INTERRUPTED)
-    result.message += " Targets of vertices inside are asked for, too; --inside free does without.";
-  if(result.status == VMP::ERROR_INTERRUPTED)
-    result.message = std::string(progress.reason()) + (result.has_valid_map
-      ? " The map is valid, but the energy is not minimal yet." : " There is no map without inverted cells yet.");
-  return result;
-}
 
 void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, const Progress_line& progress)
 {
@@ -200,7 +136,6 @@ Outcome run(const Options& options, Progress_line& progress)
   progress.begin("reading " + options.source);
   Source source = read_source(options, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;
-  const std::size_t number_of_points = mesh.points.size();
   progress.show("");
   if(!options.is_quiet)
     for(const std::string& note : source.notes)
@@ -222,43 +157,17 @@ Outcome run(const Options& options, Progress_line& progress)
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
-  VMP::Polycube_result polycube_result;
-  if(!options.domain.empty())
-  {
-    progress.begin("mapping the boundary to " + options.domain);
-    const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes),
-                            &polycube_result);
-    const bool do_refine = named_refinement(options.refinement).do_refine;
-    target.points = naming(options.source, [&]
-    { return targets_on_domain(options.domain, polycube, do_refine, landmarks, mesh, progress); });
-    extend(mesh, target, initial);
-    if(const std::string note = note_of_features_given_up(polycube_result); !note.empty() && !options.is_quiet)
-    {
-      progress.show("");
-      std::cerr << "note: " << options.source << ": " << note << std::endl;
-    }
-  }
-  const double seconds_boundary = progress.seconds() - seconds_reading;
-
-  if(named_refinement(options.refinement).splits_all_bridges)
-  {
-    VMP::make_parameterizable(
-      mesh, params::vertex_is_constrained_map(CGAL::make_property_map(target.is_constrained)).visitor(std::ref(progress)));
-    extend(mesh, target, initial);
-  }
-  const std::size_t number_of_new_points = mesh.points.size() - number_of_points;
-  progress.begin("numbering cells and vertices, solving for a start");
-  Points uvw;
-  Result result
-    = naming(options.source, [&] { return parameterize(mesh, target, initial, options, progress, uvw); });
-  result.number_of_added_vertices += number_of_new_points;
+  Mapped_mesh mapped = mapped_to_targets({ std::move(mesh), std::move(target), std::move(initial) }, options, landmarks, progress);
+  mesh = std::move(mapped.mesh);
+  target = std::move(mapped.target);
+  const Result& result = mapped.result;
   if(has_file && result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
     name_missing_target(options.target, mesh, target.points);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
   outcome.seconds_reading = seconds_reading;
-  outcome.seconds_boundary = seconds_boundary;
+  outcome.seconds_boundary = mapped.seconds_boundary;
   if(options.domain == "polycube")
-    outcome.polycube = polycube_result;
+    outcome.polycube = mapped.polycube;
   outcome.number_of_coinciding_points = source.number_of_coinciding_points;
   outcome.number_of_merged_points = source.number_of_merged_points;
   outcome.number_of_turned_cells = source.number_of_turned_cells;
@@ -268,10 +177,10 @@ Outcome run(const Options& options, Progress_line& progress)
   if(!result.has_valid_map)
     return outcome;
   if(has_file && outcome.exit_code == SUCCESS && !options.do_slide && named_others(options.others) != Others::SLIDE)
-    outcome.number_of_free_targets = number_of_free_targets(target, uvw);
-  source.complete_images(uvw);
+    outcome.number_of_free_targets = number_of_free_targets(target, mapped.uvw);
+  source.complete_images(mapped.uvw);
   progress.show("writing"); // also if the computation was interrupted
-  write_files(options, source, uvw, progress, outcome);
+  write_files(options, source, mapped.uvw, progress, outcome);
   return outcome;
 }
 

@@ -254,6 +254,19 @@ inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<st
   return result;
 }
 
+// Splits the edges inside at all points of the boundary: each gets vertices of its own inside.
+inline void split_edges_at_boundary_3(Body_3& body)
+{
+  const std::vector<bool> is_on_boundary = used_points(body.boundary, body.soup.points.size());
+  std::vector<std::array<std::size_t, 2> > edges;
+  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
+    for(const std::size_t v : cell)
+      for(const std::size_t w : cell)
+        if(v < w && (is_on_boundary[v] || is_on_boundary[w]))
+          edges.push_back({ v, w });
+  split_edges_3(body, edges);
+}
+
 // Splits edges one after the other, also those of the boundary. Nothing if rounding leaves no point for one.
 inline std::optional<Tetrahedron_soup_3> with_split_edges_3(Body_3 body, const std::vector<std::array<std::size_t, 2> >& edges)
 {
