@@ -282,8 +282,8 @@ const std::vector<std::string> report_keys = {
 
 const std::vector<std::string> hexahedra_keys = {
   "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "padding",
-  "minimal_scaled_jacobian", "mean_scaled_jacobian", "subdomains", "volumes_of_tetrahedra", "volumes_of_hexahedra",
-  "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals"};
+  "minimal_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance", "subdomains", "volumes_of_tetrahedra",
+  "volumes_of_hexahedra", "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals"};
 
 // Returns the keys of a report with other ones, which come before the steps.
 std::vector<std::string> report_keys_with(const std::vector<std::string>& others)

@@ -92,7 +92,8 @@ inline JSON_object json(const Options& options)
 inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
 {
   std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimal_scaled_jacobian
-            << ", mean " << result.mean_scaled_jacobian << "\n";
+            << ", mean " << result.mean_scaled_jacobian << "; largest distance of the boundaries " << result.boundary_distance
+            << "\n";
   if(result.volumes.size() > 1)
   {
     for(const CGAL::Volume_mesh_parameterization::Subdomain_volumes& volumes : result.volumes)
@@ -138,6 +139,7 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
                       .add("padding", result.has_padding)
                       .add("minimal_scaled_jacobian", result.minimal_scaled_jacobian)
                       .add("mean_scaled_jacobian", result.mean_scaled_jacobian)
+                      .add("boundary_distance", result.boundary_distance)
                       .add("subdomains", subdomains).add("volumes_of_tetrahedra", of_tetrahedra)
                       .add("volumes_of_hexahedra", of_hexahedra).add("interface_distance", result.interface_distance)
                       .add("patches", json(result.patches));

@@ -11,6 +11,7 @@
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pull_back_grid_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -703,6 +704,44 @@ TEST_CASE("Quadrangles that span a waist of the body, and their edges, come near
   CHECK(smallest_determinant(sliding.hexahedra.mesh()) > 0);
 }
 
+TEST_CASE("The distance of boundaries is that of tips and of middles of quadrangles, and counts in units of edges")
+{
+  for(const Vector3d& factors : { Vector3d(1, 1, 3), Vector3d(1, 1, 0.5) })
+  {
+    const Body egg(8, 0, [&](const Vector3d& p) -> Vector3d { return rounded(p).cwiseProduct(factors); });
+    Sliding_hexahedra sliding(egg, 8 / 3.);
+    double farthest = 0;
+    for(const K::Triangle_3& facet : egg.boundary_facets())
+      for(const int i : { 0, 1, 2 })
+        farthest = (std::max)(farthest, distance({ facet[i].x(), facet[i].y(), facet[i].z() }, boundary_facets(sliding.start)));
+    for(const K::Triangle_3& facet : boundary_facets(sliding.start))
+      for(const int i : { 0, 1, 2 })
+      {
+        const K::Point_3 middle = CGAL::midpoint(facet[i], facet[i + 1]);
+        farthest = (std::max)(farthest, distance({ middle.x(), middle.y(), middle.z() }, egg.boundary_facets()));
+      }
+    CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start) == Approx(farthest));
+  }
+  Hexahedral_mesh_result near, far;
+  near.minimal_scaled_jacobian = far.minimal_scaled_jacobian = 0.2;
+  near.mean_scaled_jacobian = 0.9;
+  far.mean_scaled_jacobian = 0.95;
+  near.boundary_distance = 0.5;
+  far.boundary_distance = 1.5;
+  CHECK(VMP::internal::is_better(near, far, 1));
+  CHECK(VMP::internal::is_better(far, near, 10)); // both suffice
+}
+
+TEST_CASE("Hexahedra are drawn to tips that are far away once their corners suffice")
+{
+  const Body egg(8, 0, [](const Vector3d& p) -> Vector3d { return rounded(p).cwiseProduct(Vector3d(1, 1, 5)); });
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = egg.mesh(8 / 5., mesh);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.boundary_distance < 0.65 * 8 / 5); // if they are not, 0.82
+  CHECK(1.0001 * result.boundary_distance > distance({ 0, 0, 20 }, boundary_facets(mesh)));
+}
+
 TEST_CASE("A better worst hexahedron does not make up for a mean that loses more")
 {
   const auto result = [](const std::size_t number_of_inverted_corners, const double minimum, const double mean)
@@ -711,15 +750,16 @@ TEST_CASE("A better worst hexahedron does not make up for a mean that loses more
     r.number_of_inverted_corners = number_of_inverted_corners;
     r.minimal_scaled_jacobian = minimum;
     r.mean_scaled_jacobian = mean;
+    r.boundary_distance = 0;
     return r;
   };
   const auto is_better = [](const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
   {
-    return VMP::internal::is_better(a, b) && !VMP::internal::is_better(b, a);
+    return VMP::internal::is_better(a, b, 1) && !VMP::internal::is_better(b, a, 1);
   };
   CHECK(is_better(result(0, 0.09, 0.97), result(0, 0.10, 0.93)));
   CHECK(is_better(result(0, 0.20, 0.92), result(0, 0.10, 0.93)));
-  CHECK(is_better(result(0, 0.30, 0.93), result(0, 0.40, 0.92))); // both suffice
+  CHECK(is_better(result(0, 0.40, 0.93), result(0, 0.50, 0.92))); // both suffice
   CHECK(is_better(result(0, 0.05, 0.70), result(0, 0.01, 0.90))); // a bad one
   CHECK(is_better(result(0, 0.01, 0.70), result(1, -0.01, 0.95)));
 }

@@ -24,8 +24,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
 // tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
-constexpr double sufficient_scaled_jacobian = 0.3, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
+constexpr double sufficient_scaled_jacobian = 0.4, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
                  bad_scaled_jacobian = 0.05;
+constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
 
 // Hexahedra of a body whose vertices move inside, on its boundary and along its lines; likewise on its interfaces, whose
 // vertices have positions.
@@ -75,10 +76,14 @@ public:
 
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
 
+  // Returns the largest distance between the boundaries of the body and of the hexahedra.
+  double boundary_distance() const { return boundary_distance_3(*m_covered.front().surface, m_mesh); }
+
   // Makes steps of Newton's method for all vertices at once, or, unless `do_slide`, for those inside. Vertices on the boundary
   // move in its tangent planes, or along lines, are put back, and are pulled to cover the boundary; once all corners are
-  // positive, also to approach it, which hinders untangling. Hexahedra whose corners are all positive keep them so.
-  void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent)
+  // positive, also to approach it, which hinders untangling; more with a larger weight. Hexahedra whose corners are all positive
+  // keep them so.
+  void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent, const double weight = 1)
   {
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
     for(std::size_t i = 0; i < m_order.size(); ++i)
@@ -93,9 +98,9 @@ public:
       hold_boundary(goals);
       for(const Covered_surface_3& covered : m_covered)
       {
-        pull_to_vertices_3(covered, m_numbered.target, goals);
+        pull_to_vertices_3(covered, m_numbered.target, weight, goals);
         if(is_valid)
-          pull_middles_3(covered, m_numbered.target, goals);
+          pull_middles_3(covered, m_numbered.target, weight, goals);
       }
     }
     put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget), is_valid);
@@ -116,7 +121,7 @@ public:
       set_edges(goals);
       hold_boundary(goals);
       for(const Covered_surface_3& covered : m_covered)
-        pull_to_vertices_3(covered, m_numbered.target, goals);
+        pull_to_vertices_3(covered, m_numbered.target, 1, goals);
       return_to_surface(std::sqrt(weight / pull), goals);
       m_numbered.target = improve_corners_3(m_numbered, goals, m_solver, m_budget);
       write_points();

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/balance_interfaces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/fit_interfaces_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/measure_interfaces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/move_to_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
@@ -120,8 +121,11 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
                                          const double spacing, const Body_surface_3& surface, Body_interfaces_3* const interfaces,
                                          Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
 {
-  Best_hexahedra_3 best
-    = { refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
+  double volume = 0;
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    volume += volume_of_tetrahedron(soup, c);
+  Best_hexahedra_3 best = { std::cbrt(volume / static_cast<double>(boxes.cells.size())),
+                            refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
   const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(map, boxes, is_parallel, budget)).layers();
   const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
   for(const std::vector<Layer_3>& layers : { chosen, other })
@@ -141,7 +145,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
       if(budget.is_exhausted() || (may_leave_surface && best.result.has_valid_mesh))
         break;
       Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget, positions);
-      improve_hexahedra_3(hexahedra, may_leave_surface, !layers.empty(), budget, best);
+      Hexahedra_improvement_3(hexahedra, !layers.empty(), budget, best).run(may_leave_surface);
     }
   }
   return best;
@@ -194,6 +198,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   {
     set_images(map, is_parallel, best.mesh);
     set_facet_references(soup, surface, interfaces, best.mesh);
+    result.boundary_distance = boundary_distance_3(surface, best.mesh);
     result.patches = patches_of(best.mesh);
     check_quality(best.mesh, minimal_scaled_jacobian, result);
     if(may_keep_interfaces && are_staircases)

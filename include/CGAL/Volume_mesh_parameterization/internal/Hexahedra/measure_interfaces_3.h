@@ -34,15 +34,18 @@ inline double volume_of_hexahedron(const Hexahedron_soup_3& mesh, const std::siz
   return sum;
 }
 
+inline double volume_of_tetrahedron(const Tetrahedron_soup_3& soup, const std::size_t c)
+{
+  const auto edge = [&](const std::size_t i) -> Eigen::Vector3d
+  { return to_vector(soup.points[soup.cells[c][i]]) - to_vector(soup.points[soup.cells[c][0]]); };
+  return edge(1).cross(edge(2)).dot(edge(3)) / 6;
+}
+
 inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Tetrahedron_soup_3& soup, const Hexahedron_soup_3& mesh)
 {
   std::map<int, Subdomain_volumes> volumes;
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
-  {
-    const auto edge = [&](const std::size_t i) -> Eigen::Vector3d
-    { return to_vector(soup.points[soup.cells[c][i]]) - to_vector(soup.points[soup.cells[c][0]]); };
-    volumes[soup.cell_references[c]].of_tetrahedra += edge(1).cross(edge(2)).dot(edge(3)) / 6;
-  }
+    volumes[soup.cell_references[c]].of_tetrahedra += volume_of_tetrahedron(soup, c);
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     volumes[mesh.cell_references[c]].of_hexahedra += volume_of_hexahedron(mesh, c);
   std::vector<Subdomain_volumes> result;

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Interface_positions_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pull_back_grid_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -12,9 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/cover_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_corners_3.h>
+
+#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -39,14 +42,45 @@ inline Covered_surface_3 covered_surface_3(const Body_surface_3& surface,
   return result;
 }
 
+// Calls `f` with the nearest point of the surface, the middle of an edge of a triangle, and the triangle: a quadrangle that spans
+// a valley has its middle far away.
+template <typename Function>
+void for_each_middle(const Covered_surface_3& covered, const Matrix3Xd& positions, const Function& f)
+{
+  for(const std::array<int, 3>& triangle : covered.triangles)
+    for(const auto& [a, b] : { std::make_pair(0, 1), std::make_pair(1, 2), std::make_pair(2, 0) })
+    {
+      const Eigen::Vector3d q = (positions.col(triangle[a]) + positions.col(triangle[b])) / 2;
+      f(covered.surface->nearest(q, Freedom_3::SURFACE), q, triangle);
+    }
+}
+
+// Returns the largest distance between the surface of a body and the boundary of hexahedra.
+inline double boundary_distance_3(const Body_surface_3& surface, const Hexahedron_soup_3& mesh)
+{
+  std::vector<int> numbers(mesh.points.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  Matrix3Xd positions(3, mesh.points.size());
+  for(const int v : numbers)
+    positions.col(v) = to_vector(mesh.points[v]);
+  const Covered_surface_3 covered = covered_surface_3(surface, mesh.facets, numbers, 0);
+  double result = 0;
+  const auto measure = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&)
+  { result = (std::max)(result, (p - q).norm()); };
+  for_each_nearest(surface.vertices(), covered.triangles, positions, measure);
+  for_each_middle(covered, positions, measure);
+  return result;
+}
+
 // Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
 // may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
 // multiple range images, 1992).
 inline void pull_point_3(const Eigen::Vector3d& q, const std::array<int, 3>& triangle, const Eigen::Vector3d& p,
-                         const Matrix3Xd& positions, const double tolerance, Corner_goals_3& goals)
+                         const Matrix3Xd& positions, const double tolerance, const double weight,
+                         Corner_goals_3& goals)
 {
-  constexpr double longest_pull = 1;     // a guess; relative to the mean edge
-  const double factor = std::sqrt(200.); // a guess; scales the residual
+  constexpr double longest_pull = 1;             // a guess; relative to the mean edge
+  const double factor = std::sqrt(200 * weight); // a guess; scales the residual
   const double distance = (p - q).norm();
   if(distance < tolerance * goals.mean_edge)
     return;
@@ -63,23 +97,22 @@ inline void pull_point_3(const Eigen::Vector3d& q, const std::array<int, 3>& tri
                                 way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
 }
 
-// Pulls triangles to the vertices of the surface.
-inline void pull_to_vertices_3(const Covered_surface_3& covered, const Matrix3Xd& positions, Corner_goals_3& goals)
+// Pulls triangles to the vertices of the surface, more with a larger weight.
+inline void pull_to_vertices_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double weight,
+                               Corner_goals_3& goals)
 {
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
                    [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
-                   { pull_point_3(q, triangle, p, positions, covered.tolerance, goals); });
+                   { pull_point_3(q, triangle, p, positions, covered.tolerance, weight, goals); });
 }
 
-// Pulls the middles of quadrangles and of their edges to the surface: a quadrangle that spans a valley has its middle far away.
-inline void pull_middles_3(const Covered_surface_3& covered, const Matrix3Xd& positions, Corner_goals_3& goals)
+// Pulls the middles of quadrangles and of their edges to the surface.
+inline void pull_middles_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double weight,
+                           Corner_goals_3& goals)
 {
-  for(const std::array<int, 3>& triangle : covered.triangles)
-    for(const auto& [a, b] : { std::make_pair(0, 1), std::make_pair(1, 2), std::make_pair(2, 0) })
-    {
-      const Eigen::Vector3d q = (positions.col(triangle[a]) + positions.col(triangle[b])) / 2;
-      pull_point_3(q, triangle, covered.surface->nearest(q, Freedom_3::SURFACE), positions, covered.tolerance, goals);
-    }
+  for_each_middle(covered, positions,
+                  [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
+                  { pull_point_3(q, triangle, p, positions, covered.tolerance, weight, goals); });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
