@@ -39,8 +39,7 @@ int main(int argc, char* argv[])
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result map = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map,
-    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
-                     .do_slide_boundary(true));
+    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing)));
   if(map.status != VMP::OK)
   {
     std::cerr << map.message << std::endl;
