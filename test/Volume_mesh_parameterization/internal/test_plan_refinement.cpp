@@ -427,6 +427,30 @@ TEST_CASE("Given edges are split, longest first, and others are ignored")
   CHECK(body.soup.cells.size() == 48 + 6 + 4 + 6);
 }
 
+TEST_CASE("Once edges at the boundary are split, only new vertices inside are joined to those there")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(3);
+  internal::Body_3 body = internal::body_of(source_soup(mesh));
+  const std::vector<bool> was_outer = internal::used_points(body.boundary, body.soup.points.size());
+  internal::split_edges_at_boundary_3(body);
+  const std::vector<bool> is_outer = internal::used_points(body.boundary, body.soup.points.size());
+  CHECK(std::count(is_outer.begin(), is_outer.end(), true) == std::count(was_outer.begin(), was_outer.end(), true));
+  CHECK(internal::body_of(body.soup).boundary.size() == 6 * 3 * 3 * 2); // no edge of the boundary is split
+  double volume = 0;
+  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
+  {
+    const auto edge = [&](const std::size_t i) -> Eigen::Vector3d
+    { return internal::to_vector(body.soup.points[cell[i]]) - internal::to_vector(body.soup.points[cell[0]]); };
+    const double of_cell = edge(1).cross(edge(2)).dot(edge(3)) / 6;
+    CHECK(of_cell > 0);
+    volume += of_cell;
+    if(std::any_of(cell.begin(), cell.end(), [&](const std::size_t v) { return is_outer[v]; }))
+      for(const std::size_t v : cell)
+        CHECK((is_outer[v] || v >= mesh.source.cols()));
+  }
+  CHECK(std::abs(volume - 27) < 1e-9);
+}
+
 TEST_CASE("Cells, facets and edges keep references and data where they are split, and point data are interpolated")
 {
   const Numbered_mesh_3 mesh = cube_mesh(2);

@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/Lines_of_box_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/coordinates_of_box_with_holes_3.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
