@@ -95,10 +95,11 @@ boundary, those with more than 60 degrees between the normals on both sides. The
 a 0-dimensional feature of the complex, is moved to it and stays there: along a sharp edge, if the corner is on one, and at most by
 the spacing in the domain. A weak pull to their first positions keeps vertices
 apart, and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
-boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.3 after the last one, vertices
+boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.4 after the last one, vertices
 move one after the other such that their worst corners become better; in the end that is repeated as long as they do. Of corners
 that stay below 0.05 the vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left
-uncovered. The rounds end when a round raises the mean by less than 0.002.
+uncovered. The rounds end when a round raises the mean by less than 0.002. Last, as long as points of both boundaries are farther
+apart than 0.4 edges and that leads to better hexahedra, quadrangles are drawn to such points by a pull that is doubled each time.
 
 If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon
@@ -124,7 +125,8 @@ Quadrangles of the boundary and of interfaces have the references of the marked 
 of the complex, that they lie on.
 
 The best of all meshes is returned: the one with the fewest inverted corners, or, among several, with the largest sum of the
-mean scaled Jacobian and the minimal one, which counts up to 0.3. Exact predicates on the coordinates written check that all
+mean scaled Jacobian and the minimal one, which counts up to 0.4, less 0.3 for each edge by which the boundaries are farther
+apart than 0.4 edges, and at most 0.3. Exact predicates on the coordinates written check that all
 corners are positive.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,

@@ -454,6 +454,29 @@ double distance_of_ridge(const Hexahedron_soup_3& mesh)
   return farthest;
 }
 
+// The complex of a soup, mapped to its polycube.
+struct Complex_on_polycube
+{
+  double spacing;
+  Cube_complex<>::C3t3 c3t3;
+  Cube_complex<>::Point_map uvw;
+
+  Complex_on_polycube(const Tetrahedron_soup_3& soup, const double spacing)
+    : spacing(spacing)
+  {
+    std::vector<Cube_complex<>::Vertex_handle> vertices;
+    std::vector<Cube_complex<>::Cell_handle> cells;
+    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+    REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
+              c3t3, VMP::make_vertex_point_map(uvw),
+              CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+                               .do_slide_boundary(true)).status == VMP::OK);
+  }
+
+  Hexahedral_mesh_result mesh(Hexahedron_soup_3& hexahedra)
+  { return VMP::hexahedral_mesh(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
+};
+
 } // namespace
 
 TEST_CASE("Edges of hexahedra follow a blunt ridge that a complex has as a feature")
@@ -470,18 +493,10 @@ TEST_CASE("Edges of hexahedra follow a blunt ridge that a complex has as a featu
       body.soup.edges.push_back({ vertex_at.at({ x, 3, 8 }), vertex_at.at({ x + 1, 3, 8 }) });
       body.soup.edge_references.push_back(7);
     }
-    Cube_complex<>::C3t3 c3t3;
-    std::vector<Cube_complex<>::Vertex_handle> vertices;
-    std::vector<Cube_complex<>::Cell_handle> cells;
-    VMP::tetrahedron_soup_to_mesh_complex_3(body.soup, c3t3, vertices, cells);
-    CHECK(c3t3.number_of_edges_in_complex() == (has_features ? 8 : 0));
-    Cube_complex<>::Point_map uvw;
-    const auto uvw_map = VMP::make_vertex_point_map(uvw);
-    REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
-              c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
-                                              .do_slide_boundary(true)).status == VMP::OK);
+    Complex_on_polycube complex(body.soup, spacing);
+    CHECK(complex.c3t3.number_of_edges_in_complex() == (has_features ? 8 : 0));
     Hexahedron_soup_3 mesh;
-    REQUIRE(VMP::hexahedral_mesh(c3t3, uvw_map, spacing, mesh).status == VMP::OK);
+    REQUIRE(complex.mesh(mesh).status == VMP::OK);
     CHECK((distance_of_ridge(mesh) < 0.1 * spacing) == has_features);
   }
 }
@@ -512,17 +527,8 @@ TEST_CASE("Marked corners on a ridge, in a face and on an edge of a complex are 
       if(is_marked)
         body.soup.corners.push_back(static_cast<std::size_t>(std::find(body.soup.points.begin(), body.soup.points.end(), p)
                                                              - body.soup.points.begin()));
-    Cube_complex<>::C3t3 c3t3;
-    std::vector<Cube_complex<>::Vertex_handle> vertices;
-    std::vector<Cube_complex<>::Cell_handle> cells;
-    VMP::tetrahedron_soup_to_mesh_complex_3(body.soup, c3t3, vertices, cells);
-    Cube_complex<>::Point_map uvw;
-    const auto uvw_map = VMP::make_vertex_point_map(uvw);
-    REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
-              c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
-                                              .do_slide_boundary(true)).status == VMP::OK);
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result result = VMP::hexahedral_mesh(c3t3, uvw_map, spacing, mesh);
+    const Hexahedral_mesh_result result = Complex_on_polycube(body.soup, spacing).mesh(mesh);
     REQUIRE(result.status == VMP::OK);
     CHECK(result.minimal_scaled_jacobian > 0.4);
     CHECK(result.corners_given_up.empty());

@@ -102,9 +102,9 @@ public:
   }
 
 private:
-  static constexpr int number_of_rounds = 10, patience = 3;            // guesses
-  static constexpr std::size_t first_steps = 10, steps = 3;            // guesses
-  static constexpr double price = 0.03, smallest_price = 0.0003;       // guesses; of uncovered points, see smooth_hexahedra_3()
+  static constexpr int number_of_rounds = 10, patience = 3;      // guesses
+  static constexpr std::size_t first_steps = 10, steps = 3;      // guesses
+  static constexpr double price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points, see smooth_hexahedra_3()
 
   void evaluate()
   {

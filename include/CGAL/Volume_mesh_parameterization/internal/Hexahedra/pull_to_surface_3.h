@@ -55,6 +55,17 @@ void for_each_middle(const Covered_surface_3& covered, const Matrix3Xd& position
     }
 }
 
+// Returns the largest distance between a surface and the quadrangles that cover it.
+inline double distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
+{
+  double result = 0;
+  const auto measure = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&)
+  { result = (std::max)(result, (p - q).norm()); };
+  for_each_nearest(covered.surface->vertices(), covered.triangles, positions, measure);
+  for_each_middle(covered, positions, measure);
+  return result;
+}
+
 // Returns the largest distance between the surface of a body and the boundary of hexahedra.
 inline double boundary_distance_3(const Body_surface_3& surface, const Hexahedron_soup_3& mesh)
 {
@@ -63,13 +74,7 @@ inline double boundary_distance_3(const Body_surface_3& surface, const Hexahedro
   Matrix3Xd positions(3, mesh.points.size());
   for(const int v : numbers)
     positions.col(v) = to_vector(mesh.points[v]);
-  const Covered_surface_3 covered = covered_surface_3(surface, mesh.facets, numbers, 0);
-  double result = 0;
-  const auto measure = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&)
-  { result = (std::max)(result, (p - q).norm()); };
-  for_each_nearest(surface.vertices(), covered.triangles, positions, measure);
-  for_each_middle(covered, positions, measure);
-  return result;
+  return distance_of_cover_3(covered_surface_3(surface, mesh.facets, numbers, 0), positions);
 }
 
 // Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
