@@ -716,15 +716,16 @@ TEST_CASE("The distance of boundaries is that of tips and of middles of quadrang
   {
     const Body egg(8, 0, [&](const Vector3d& p) -> Vector3d { return rounded(p).cwiseProduct(factors); });
     Sliding_hexahedra sliding(egg, 8 / 3.);
+    const std::vector<K::Triangle_3> facets = egg.boundary_facets(), halves = boundary_facets(sliding.start);
     double farthest = 0;
-    for(const K::Triangle_3& facet : egg.boundary_facets())
+    for(const K::Triangle_3& facet : facets)
       for(const int i : { 0, 1, 2 })
-        farthest = (std::max)(farthest, distance({ facet[i].x(), facet[i].y(), facet[i].z() }, boundary_facets(sliding.start)));
-    for(const K::Triangle_3& facet : boundary_facets(sliding.start))
+        farthest = (std::max)(farthest, distance({ facet[i].x(), facet[i].y(), facet[i].z() }, halves));
+    for(const K::Triangle_3& facet : halves)
       for(const int i : { 0, 1, 2 })
       {
         const K::Point_3 middle = CGAL::midpoint(facet[i], facet[i + 1]);
-        farthest = (std::max)(farthest, distance({ middle.x(), middle.y(), middle.z() }, egg.boundary_facets()));
+        farthest = (std::max)(farthest, distance({ middle.x(), middle.y(), middle.z() }, facets));
       }
     CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start) == Approx(farthest));
   }
