@@ -76,8 +76,8 @@ def run_case(arguments, name, domain, number):
     return row
 
 
-def line(row):
-    return " ".join(format(row[key], form) if key in row else format("-", form.split(".")[0]) for key, form in LINE)
+def line(row, columns=LINE):
+    return " ".join(format(row[key], form) if key in row else format("-", form.split(".")[0]) for key, form in columns)
 
 
 def main():
