@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything in build/test_suite/ and runs all tests, by the compiler in $CXX. Programs take
 # far longer to compile than to run: hence clang++, which needs half the time of g++ if it does not optimize, and its linker,
-# which needs a third of the time of the usual one. Compilers use much memory, which large pages make faster, by an eighth to a fifth,
-# where the kernel gives them to who asks.
+# which needs a third of the time of the usual one. Compilers use much memory, which large pages make faster by an eighth to a
+# fifth, where the kernel gives them to who asks.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
