@@ -882,6 +882,43 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
   CHECK_FALSE(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded));
 }
 
+TEST_CASE("a plane that two directions suit equally gets one label, that of most of it")
+{
+  using namespace VMP::internal;
+  // the cube [0, 4]^3, whose top will be z = 1 + y up to what rounding may be
+  Soup_surface surface(bricks({4, 4, 4}, is_box, in_place));
+  std::vector<bool> is_on_top;
+  for(std::size_t f = 0; f < surface.facets.size(); ++f)
+    is_on_top.push_back(surface.center(f)[2] == 4);
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Budget budget;
+  const std::vector<bool> is_sharp(mesh.number_of_edges(), false);
+  CHECK_FALSE(Normal_labels_3(mesh, is_sharp, budget).decide_ties(Normal_labels_3(mesh, is_sharp, budget).closest()));
+  for(Eigen::Vector3d& p : surface.points)
+    p[2] *= (1 + p[1] + 1e-4 * std::sin(7 * p[0] + 13 * p[1])) / 4;
+  set_points(mesh, surface.points);
+  const Normal_labels_3 costs(mesh, is_sharp, budget);
+  const std::vector<std::size_t> closest = costs.closest();
+  std::map<std::size_t, int> number_on_top;
+  for(const auto f : mesh.faces())
+    if(is_on_top[f])
+      ++number_on_top[closest[f]];
+  CHECK(number_on_top.size() == 2);
+  for(const auto& [label, number] : number_on_top)
+  {
+    std::vector<std::size_t> expected = closest;
+    for(const auto f : mesh.faces())
+      if(is_on_top[f])
+        expected[f] = label;
+    std::vector<std::size_t> labels = expected;
+    labels[std::find(is_on_top.begin(), is_on_top.end(), true) - is_on_top.begin()] = 0; // one face of 32
+    Normal_labels_3 decided = costs;
+    CHECK(decided.decide_ties(labels));
+    CHECK(decided.closest() == expected);
+  }
+}
+
 TEST_CASE("a polycube has the lengths of the body, not those of its shadow, also in multiples of a spacing")
 {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.6, Eigen::Vector3d(0.3, 0.2, 1).normalized()).toRotationMatrix();

@@ -15,6 +15,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
+#include <algorithm>
+#include <numeric>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Relabelling of a chart, with the increase of the cost of all labels.
@@ -71,6 +74,34 @@ public:
     return labels;
   }
 
+  // Makes all faces of a plane that two directions suit equally prefer one of them, that of most of it in the given labels, as
+  // rounding would decide about each face. Returns whether there is such a plane.
+  bool decide_ties(const Labels& labels)
+  {
+    constexpr double least_area = 0.004, preference = 0.05; // guesses; parts of the whole area and of that of a face
+    const std::vector<std::size_t> ties = this->ties();
+    const auto [plane_of_face, n] = connected_charts_3(m_mesh, ties);
+    std::vector<double> area(n, 0);
+    std::vector<Costs> area_by_label(n, Costs{});
+    for(const Face f : m_mesh.faces())
+    {
+      area[plane_of_face[f]] += area_of_face(m_mesh, f);
+      area_by_label[plane_of_face[f]][labels[f]] += area_of_face(m_mesh, f);
+    }
+    const double whole_area = std::accumulate(area.begin(), area.end(), 0.);
+    bool has_changed = false;
+    for(const Face f : m_mesh.faces())
+    {
+      const std::size_t plane = plane_of_face[f], a = ties[f] / 6, b = ties[f] % 6;
+      if(ties[f] == no_tie || area[plane] < least_area * whole_area)
+        continue;
+      const std::size_t label = area_by_label[plane][b] > area_by_label[plane][a] ? b : a;
+      m_face_costs[f][label] -= preference * area_of_face(m_mesh, f);
+      has_changed = true;
+    }
+    return has_changed;
+  }
+
   // Lowers the sum, `smoothing` being the weight of the lengths.
   void minimize(const double smoothing, Labels& labels)
   {
@@ -117,6 +148,21 @@ public:
 
 private:
   using Costs = std::array<double, 6>;
+
+  // Returns for each face the number of the two directions that suit it about equally, `no_tie` if there are none.
+  std::vector<std::size_t> ties() const
+  {
+    constexpr double tolerance = 0.02; // a guess; by parts of the area, an angle of 0.8 degrees
+    std::vector<std::size_t> result;
+    for(const Face f : m_mesh.faces())
+    {
+      std::array<std::size_t, 6> order = { 0, 1, 2, 3, 4, 5 };
+      std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) { return cost(f, a) < cost(f, b); });
+      const auto [a, b] = std::minmax(order[0], order[1]);
+      result.push_back(cost(f, order[1]) - cost(f, order[0]) < tolerance * area_of_face(m_mesh, f) ? 6 * a + b : no_tie);
+    }
+    return result;
+  }
 
   // Relabels the charts whose new labels lower the sum more than those of their neighbors. Returns whether there were any.
   bool relabel_charts(const double smoothing, Labels& labels) const
@@ -232,6 +278,7 @@ private:
     return has_changed;
   }
 
+  static constexpr std::size_t no_tie = 0;
   static constexpr double least_gain = 1e-12; // above rounding of sums of about 1, so that no change is undone by the next
 
   const Boundary_mesh_3& m_mesh;

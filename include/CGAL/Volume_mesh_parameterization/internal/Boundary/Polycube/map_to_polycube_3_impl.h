@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Order_of_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Search_for_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/map_to_voxels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/frames_of_normals_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
@@ -25,48 +26,8 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Proposes labels with more and more smoothing, and takes the map of the least distortion. Where the boundary is too coarse,
-// faces for which there is no room are given to neighboring charts, and borders that fold are unfolded.
-inline Error_code map_to_proposed_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp,
-                                             const Eigen::AlignedBox3d& box, const double spacing, const bool may_move,
-                                             std::vector<Eigen::Vector3d>& images, const Budget& budget)
-{
-  Error_code status = ERROR_NO_POLYCUBE;
-  std::multimap<double, Polycube_map_3> maps; // by distortion
-  std::set<std::vector<std::size_t> > tried;
-  Normal_labels_3 costs(mesh, is_sharp, budget);
-  for(double smoothing = 0.001; smoothing < 0.1 && !budget.is_exhausted(); smoothing *= std::sqrt(2.))
-  {
-    std::vector<std::size_t> candidate = costs.closest();
-    costs.minimize(smoothing, candidate);
-    for(int attempt = 0; attempt < 10 && budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
-    {
-      if(!repair_labels_3(mesh, costs, smoothing, candidate, budget) || !tried.insert(candidate).second)
-        break;
-      Polycube_map_3 map(mesh, box, candidate, spacing, may_move);
-      const Error_code status_of_map = map.start(budget);
-      if(status == ERROR_NO_POLYCUBE)
-        status = status_of_map;
-      const bool has_changed = give_away_faces(mesh, map.flipped_faces(), costs, candidate)
-        || unfold_chain(mesh, map.charts(), costs, candidate);
-      if(status_of_map == OK)
-        maps.emplace(map.distortion(), std::move(map));
-      if(!has_changed)
-        break;
-    }
-  }
-  for(auto& [distortion, map] : maps)
-  {
-    status = finish(map, is_sharp, images, budget);
-    if(status == OK)
-      break;
-  }
-  return status;
-}
 
 // Body that shares no point with the other bodies of a surface, and the numbers of its vertices on the whole surface.
 struct Separate_body_3
@@ -245,7 +206,7 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
   for(const Turned_surface_3& turned : frames)
   {
     std::vector<Eigen::Vector3d> candidate;
-    if(map_to_proposed_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, candidate, budget) != OK)
+    if(Search_for_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, budget).run(candidate) != OK)
       continue;
     const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, candidate);
     if(has_polycube && !(distortion < least_distortion))
