@@ -47,17 +47,12 @@ inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const
                                               const Unknowns_3& unknowns, const double scale)
 {
   std::vector<Linear_constraint_3<int> > result;
-  for(const Linear_constraint_3<int>& constraint : goals.constraints)
+  std::copy_if(goals.constraints.begin(), goals.constraints.end(), std::back_inserter(result),
+               [&](const Linear_constraint_3<int>& constraint)
   {
-    Linear_constraint_3<int> of_rows = { {}, constraint.value };
-    for(const auto& [v, coefficient] : constraint.terms)
-      if(unknowns.contains(v))
-        of_rows.terms.push_back({ unknowns.row(v), coefficient });
-      else
-        of_rows.value -= coefficient.dot(mesh.target.col(v));
-    if(!of_rows.terms.empty())
-      result.push_back(std::move(of_rows));
-  }
+    return std::any_of(constraint.terms.begin(), constraint.terms.end(),
+                       [&](const auto& term) { return unknowns.contains(term.vertex); });
+  });
   return Quadratic_penalty_3(std::move(result), scale * scale * goals.weight / static_cast<double>(mesh.cells.size()), scale);
 }
 

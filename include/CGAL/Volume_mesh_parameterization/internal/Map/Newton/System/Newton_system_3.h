@@ -93,7 +93,7 @@ public:
     Positions result = Positions::Zero(3, m_unknowns.size());
     add_energy_gradient(m_packs, energy, u, result);
     if(m_penalty != nullptr)
-      m_penalty->add_gradient(u, result);
+      m_penalty->add_gradient(u, m_unknowns, result);
     m_unknowns.project(result);
     return result;
   }
@@ -186,8 +186,8 @@ private:
     assemble_energy(m_packs, energy, u, negative_curvature, gradient, hessian);
     if(m_penalty != nullptr)
     {
-      m_penalty->add_gradient(u, gradient);
-      m_penalty->add_hessian(hessian);
+      m_penalty->add_gradient(u, m_unknowns, gradient);
+      m_penalty->add_hessian(m_unknowns, hessian);
     }
     m_unknowns.project(gradient);
     m_unknowns.project(hessian);

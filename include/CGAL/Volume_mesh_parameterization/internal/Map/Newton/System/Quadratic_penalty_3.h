@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 
 #include <Eigen/Dense>
 
@@ -21,8 +22,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The penalty w |C x - p|^2 of linear constraints on free vertices, as a function of u = scale x. The right side p can be
-// replaced for a while by the current values of C x.
+// The penalty w |C x - p|^2 of linear constraints on vertices, unknown or not, as a function of u = scale x. The right side p
+// can be replaced for a while by the current values of C x.
 class Quadratic_penalty_3
 {
 public:
@@ -54,24 +55,27 @@ public:
 
   double value(const Positions& u) const { return m_weight * squared_distance(u, m_targets); }
 
-  void add_gradient(const Positions& u, Positions& gradient) const
+  // Adds the derivatives by the unknown vertices, in their rows.
+  void add_gradient(const Positions& u, const Unknowns_3& unknowns, Positions& gradient) const
   {
     for(std::size_t i = 0; i < m_constraints.size(); ++i)
     {
       const double factor = 2 * m_weight * (left_side(m_constraints[i], u) - m_targets[i]);
       for(const auto& term : m_constraints[i].terms)
-        gradient.col(term.vertex) += factor * term.coefficient;
+        if(unknowns.contains(term.vertex))
+          gradient.col(unknowns.row(term.vertex)) += factor * term.coefficient;
     }
   }
 
   template <typename NT>
-  void add_hessian(Block_sparse_matrix_3<NT>& hessian) const
+  void add_hessian(const Unknowns_3& unknowns, Block_sparse_matrix_3<NT>& hessian) const
   {
     for(const Linear_constraint_3<int>& constraint : m_constraints)
       for(const auto& a : constraint.terms)
         for(const auto& b : constraint.terms)
-          hessian.block(hessian.position(a.vertex, b.vertex))
-            += (2 * m_weight * a.coefficient * b.coefficient.transpose()).template cast<NT>();
+          if(unknowns.contains(a.vertex) && unknowns.contains(b.vertex))
+            hessian.block(hessian.position(unknowns.row(a.vertex), unknowns.row(b.vertex)))
+              += (2 * m_weight * a.coefficient * b.coefficient.transpose()).template cast<NT>();
   }
 
   // The vertices that are coupled, for each constraint.
