@@ -1631,10 +1631,14 @@ TEST_CASE("what the boundary of hexahedra does not cover")
   positions << 0, 0, 0, 10, 10, 10,
                0, 4, 0, 0, 4, 0,
                0, 0, 4, 0, 0, 4;
-  const VMP::internal::Triangles_of_boundary walls = { { 0, 1, 2 }, { 3, 4, 5 } };
   const std::vector<Vector3d> points = { { 0.25, 1, 1 }, { 7, 1, 1 }, { 12, 1, 1 } };
+  std::vector<std::array<double, 3> > vertices;
+  for(const Vector3d& p : points)
+    vertices.push_back({ p[0], p[1], p[2] });
+  const VMP::internal::Body_surface_3 surface(vertices, { { 0, 1, 2 } }, {});
+  const VMP::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 3, 4, 5 } }, 0 };
   std::vector<VMP::internal::Cover_of_vertex_3> covers(6);
-  VMP::internal::add_covers_3(points, walls, positions, covers);
+  VMP::internal::add_covers_3(covered, positions, 100, covers);
   REQUIRE(covers.size() == 6);
   CHECK(covers[1].points == std::vector<Vector3d>{ points[0] });
   CHECK(covers[5].points == std::vector<Vector3d>{ points[1], points[2] });
@@ -1648,4 +1652,44 @@ TEST_CASE("what the boundary of hexahedra does not cover")
   positions.row(1).tail(3).array() += 5;
   CHECK(std::abs(VMP::internal::uncovered(positions, covers[3], 0.5)
                  - (std::pow(std::hypot(4, 3) - 0.5, 2) + std::pow(std::hypot(4, 2) - 0.5, 2))) < 1e-12);
+}
+
+TEST_CASE("the middle of an edge across a valley is far")
+{
+  // Two slopes that meet in the line y = z = 0, two triangles that lead from one crest to the other over it, and a third one.
+  const std::vector<std::array<double, 3> > points
+    = { { -9, -2, 2 }, { 9, -2, 2 }, { -9, 0, 0 }, { 9, 0, 0 }, { -9, 2, 2 }, { 9, 2, 2 } };
+  const VMP::internal::Body_surface_3 surface(points, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 } }, {});
+  Eigen::Matrix3Xd positions(3, 5);
+  positions << 0, 0, 4, 4, 4,
+              -1, 1, 1, -1, 2,
+               1, 1, 1, 1, 2;
+  const VMP::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 4 } }, 0 };
+  std::vector<VMP::internal::Cover_of_vertex_3> covers(5);
+  const double distance = std::sqrt(0.5); // of a middle at z = 1 from the slopes
+  VMP::internal::add_covers_3(covered, positions, 0.7, covers);
+  for(const auto& cover : covers)
+    for(const auto& [of, edge] : cover.far_edges)
+      CHECK((of == &surface && positions(1, edge[0]) == -positions(1, edge[1])));
+  CHECK(covers[0].far_edges.size() == 3); // 0-1, and 0-2 of two triangles
+  CHECK(covers[1].far_edges.size() == 1);
+  CHECK(covers[2].far_edges.size() == 3);
+  CHECK(covers[4].far_edges.empty());
+  covers[1].points.clear();
+  CHECK(VMP::internal::uncovered(positions, covers[1], 0.5) == Approx(std::pow(distance - 0.5, 2)));
+
+  VMP::internal::add_covers_3(covered, positions, 0.71, covers = std::vector<VMP::internal::Cover_of_vertex_3>(5));
+  CHECK(covers[0].far_edges.empty());
+}
+
+TEST_CASE("rounding does not make corners of edges that vanish good")
+{
+  Eigen::Matrix3d edges = Eigen::Matrix3d::Identity();
+  edges.col(0) *= 1e-14;
+  CHECK(VMP::internal::scaled_jacobian(edges) == Approx(1));
+  CHECK(VMP::internal::scaled_jacobian(edges, 0.01) == Approx(1e-12));
+  edges.col(0) *= 1e13;
+  CHECK(VMP::internal::scaled_jacobian(edges, 0.01) == Approx(1));
+  edges.col(0).setZero();
+  CHECK(VMP::internal::scaled_jacobian(edges) == 0);
 }

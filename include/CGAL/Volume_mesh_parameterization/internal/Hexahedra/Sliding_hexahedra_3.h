@@ -103,7 +103,7 @@ public:
           pull_middles_3(covered, m_numbered.target, weight, goals);
       }
     }
-    put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget), is_valid);
+    put_back(improve_corners_3(m_numbered, goals, m_solver, m_budget), is_valid, goals.mean_edge);
     write_points();
   }
 
@@ -131,13 +131,11 @@ public:
     write_points();
   }
 
-  // Moves the vertices of corners whose scaled Jacobian is below the target, one after the other. Uncovered points have a price.
+  // Moves the vertices of corners whose scaled Jacobian is below the target, and those near far points of the surfaces, one after
+  // the other. Uncovered points have a price.
   void smooth(const double target, const double price)
   {
-    std::vector<Cover_of_vertex_3> covers(m_order.size());
-    for(const Covered_surface_3& covered : m_covered)
-      add_covers_3(covered.surface->vertices(), covered.triangles, m_numbered.target, covers);
-    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surfaces, covers, target, price, m_budget, m_numbered.target);
+    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surfaces, m_covered, target, price, m_budget, m_numbered.target);
     write_points();
   }
 
@@ -242,7 +240,7 @@ private:
   // Takes positions, put back onto the boundary. Where a corner would be inverted, or so flat that the next steps would serve
   // it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
   // steps are left to mend them.
-  void put_back(const Matrix3Xd& moved, const bool was_valid)
+  void put_back(const Matrix3Xd& moved, const bool was_valid, const double mean_edge)
   {
     constexpr int number_of_attempts = 5; // a guess
     constexpr double largest_loss = 0.9;  // a guess; part of a scaled Jacobian that a step may lose
@@ -250,7 +248,7 @@ private:
     const bool may_shorten = was_valid || inverted_cells(m_numbered, moved).number == 0;
     const auto quality = [&](const Matrix3Xd& positions, const std::size_t c)
     {
-      return scaled_jacobian(edge_matrix(positions, m_numbered.cells[c]));
+      return scaled_jacobian(edge_matrix(positions, m_numbered.cells[c]), shortest_edge * mean_edge);
     };
     std::vector<double> least(m_numbered.cells.size(), 0), part(m_order.size(), 1);
     for(std::size_t c = 0; c < least.size() && was_valid; ++c)

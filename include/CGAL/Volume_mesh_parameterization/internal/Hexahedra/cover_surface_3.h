@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/AABB_traits.h>
@@ -24,6 +26,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -56,28 +60,106 @@ void for_each_nearest(const std::vector<Eigen::Vector3d>& points, const Triangle
   }
 }
 
-// Triangles around a vertex, and the points that are nearest to one of the triangles.
+// Surface, and two triangles of each quadrangle that covers it. Those farther away than the tolerance, relative to the mean edge,
+// are pulled.
+struct Covered_surface_3
+{
+  const Body_surface_3* surface;
+  Triangles_of_boundary triangles;
+  double tolerance;
+};
+
+// Returns a surface with triangles whose vertices have new numbers.
+inline Covered_surface_3 covered_surface_3(const Body_surface_3& surface,
+                                           const std::vector<std::array<std::size_t, 4> >& quadrangles,
+                                           const std::vector<int>& numbers, const double tolerance)
+{
+  Covered_surface_3 result = { &surface, {}, tolerance };
+  for(const std::array<std::size_t, 4>& q : quadrangles)
+    for(const std::size_t k : { 1, 2 })
+      result.triangles.push_back({ numbers[q[0]], numbers[q[k]], numbers[q[k + 1]] });
+  return result;
+}
+
+// Middle of an edge of triangles that cover a surface, and the nearest point there: a quadrangle that spans a valley has its
+// middle far away.
+struct Middle_3
+{
+  Eigen::Vector3d point, nearest;
+
+  Middle_3(const Body_surface_3& surface, const Matrix3Xd& positions, const std::array<int, 2>& edge)
+    : point((positions.col(edge[0]) + positions.col(edge[1])) / 2), nearest(surface.nearest(point, Freedom_3::SURFACE))
+  {}
+
+  double distance() const { return (point - nearest).norm(); }
+};
+
+// Calls `f` with each edge of the triangles, its middle, and the triangle.
+template <typename Function>
+void for_each_middle(const Covered_surface_3& covered, const Matrix3Xd& positions, const Function& f)
+{
+  for(const std::array<int, 3>& triangle : covered.triangles)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const std::array<int, 2> edge = { triangle[i], triangle[(i + 1) % 3] };
+      f(edge, Middle_3(*covered.surface, positions, edge), triangle);
+    }
+}
+
+// Returns the largest distance between a surface and the quadrangles that cover it.
+inline double distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
+{
+  double result = 0;
+  for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
+                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&)
+                   { result = (std::max)(result, (p - q).norm()); });
+  for_each_middle(covered, positions, [&](const std::array<int, 2>&, const Middle_3& middle, const std::array<int, 3>&)
+                  { result = (std::max)(result, middle.distance()); });
+  return result;
+}
+
+// Returns the largest distance between the surface of a body and the boundary of hexahedra.
+inline double boundary_distance_3(const Body_surface_3& surface, const Hexahedron_soup_3& mesh)
+{
+  std::vector<int> numbers(mesh.points.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  Matrix3Xd positions(3, mesh.points.size());
+  for(const int v : numbers)
+    positions.col(v) = to_vector(mesh.points[v]);
+  return distance_of_cover_3(covered_surface_3(surface, mesh.facets, numbers, 0), positions);
+}
+
+// Triangles around a vertex, the points that are nearest to one of the triangles, and edges of them whose middles are far away.
 struct Cover_of_vertex_3
 {
   Triangles_of_boundary triangles;
   std::vector<Eigen::Vector3d> points;
+  std::vector<std::pair<const Body_surface_3*, std::array<int, 2> > > far_edges;
 };
 
-inline void add_covers_3(const std::vector<Eigen::Vector3d>& points, const Triangles_of_boundary& triangles,
-                         const Matrix3Xd& positions, std::vector<Cover_of_vertex_3>& covers)
+// Adds what covers a surface to the vertices; edges are far away beyond a tolerance.
+inline void add_covers_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double tolerance,
+                         std::vector<Cover_of_vertex_3>& covers)
 {
-  for(const std::array<int, 3>& triangle : triangles)
+  for(const std::array<int, 3>& triangle : covered.triangles)
     for(const int v : triangle)
       covers[v].triangles.push_back(triangle);
-  for_each_nearest(points, triangles, positions,
+  for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
                    [&](const Eigen::Vector3d& p, const Eigen::Vector3d&, const std::array<int, 3>& triangle)
   {
     for(const int v : triangle)
       covers[v].points.push_back(p);
   });
+  for_each_middle(covered, positions, [&](const std::array<int, 2>& edge, const Middle_3& middle, const std::array<int, 3>&)
+  {
+    if(middle.distance() > tolerance)
+      for(const int v : edge)
+        covers[v].far_edges.push_back({ covered.surface, edge });
+  });
 }
 
-// Returns the sum of the squares of the distances of points from the triangles, as far as they exceed a tolerance.
+// Returns the sum of the squares of the distances of points from the triangles, and of middles from the surface, as far as they
+// exceed a tolerance.
 inline double uncovered(const Matrix3Xd& positions, const Cover_of_vertex_3& cover, const double tolerance)
 {
   double sum = 0;
@@ -88,6 +170,8 @@ inline double uncovered(const Matrix3Xd& positions, const Cover_of_vertex_3& cov
       least = (std::min)(least, squared_distance(exact_point(p), triangle_at(positions, triangle)));
     sum += std::pow((std::max)(0., std::sqrt(least) - tolerance), 2);
   }
+  for(const auto& [surface, edge] : cover.far_edges)
+    sum += std::pow((std::max)(0., Middle_3(*surface, positions, edge).distance() - tolerance), 2);
   return sum;
 }
 

@@ -63,10 +63,16 @@ inline bool is_positive_corner(const Hexahedron_soup_3& mesh, const std::array<s
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
-inline double scaled_jacobian(Eigen::Matrix3d edges)
+// Returns the scaled Jacobian of a corner, or a smaller value where edges are shorter than a bound: rounding decides where edges
+// lead that vanish.
+inline double scaled_jacobian(Eigen::Matrix3d edges, const double shortest_edge = 0)
 {
   for(int i = 0; i < 3; ++i)
-    edges.col(i).stableNormalize();
+  {
+    const double length = edges.col(i).stableNorm();
+    if(length > 0)
+      edges.col(i) /= (std::max)(length, shortest_edge);
+  }
   return edges.determinant();
 }
 

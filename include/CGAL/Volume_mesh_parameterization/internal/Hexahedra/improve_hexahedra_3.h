@@ -113,10 +113,12 @@ private:
     m_best.take(m_result, m_hexahedra.mesh());
   }
 
+  // While corners are inverted, uncovered points count little.
   void smooth(const double price_of_uncovered)
   {
     constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
-    m_hexahedra.smooth((std::max)(0., m_result.minimal_scaled_jacobian) + gain, price_of_uncovered);
+    m_hexahedra.smooth((std::max)(0., m_result.minimal_scaled_jacobian) + gain,
+                       m_result.number_of_inverted_corners > 0 ? smallest_price : price_of_uncovered);
     evaluate();
   }
 
@@ -183,8 +185,7 @@ private:
       weight *= growth;
       m_hexahedra.improve(steps, true, 2, weight);
       evaluate();
-      if(m_result.minimal_scaled_jacobian < sufficient_scaled_jacobian)
-        smooth(price * weight);
+      smooth(price * weight);
       in_vain = is_better(m_best.result, before, m_best.edge) ? 0 : in_vain + 1;
     }
   }

@@ -24,13 +24,15 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Corners_of_vertex = std::vector<std::array<int, 4> >; // corners that have the vertex
 
+constexpr double shortest_edge = 0.001; // that counts as one, relative to the mean edge; a guess
+
 // Returns the sum of the squares by which scaled Jacobians are below the target, or a part of the sum that reaches the bound.
-inline double shortage(const Matrix3Xd& positions, const Corners_of_vertex& corners, const double target,
-                       const double bound = (std::numeric_limits<double>::infinity)())
+inline double shortage(const Matrix3Xd& positions, const Corners_of_vertex& corners, const double mean_edge,
+                       const double target, const double bound = (std::numeric_limits<double>::infinity)())
 {
   double sum = 0;
   for(auto corner = corners.begin(); corner != corners.end() && sum < bound; ++corner)
-    sum += std::pow((std::max)(0., target - scaled_jacobian(edge_matrix(positions, *corner))), 2);
+    sum += std::pow((std::max)(0., target - scaled_jacobian(edge_matrix(positions, *corner), shortest_edge * mean_edge)), 2);
   return sum;
 }
 
@@ -44,11 +46,11 @@ inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_
 
 // Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
 // scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
-// search (Hooke and Jeeves 1961). Uncovered points of the surface have a price, or vertices would leave tips: a shortage by the
-// root of the price costs as much as a point one mean edge away.
+// search (Hooke and Jeeves 1961). Uncovered points of the surfaces have a price, or vertices would leave tips: a shortage by the
+// root of the price costs as much as a point one mean edge away. Vertices near such points move for their sake alone, too.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
                                const std::vector<const Body_surface_3*>& surfaces,
-                               const std::vector<Cover_of_vertex_3>& covers, const double target, const double price,
+                               const std::vector<Covered_surface_3>& covered, const double target, const double price,
                                const Budget& budget, Matrix3Xd& positions)
 {
   constexpr int number_of_sweeps = 10;                         // a guess
@@ -59,6 +61,9 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
     for(const int v : corner)
       corners_of_vertex[v].push_back(corner);
   const double edge = mean_length_of_edges(positions, corners);
+  std::vector<Cover_of_vertex_3> covers(freedom.size());
+  for(const Covered_surface_3& surface : covered)
+    add_covers_3(surface, positions, tolerance * edge, covers);
   const auto price_of_uncovered = [&](const std::size_t v)
   { return price * uncovered(positions, covers[v], tolerance * edge) / (edge * edge); };
   std::vector<double> widths(freedom.size(), first_width);
@@ -66,10 +71,9 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
     for(std::size_t v = 0; v < freedom.size() && !budget.is_exhausted(); ++v)
     {
       double least = freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
-                     ? 0 : shortage(positions, corners_of_vertex[v], target);
+                     ? 0 : shortage(positions, corners_of_vertex[v], edge, target) + price_of_uncovered(v);
       if(least == 0)
         continue;
-      least += price_of_uncovered(v);
       const Eigen::Vector3d here = positions.col(v);
       Eigen::Vector3d best = here;
       const double step = widths[v] * mean_length_of_edges(positions, corners_of_vertex[v]);
@@ -77,7 +81,7 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       {
         positions.col(v)
           = surfaces[v]->nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
-        double next = shortage(positions, corners_of_vertex[v], target, least);
+        double next = shortage(positions, corners_of_vertex[v], edge, target, least);
         if(next < least)
           next += price_of_uncovered(v);
         if(next < least)
