@@ -547,6 +547,25 @@ VMP::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
 
 } // namespace
 
+TEST_CASE("a body with a cavity and without a polycube is told to have several boundary components")
+{
+  // a tetrahedron without a smaller one inside
+  VMP::Tetrahedron_soup_3 soup;
+  for(const double size : {10., 1.})
+    for(const std::array<double, 3>& p : {std::array<double, 3>{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
+      soup.points.push_back({size * p[0], size * p[1], size * p[2]});
+  for(const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}})
+  {
+    soup.cells.push_back({a, b, c, c + 4});
+    soup.cells.push_back({a, b, b + 4, c + 4});
+    soup.cells.push_back({a, a + 4, b + 4, c + 4});
+  }
+  soup.cell_references.assign(soup.cells.size(), 1);
+  VMP::orient_tetrahedron_soup(soup);
+  std::vector<std::array<double, 3> > targets;
+  CHECK(Polycube().parameterize(soup, targets) == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS);
+}
+
 TEST_CASE("a ring that is too coarse for a box with holes is refined for a polycube of voxels")
 {
   const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();

@@ -116,6 +116,7 @@ are tried, with 8 to 48 voxels along the body; bodies with finer handles are not
 
 `parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,
+`ERROR_SEVERAL_BOUNDARY_COMPONENTS` if none was found and a body has cavities,
 `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, against which
 `refine_and_parameterize()` may help,
 `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,

@@ -83,13 +83,13 @@ inline void move_along_x(const double distance, const double spacing, std::vecto
 }
 
 // Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
-// a ring linked with another one must be. A body with cavities has no polycube.
+// a ring linked with another one must be. A body with cavities is refused.
 inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
                                      std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
   if(bodies.size() == 1)
-    return ERROR_NO_POLYCUBE;
+    return ERROR_SEVERAL_BOUNDARY_COMPONENTS;
   std::vector<Eigen::Vector3d> result(whole.points.size());
   std::vector<Eigen::AlignedBox3d> boxes;
   for(Separate_body_3& body : bodies)
