@@ -150,8 +150,8 @@ private:
     }
   }
 
-  // Improves the worst corners as long as they gain: while they are bad but positive, their vertices leave the lines, and tips
-  // count less.
+  // Improves the worst corners as long as they gain: while they are poor but positive, far points count less, and the vertices of
+  // bad ones leave the lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
@@ -163,7 +163,7 @@ private:
       const double least = m_result.minimal_scaled_jacobian;
       smooth(price_of_uncovered);
       in_vain = m_result.minimal_scaled_jacobian > least + least_gain ? 0 : in_vain + 1;
-      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < bad_scaled_jacobian)
+      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
       {
         m_hexahedra.leave_lines(bad_scaled_jacobian);
         price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);

@@ -36,6 +36,14 @@ inline double shortage(const Matrix3Xd& positions, const Corners_of_vertex& corn
   return sum;
 }
 
+inline double least_scaled_jacobian(const Matrix3Xd& positions, const Corners_of_vertex& corners)
+{
+  double least = 1;
+  for(const std::array<int, 4>& corner : corners)
+    least = (std::min)(least, scaled_jacobian(edge_matrix(positions, corner)));
+  return least;
+}
+
 inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_vertex& corners)
 {
   double sum = 0;
@@ -47,7 +55,8 @@ inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_
 // Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
 // scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
 // search (Hooke and Jeeves 1961). Uncovered points of the surfaces have a price, or vertices would leave tips: a shortage by the
-// root of the price costs as much as a point one mean edge away. Vertices near such points move for their sake alone, too.
+// root of the price costs as much as a point one mean edge away. Vertices near such points move for their sake alone, too,
+// as far as that leaves good corners.
 inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, const std::vector<Freedom_3>& freedom,
                                const std::vector<const Body_surface_3*>& surfaces,
                                const std::vector<Covered_surface_3>& covered, const double target, const double price,
@@ -56,6 +65,7 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
   constexpr int number_of_sweeps = 10;                         // a guess
   constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges
   constexpr double tolerance = 0.3;                            // a guess; relative to the mean edge
+  constexpr double good_scaled_jacobian = 0.5;                 // a guess; up to there, corners are not made worse for far points
   std::vector<Corners_of_vertex> corners_of_vertex(freedom.size());
   for(const std::array<int, 4>& corner : corners)
     for(const int v : corner)
@@ -70,18 +80,24 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(std::size_t v = 0; v < freedom.size() && !budget.is_exhausted(); ++v)
     {
-      double least = freedom[v] == Freedom_3::NONE || widths[v] < smallest_width
-                     ? 0 : shortage(positions, corners_of_vertex[v], edge, target) + price_of_uncovered(v);
-      if(least == 0)
+      if(freedom[v] == Freedom_3::NONE || widths[v] < smallest_width)
         continue;
+      const Corners_of_vertex& around = corners_of_vertex[v];
+      const bool is_short = shortage(positions, around, edge, target) > 0;
+      const double paid = price_of_uncovered(v);
+      if(!is_short && paid == 0)
+        continue;
+      const double goal
+        = is_short ? target : (std::max)(target, (std::min)(good_scaled_jacobian, least_scaled_jacobian(positions, around)));
+      double least = shortage(positions, around, edge, goal) + paid;
       const Eigen::Vector3d here = positions.col(v);
       Eigen::Vector3d best = here;
-      const double step = widths[v] * mean_length_of_edges(positions, corners_of_vertex[v]);
+      const double step = widths[v] * mean_length_of_edges(positions, around);
       for(int i = 0; i < 27; ++i)
       {
         positions.col(v)
           = surfaces[v]->nearest(here + step * Eigen::Vector3d(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1), freedom[v]);
-        double next = shortage(positions, corners_of_vertex[v], edge, target, least);
+        double next = shortage(positions, around, edge, goal, least);
         if(next < least)
           next += price_of_uncovered(v);
         if(next < least)
