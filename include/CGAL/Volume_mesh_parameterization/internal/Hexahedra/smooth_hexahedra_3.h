@@ -24,7 +24,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Corners_of_vertex = std::vector<std::array<int, 4> >; // corners that have the vertex
 
-constexpr double shortest_edge = 0.001; // that counts as one, relative to the mean edge; a guess
+constexpr double shortest_edge = 0.01; // that counts as one, relative to the mean edge; a guess
 
 // Returns the sum of the squares by which scaled Jacobians are below the target, or a part of the sum that reaches the bound.
 inline double shortage(const Matrix3Xd& positions, const Corners_of_vertex& corners, const double mean_edge,
