@@ -80,6 +80,23 @@ def line(row, columns=LINE):
     return " ".join(format(row[key], form) if key in row else format("-", form.split(".")[0]) for key, form in columns)
 
 
+def add_options(parser):
+    parser.add_argument("--numbers", nargs="+", type=int, default=[10, 20], metavar="NUMBER",
+                        help="of hexahedra along the longest side")
+    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
+    parser.add_argument("--meshes", metavar="FOLDER", help="keeps the meshes that are made, for the next time")
+
+
+def conclude(rows, prefix):
+    """Writes the rows, and exits."""
+    refuted = sum(row.get("refuted_corners", 0) for row in rows)
+    print(f"corners that are not positive in meshes that were written: {refuted}")
+    if prefix:
+        write_csv(prefix + ".csv", rows)
+        write_json(prefix + ".json", rows)
+    sys.exit(refuted > 0)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", help="the program map_to_hexahedra")
@@ -89,10 +106,7 @@ def main():
     parser.add_argument("--domains", nargs="+", default=["cube", "polycube"], metavar="DOMAIN")
     parser.add_argument("--sizes", nargs="+", type=float, default=[0.05, 0.035, 0.025], metavar="SIZE",
                         help="of the tetrahedra, relative to the diagonal of the model")
-    parser.add_argument("--numbers", nargs="+", type=int, default=[10, 20], metavar="NUMBER",
-                        help="of hexahedra along the longest side")
-    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
-    parser.add_argument("--meshes", metavar="FOLDER", help="keeps the meshes that are made, for the next time")
+    add_options(parser)
     parser.add_argument("--time-limit", type=float, default=120, metavar="SECONDS", help="of each mesh and each case")
     arguments = parser.parse_args()
 
@@ -112,12 +126,7 @@ def main():
     for domain in arguments.domains:
         chosen = [row for row in rows if f"_{domain}_" in row["case"]]
         print(f"{domain}: {sum(row['status'] == 'OK' for row in chosen)} of {len(chosen)} OK")
-    refuted = sum(row.get("refuted_corners", 0) for row in rows)
-    print(f"corners that are not positive in meshes that were written: {refuted}")
-    if arguments.output:
-        write_csv(arguments.output + ".csv", rows)
-        write_json(arguments.output + ".json", rows)
-    sys.exit(refuted > 0)
+    conclude(rows, arguments.output)
 
 
 if __name__ == "__main__":

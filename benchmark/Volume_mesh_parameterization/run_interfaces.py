@@ -11,12 +11,10 @@ import argparse
 import itertools
 import json
 import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-from run_hexahedra import corners_not_positive, line
-from tables import write_csv, write_json
+from run_hexahedra import add_options, conclude, corners_not_positive, line
 
 # The longest side of each body, and its two parts in the language of Gmsh: the body a(), and b(), which it is cut by.
 CUBE = "Box(1) = {0, 0, 0, 1, 1, 1}; a() = {1}; "
@@ -96,10 +94,7 @@ def main():
     parser.add_argument("--bodies", nargs="+", choices=BODIES, default=list(BODIES), metavar="NAME")
     parser.add_argument("--sizes", nargs="+", type=float, default=[0.05], metavar="SIZE",
                         help="of the edges of tetrahedra, relative to the longest side")
-    parser.add_argument("--numbers", nargs="+", type=int, default=[10, 20], metavar="NUMBER",
-                        help="of hexahedra along the longest side")
-    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
-    parser.add_argument("--meshes", metavar="FOLDER", help="keeps the meshes that are made, for the next time")
+    add_options(parser)
     parser.add_argument("--time-limit", type=float, default=120, metavar="SECONDS", help="of each case")
     arguments = parser.parse_args()
 
@@ -114,12 +109,7 @@ def main():
                 rows.append(run_case(arguments, mesh, BODIES[body][0], number))
                 print(line(rows[-1], LINE), flush=True)
 
-    refuted = sum(row.get("refuted_corners", 0) for row in rows)
-    print(f"corners that are not positive in meshes that were written: {refuted}")
-    if arguments.output:
-        write_csv(arguments.output + ".csv", rows)
-        write_json(arguments.output + ".json", rows)
-    sys.exit(refuted > 0)
+    conclude(rows, arguments.output)
 
 
 if __name__ == "__main__":

@@ -96,7 +96,8 @@ a 0-dimensional feature of the complex, is moved to it and stays there: along a 
 the spacing in the domain. A weak pull to their first positions keeps vertices
 apart, and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
 boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.4 after the last one, vertices
-move one after the other such that their worst corners become better; in the end that is repeated as long as they do. Of corners
+move one after the other such that their worst corners become better, and those near points of a boundary that are far from the
+other one such that these come nearer; in the end that is repeated as long as corners become better. Of corners
 that stay below 0.05 the vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left
 uncovered. The rounds end when a round raises the mean by less than 0.002. Last, as long as points of both boundaries are farther
 apart than 0.4 edges and that leads to better hexahedra, quadrangles are drawn to such points by a pull that is doubled each time.
