@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -54,14 +55,21 @@ public:
         costs[label] = area_vectors.back().norm() - area_vectors.back().dot(vector_of_direction(label));
       m_face_costs.push_back(costs);
     }
-    for(const auto e : mesh.edges())
+    for(const Face f : mesh.faces())
     {
-      const auto h = mesh.halfedge(e);
-      const Eigen::Vector3d n = area_vectors[mesh.face(h)].normalized();
-      const Eigen::Vector3d m = area_vectors[mesh.face(mesh.opposite(h))].normalized();
-      const double cosine = (std::max)(0., n.dot(m));
-      m_edge_costs.push_back((is_sharp[e] ? 0 : cosine * cosine)
-                             * (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm());
+      auto side = m_sides.emplace(m_sides.end())->begin();
+      for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+      {
+        const Face g = mesh.face(mesh.opposite(h));
+        const double cosine = (std::max)(0., area_vectors[f].normalized().dot(area_vectors[g].normalized()));
+        *side++ = { g, (is_sharp[mesh.edge(h)] ? 0 : cosine * cosine)
+                       * (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm() };
+      }
+      m_ring.emplace_back();
+      for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+        for(const Face g : CGAL::faces_around_target(mesh.halfedge(v), mesh))
+          if(g != f && std::find(m_ring.back().begin(), m_ring.back().end(), g) == m_ring.back().end())
+            m_ring.back().push_back(g);
     }
   }
 
@@ -130,9 +138,9 @@ public:
       label_of_chart[c] = labels[f];
       for(std::size_t label = 0; label < 6; ++label)
         cost_of_chart[c][label] += cost(f, label);
-      for(const auto h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
-        if(const Face g = m_mesh.face(m_mesh.opposite(h)); chart_of_face[g] != c)
-          cost_of_chart[c][labels[g]] -= smoothing * m_edge_costs[m_mesh.edge(h)];
+      for(const auto& [g, cost_of_edge] : m_sides[f])
+        if(chart_of_face[g] != c)
+          cost_of_chart[c][labels[g]] -= smoothing * cost_of_edge;
     }
     std::vector<Chart_relabelling_3> result;
     for(std::size_t c = 0; c < cost_of_chart.size(); ++c)
@@ -148,6 +156,9 @@ public:
 
 private:
   using Costs = std::array<double, 6>;
+
+  // Side of a face: the face beyond it, and the cost of different labels on both sides, smoothing 1.
+  struct Side { Face face; double cost; };
 
   // Returns for each face the number of the two directions that suit it about equally, `no_tie` if there are none.
   std::vector<std::size_t> ties() const
@@ -194,11 +205,8 @@ private:
     std::vector<Face> region, center_of_face(labels.size(), Boundary_mesh_3::null_face());
     for(const Face f : m_mesh.faces())
     {
-      const auto around = CGAL::faces_around_face(m_mesh.halfedge(f), m_mesh);
-      if(std::all_of(around.begin(), around.end(), [&](const Face g) { return labels[g] == labels[f]; }))
+      if(std::all_of(m_sides[f].begin(), m_sides[f].end(), [&](const Side& side) { return labels[side.face] == labels[f]; }))
         continue;
-      if(m_budget.is_exhausted())
-        return false;
       find_region(f, rings, center_of_face, region);
       const auto [label, gain] = best_label(region, f, center_of_face, smoothing, labels);
       if(gain <= least_gain)
@@ -216,13 +224,9 @@ private:
     center_of_face[center] = center;
     for(int ring = 0; ring < rings; ++ring)
       for(std::size_t i = 0, n = region.size(); i < n; ++i)
-        for(const auto v : CGAL::vertices_around_face(m_mesh.halfedge(region[i]), m_mesh))
-          for(const Face g : CGAL::faces_around_target(m_mesh.halfedge(v), m_mesh))
-            if(g != Boundary_mesh_3::null_face() && center_of_face[g] != center)
-            {
-              center_of_face[g] = center;
-              region.push_back(g);
-            }
+        for(const Face g : m_ring[region[i]])
+          if(std::exchange(center_of_face[g], center) != center)
+            region.push_back(g);
   }
 
   // Returns the cheapest label for all faces of a region, and by how much it is cheaper than the labels there.
@@ -237,10 +241,9 @@ private:
       before += cost(f, labels[f]);
       for(std::size_t label = 0; label < 6; ++label)
         costs[label] += cost(f, label);
-      for(const auto h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
+      for(const auto& [g, cost_of_side] : m_sides[f])
       {
-        const Face g = m_mesh.face(m_mesh.opposite(h));
-        const double cost_of_edge = smoothing * m_edge_costs[m_mesh.edge(h)];
+        const double cost_of_edge = smoothing * cost_of_side;
         if(center_of_face[g] != center)
         {
           costs[labels[g]] -= cost_of_edge;
@@ -286,7 +289,8 @@ private:
   const Budget& m_budget;
   std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
   std::vector<Costs> m_face_costs;                  // costs of a face by label
-  std::vector<double> m_edge_costs;                 // costs of different labels on both sides, smoothing 1
+  std::vector<std::array<Side, 3> > m_sides;        // of each face
+  std::vector<std::vector<Face> > m_ring;           // for each face, those with a vertex in common
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -15,9 +15,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Chart_defects_3.h>
 
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
-#include <boost/property_map/function_property_map.hpp>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <tuple>
 #include <utility>
@@ -29,14 +29,19 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const Boundary_mesh_3& mesh,
                                                                            const std::vector<std::size_t>& labels)
 {
-  std::vector<std::size_t> chart_of_face(labels.size());
-  const auto is_border = boost::make_function_property_map<Boundary_mesh_3::Edge_index>([&](const Boundary_mesh_3::Edge_index e)
+  Disjoint_sets sets(labels.size());
+  for(const auto e : mesh.edges())
+    if(const auto f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1)); labels[f] == labels[g])
+      sets.unite(f, g);
+  std::size_t n = 0;
+  std::vector<std::size_t> chart_of_face(labels.size()), chart_of_set(labels.size(), labels.size());
+  for(std::size_t f = 0; f < labels.size(); ++f)
   {
-    return labels[mesh.face(mesh.halfedge(e, 0))] != labels[mesh.face(mesh.halfedge(e, 1))];
-  });
-  const std::size_t n = Polygon_mesh_processing::connected_components(
-    mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
-    parameters::edge_is_constrained_map(is_border));
+    std::size_t& chart = chart_of_set[sets.find(f)];
+    if(chart == labels.size())
+      chart = n++;
+    chart_of_face[f] = chart;
+  }
   return { chart_of_face, n };
 }
 
@@ -70,8 +75,9 @@ public:
     m_labels.resize(n);
     for(const auto f : mesh.faces())
       m_labels[m_chart_of_face[f]] = labels[f];
-    find_chains();
-    find_inner_characteristics();
+    const std::vector<int> number_of_borders = this->number_of_borders();
+    find_chains(number_of_borders);
+    find_inner_characteristics(number_of_borders);
     m_defects = Chart_defects_3(m_borders, m_labels).count();
     m_is_beside_invalid.resize(n);
     for(const Halfedge h : mesh.halfedges())
@@ -158,13 +164,21 @@ private:
     return h;
   }
 
-  void find_chains()
+  // Returns how many edges between charts meet at each vertex.
+  std::vector<int> number_of_borders() const
+  {
+    std::vector<int> result(m_mesh.number_of_vertices(), 0);
+    for(const Halfedge h : m_mesh.halfedges())
+      result[m_mesh.target(h)] += separates(h);
+    return result;
+  }
+
+  void find_chains(const std::vector<int>& number_of_borders)
   {
     std::vector<bool> is_corner(m_mesh.number_of_vertices()), is_in_chain(m_mesh.number_of_halfedges(), false);
     for(const Vertex v : m_mesh.vertices())
     {
-      const auto around = CGAL::halfedges_around_target(v, m_mesh);
-      is_corner[v] = std::count_if(around.begin(), around.end(), [this](const Halfedge h) { return separates(h); }) > 2;
+      is_corner[v] = number_of_borders[v] > 2;
       if(is_corner[v])
         m_corners.push_back(v);
     }
@@ -228,7 +242,7 @@ private:
   }
 
   // Finds the Euler characteristics of the charts without their borders.
-  void find_inner_characteristics()
+  void find_inner_characteristics(const std::vector<int>& number_of_borders)
   {
     m_borders.inner_characteristic.assign(number_of_charts(), 0);
     for(const auto f : m_mesh.faces())
@@ -237,11 +251,8 @@ private:
       if(!separates(m_mesh.halfedge(e)))
         --m_borders.inner_characteristic[chart(m_mesh.halfedge(e))];
     for(const Vertex v : m_mesh.vertices())
-    {
-      const auto around = CGAL::halfedges_around_target(v, m_mesh);
-      if(std::none_of(around.begin(), around.end(), [this](const Halfedge h) { return separates(h); }))
+      if(number_of_borders[v] == 0)
         ++m_borders.inner_characteristic[chart(m_mesh.halfedge(v))];
-    }
   }
 
   const Boundary_mesh_3& m_mesh;

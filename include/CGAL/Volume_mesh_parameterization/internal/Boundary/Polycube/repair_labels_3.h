@@ -125,18 +125,19 @@ inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Ch
 inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
                             std::vector<std::size_t>& labels, const Budget& budget)
 {
-  const Polycube_charts_3 start(mesh, labels);
-  std::size_t steps = start.number_of_charts() + start.number_of_defects(); // each step removes a chart or a defect
+  std::optional<std::size_t> steps;
   while(!budget.is_exhausted())
   {
     const Polycube_charts_3 charts(mesh, labels);
+    if(!steps)
+      steps = charts.number_of_charts() + charts.number_of_defects(); // each step removes a chart or a defect
     if(charts.number_of_charts() < 6)
       return false;
     if(straighten_chains_3(mesh, charts, labels))
       continue;
     if(charts.number_of_defects() == 0)
       return true;
-    if(steps-- == 0
+    if((*steps)-- == 0
        || !relabel_charts(charts, costs.chart_relabellings(smoothing, labels, charts.chart_of_face()), labels, budget))
       return false;
   }
