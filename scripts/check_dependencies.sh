@@ -20,7 +20,7 @@ package_of()
     Box_intersection_d/* | box_intersection_d.h) echo Box_intersection_d ;;
     Intersections_3/*) echo Intersections_3 ;;
     Rational_traits.h | number_utils.h) echo Algebraic_foundations ;;
-    Exact_integer.h | Exact_rational.h) echo Number_types ;;
+    Exact_integer.h | Exact_rational.h | Gmpzf.h) echo Number_types ;;
     Bbox_3.h | Exact_predicates_inexact_constructions_kernel.h | determinant.h) echo Kernel_23 ;;
     property_map.h) echo Property_map ;;
     boost/graph/*) echo BGL ;;

@@ -64,7 +64,7 @@ public:
       add_order({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
     do
       for(int axis = 0; axis < 3; ++axis)
-        if(m_budget.is_exhausted() || !solve(axis, wanted))
+        if(m_budget.is_exhausted() || (!m_is_solved[axis] && !solve(axis, wanted)))
           return false;
     while(separate_intersecting_edges());
     join_equal_coordinates();
@@ -133,6 +133,7 @@ private:
     for(std::size_t i = 0; i < groups.size(); ++i)
       m_coordinate[groups[i]] = coordinates->values[i];
     m_planes.origin[axis] = coordinates->origin;
+    m_is_solved[axis] = true;
     return true;
   }
 
@@ -156,6 +157,7 @@ private:
   void add_order(const Order_of_coordinates& order)
   {
     m_orders.push_back(order);
+    m_is_solved[m_charts.axis(order.first)] = false;
     m_order.add(order.first, order.second);
   }
 
@@ -256,6 +258,7 @@ private:
   Grid_planes_3 m_planes;
   const Budget& m_budget;
   std::vector<double> m_coordinate; // by group
+  std::array<bool, 3> m_is_solved = {}; // the orders along each axis
   std::vector<Edge> m_edges;
   std::vector<Order_of_coordinates> m_orders;
   Order_of_elements m_order;

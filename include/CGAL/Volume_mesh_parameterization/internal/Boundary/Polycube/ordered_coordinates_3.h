@@ -12,19 +12,32 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
+#ifdef CGAL_USE_GMP
+#  include <CGAL/Gmpzf.h>
+#else
+#  include <CGAL/Exact_rational.h>
+#endif
 
 #include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Number of quadratic programs, of which the solver has no quotients: those of rational numbers take longer by far.
+#ifdef CGAL_USE_GMP
+using Program_number = Gmpzf;
+#else
+using Program_number = Exact_rational;
+#endif
 
 // Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. They may be moved if they are
 // to be as close to given faces as planes so far apart can be.
@@ -131,16 +144,22 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
     program.set_d(variable, variable, 2 * areas[i]);
     program.set_c(variable, -2 * (moments[i] - areas[i] * origin) / scale);
   }
-  int row = 0;
+  std::map<std::pair<std::size_t, std::size_t>, double> distances; // the largest ones
   for(const auto& [first, second, distance] : orders)
   {
     if(first == second)
       return std::nullopt;
-    program.set_a(static_cast<int>(first), row, -1);
-    program.set_a(static_cast<int>(second), row, 1);
+    double& largest = distances.emplace(std::pair(first, second), distance).first->second;
+    largest = (std::max)(largest, distance);
+  }
+  int row = 0;
+  for(const auto& [pair, distance] : distances)
+  {
+    program.set_a(static_cast<int>(pair.first), row, -1);
+    program.set_a(static_cast<int>(pair.second), row, 1);
     program.set_b(row++, has_planes ? std::ceil(distance / scale) : distance);
   }
-  const auto solution = solve_quadratic_program(program, Exact_rational());
+  const auto solution = solve_quadratic_program(program, Program_number());
   if(solution.is_infeasible())
     return std::nullopt;
   std::vector<double> x;
@@ -151,7 +170,7 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
   const double shift = planes.may_move ? closest_shift_of_integers(areas, x) : 0;
   Ordered_coordinates result = { {}, origin + scale * shift };
   for(auto it = solution.variable_values_begin(); result.values.size() < areas.size(); ++it)
-    result.values.push_back(result.origin + scale * nearest_integer(*it - Exact_rational(shift)));
+    result.values.push_back(result.origin + scale * nearest_integer(*it - Program_number(shift)));
   return result;
 }
 
