@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
 
 #include <optional>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -63,8 +64,25 @@ public:
     write(images);
   }
 
+  // Tells whether the coordinates that are held are those of this map, and where they are here.
+  bool has_border(const Held_coordinates& is_held, const std::vector<Eigen::Vector3d>& images) const
+  {
+    for(std::size_t i = 0; i < m_unknown.size(); ++i)
+      for(const int axis : { 0, 1 })
+      {
+        const auto v = m_chart.vertices[i];
+        const int k = axis == 0 ? m_u : m_v;
+        if(is_held[v][k] != (m_unknown[i][axis] < 0) || (is_held[v][k] && images[v][k] != m_images(axis, i)))
+          return false;
+      }
+    return true;
+  }
+
+  // Moves the vertices, but once for all.
   void run(std::vector<Eigen::Vector3d>& images, const Budget& budget)
   {
+    if(std::exchange(m_is_relaxed, true))
+      return;
     const auto solver = make_symmetric_sparse_solver();
     State state = evaluate(m_images, 1);
     m_epsilon = first_epsilon(state.smallest_determinant);
@@ -80,6 +98,15 @@ public:
       m_epsilon = next_epsilon(m_epsilon, decrease, state.smallest_determinant, next.smallest_determinant);
     }
     write(images);
+  }
+
+  void write(std::vector<Eigen::Vector3d>& images) const
+  {
+    for(std::size_t i = 0; i < m_chart.vertices.size(); ++i)
+    {
+      images[m_chart.vertices[i]][m_u] = m_images(0, i);
+      images[m_chart.vertices[i]][m_v] = m_images(1, i);
+    }
   }
 
 private:
@@ -104,15 +131,6 @@ private:
       VectorXd values = m_images.row(axis).transpose();
       extension->apply(values);
       m_images.row(axis) = values.transpose();
-    }
-  }
-
-  void write(std::vector<Eigen::Vector3d>& images) const
-  {
-    for(std::size_t i = 0; i < m_chart.vertices.size(); ++i)
-    {
-      images[m_chart.vertices[i]][m_u] = m_images(0, i);
-      images[m_chart.vertices[i]][m_v] = m_images(1, i);
     }
   }
 
@@ -228,6 +246,7 @@ private:
   std::vector<std::array<int, 2> > m_unknown; // number of each coordinate of a vertex, or -1 if it is held
   int m_number_of_unknowns = 0;
   double m_epsilon = 1;
+  bool m_is_relaxed = false;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

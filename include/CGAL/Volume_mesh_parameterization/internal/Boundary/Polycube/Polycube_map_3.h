@@ -211,7 +211,6 @@ private:
 
   void map_charts(const Budget& budget)
   {
-    m_relaxations.clear();
     std::vector<std::vector<Face> > faces(m_charts.number_of_charts());
     for(const Face f : m_mesh.faces())
     {
@@ -222,8 +221,17 @@ private:
     }
     for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
     {
+      if(c < m_relaxations.size() && m_relaxations[c].has_border(m_is_held, m_images))
+      {
+        m_relaxations[c].write(m_images);
+        continue;
+      }
       const auto [u, v] = m_charts.plane_axes(c);
-      m_relaxations.emplace_back(m_mesh, faces[c], m_is_held, u, v, m_images);
+      Chart_relaxation_2 relaxation(m_mesh, faces[c], m_is_held, u, v, m_images);
+      if(c < m_relaxations.size())
+        m_relaxations[c] = std::move(relaxation);
+      else
+        m_relaxations.push_back(std::move(relaxation));
     }
   }
 
