@@ -33,10 +33,11 @@ class Search_for_polycube_3
 {
 public:
   // Takes a surface whose longest side is 1, whether each of its edges is sharp, its bounding box before it was scaled, the
-  // spacing that coordinates of faces are multiples of, or 0, and whether the polycube may be moved.
+  // spacing that coordinates of faces are multiples of, or 0, whether the polycube may be moved, and the factor from one weight of
+  // the lengths of edges to the next.
   Search_for_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Eigen::AlignedBox3d& box,
-                        const double spacing, const bool may_move, const Budget& budget)
-    : m_mesh(mesh), m_is_sharp(is_sharp), m_box(box), m_spacing(spacing), m_may_move(may_move), m_budget(budget)
+                        const double spacing, const bool may_move, const double factor, const Budget& budget)
+    : m_mesh(mesh), m_is_sharp(is_sharp), m_box(box), m_spacing(spacing), m_may_move(may_move), m_factor(factor), m_budget(budget)
   {}
 
   // Returns the images of the best polycube.
@@ -67,7 +68,7 @@ private:
   {
     Polycube result;
     std::multimap<double, Polycube_map_3> maps; // by distortion
-    for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= std::sqrt(2.))
+    for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= m_factor)
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
@@ -126,6 +127,7 @@ private:
   const Eigen::AlignedBox3d& m_box;
   const double m_spacing;
   const bool m_may_move;
+  const double m_factor;
   const Budget& m_budget;
   std::set<Labels> m_tried;
 };

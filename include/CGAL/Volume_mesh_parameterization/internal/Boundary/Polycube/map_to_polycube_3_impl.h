@@ -201,12 +201,13 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
                                   Splits_of_edges* const splits, std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation,
                                   const Budget& budget)
 {
+  const double factor = frames.size() > 1 ? 2 : std::sqrt(2.); // guesses; candidates of several frames need not be as many of each
   double least_distortion = (std::numeric_limits<double>::infinity)();
   bool has_polycube = false;
   for(const Turned_surface_3& turned : frames)
   {
     std::vector<Eigen::Vector3d> candidate;
-    if(Search_for_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, budget).run(candidate) != OK)
+    if(Search_for_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, factor, budget).run(candidate) != OK)
       continue;
     const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, candidate);
     if(has_polycube && !(distortion < least_distortion))
