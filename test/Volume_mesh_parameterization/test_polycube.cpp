@@ -639,6 +639,50 @@ TEST_CASE("voxels that touch along an edge or at a corner are joined or parted")
   CHECK(characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size).value_or(0) > 0);
 }
 
+TEST_CASE("a cut between two parts of a border is no border of the voxels")
+{
+  using namespace VMP::internal;
+  // a block with a notch in front, above: its top and its front meet on both sides of the notch
+  const Voxels_3 voxels = voxels_of({3, 2, 2}, [](const int x, const int y, const int z) { return x != 1 || y != 0 || z != 1; });
+  const Voxel_faces_3 faces(voxels);
+  std::vector<std::size_t> face_of_cell = faces.faces;
+  CHECK(have_charts_the_neighbors_of_voxels(voxels, faces, face_of_cell));
+  CHECK(have_charts_the_corners_of_voxels(voxels, faces, face_of_cell));
+  // on the left, the side, the front, the wall of the notch and the top now meet at one point, each with the same neighbors
+  const auto give = [&](const int x, const int y, const std::size_t direction)
+  {
+    const std::size_t voxel = voxels.index(Eigen::Vector3i(3 + x, 3 + y, 6)); // behind three free layers
+    const auto cell = std::find(faces.faces.begin(), faces.faces.end(), 6 * voxel + 4) - faces.faces.begin();
+    face_of_cell.at(static_cast<std::size_t>(cell)) = 6 * voxel + direction;
+  };
+  give(0, 1, 1);
+  give(0, 0, 3);
+  give(1, 0, 0);
+  CHECK(have_charts_the_neighbors_of_voxels(voxels, faces, face_of_cell));
+  CHECK(!have_charts_the_corners_of_voxels(voxels, faces, face_of_cell));
+}
+
+TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")
+{
+  using namespace VMP::internal;
+  Split_surface_3 square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const Eigen::Vector3d center(0.3, 0.4, 0);
+  const auto length = [&](const Eigen::Vector3d& p) { return (std::max)(0.01, (p - center).norm()); };
+  square.split_long_edges(length);
+  CHECK(square.facets.size() < 1000); // 40,000 with short edges everywhere
+  double area = 0;
+  for(const auto& facet : square.facets)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Eigen::Vector3d &p = square.points[facet[i]], &q = square.points[facet[(i + 1) % 3]],
+                            &r = square.points[facet[(i + 2) % 3]];
+      CHECK((q - p).norm() <= length((p + q) / 2));
+      CHECK((q - p).normalized().dot((r - p).normalized()) < std::cos(0.4)); // half of a right angle by bisection, and less
+      area += (q - p).cross(r - p).z() / 6;
+    }
+  CHECK(area == Approx(1));
+}
+
 TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
 {
   using namespace VMP::internal;
@@ -649,12 +693,14 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
   const std::vector<Eigen::Vector3d> points = unit_points(mesh);
   Voxels_3 voxels = voxels_of_surface_3(points, surface.facets, 0.1, {0, 0, 0}, 0.5);
   REQUIRE(make_surface_of_characteristic(voxels, 0.5, 0));
-  Split_surface_3 fine = {points, surface.facets};
-  fine.split_long_edges(0.05);
+  const Split_surface_3 given = {points, surface.facets};
+  Split_surface_3 fine = given;
+  fine.split_edges_longer_than(0.05);
   const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
   CHECK(polycube.label_of_chart.size() >= 10); // of a ring along the axes
   CHECK(polycube.label_of_chart.size() <= 12);
-  const Drawn_polycube_3 drawn = draw_polycube_3(polycube, fine, Budget());
+  const double length = GENERATE(0.05, 0.2); // the longer one is halved where borders are blocked
+  const Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
   REQUIRE(drawn.chart_of_facet.size() == drawn.surface.facets.size());
   Boundary_mesh_3 refined;
   REQUIRE(build_boundary_mesh_3(drawn.surface, refined) == VMP::OK);

@@ -135,16 +135,11 @@ inline Mapped_mesh with_map(Mapped_mesh mapped, const Options& options, Progress
   return mapped;
 }
 
-// Finds the map to the polycube of a boundary that is not refined. Nothing if there is none that meets it.
-inline std::optional<Mapped_mesh> mapped_without_splits(const Mapped_mesh& given, const Options& options,
-                                                        const Landmarks& landmarks, Progress_line& progress)
+// Finds the targets on the polycube of a boundary that is not refined. Nothing if there are none.
+inline std::optional<Mapped_mesh> with_targets_without_splits(const Mapped_mesh& given, const Options& options,
+                                                              const Landmarks& landmarks, Progress_line& progress)
 {
-  try
-  {
-    Mapped_mesh mapped = with_map(with_targets_on_domain(given, options, false, landmarks, progress), options, progress);
-    if(exit_code(mapped.result) == SUCCESS)
-      return mapped;
-  }
+  try { return with_targets_on_domain(given, options, false, landmarks, progress); }
   catch(const Boundary_error&) {}
   catch(const Interruption&) {}
   return std::nullopt;
@@ -163,22 +158,32 @@ inline Mapped_mesh with_edges_split_at_boundary(Mapped_mesh mapped)
 
 // Finds the map to the polycube of a boundary that is split for it. It has far more vertices than there are inside, and each of
 // these may be joined to too many: where no map is found in a third of the time, all edges inside that begin at the boundary are
-// split, and if that does not help in another third, the polycube of the boundary as it is given is tried.
+// split. If the boundary as it is given has a polycube, too, half of the time that is left then is kept for that.
 inline Mapped_mesh mapped_with_splits(const Mapped_mesh& given, const Mapped_mesh& with_targets, const Options& options,
                                       const Landmarks& landmarks, Progress_line& progress)
 {
   progress.end_after_part_of_time(1. / 3);
   Mapped_mesh mapped = with_map(with_targets, options, progress);
+  progress.end_after_all_time();
+  if(exit_code(mapped.result) == SUCCESS || !progress.goes_on())
+    return mapped;
   progress.end_after_part_of_time(0.5);
-  if(exit_code(mapped.result) != SUCCESS && progress.goes_on())
+  const std::optional<Mapped_mesh> without_splits = with_targets_without_splits(given, options, landmarks, progress);
+  progress.end_after_all_time();
+  if(without_splits)
+    progress.end_after_part_of_time(0.5);
+  const auto try_other = [&](const Mapped_mesh& with_other_targets)
   {
-    Mapped_mesh other = with_map(with_edges_split_at_boundary(with_targets), options, progress);
+    Mapped_mesh other = with_map(with_other_targets, options, progress);
     if(exit_code(other.result) == SUCCESS || !mapped.result.has_valid_map)
       mapped = std::move(other);
-  }
+  };
+  if(progress.goes_on())
+    try_other(with_edges_split_at_boundary(with_targets));
   progress.end_after_all_time();
-  return exit_code(mapped.result) == SUCCESS ? mapped
-    : mapped_without_splits(given, options, landmarks, progress).value_or(mapped);
+  if(exit_code(mapped.result) != SUCCESS && without_splits && progress.goes_on())
+    try_other(*without_splits);
+  return mapped;
 }
 
 inline Mapped_mesh mapped_to_domain(Mapped_mesh given, const Options& options, const Landmarks& landmarks, Progress_line& progress)

@@ -111,8 +111,9 @@ holes, which exists for each body that discs cut into a ball, also a knotted one
 inside the body, and the edges of the box as disjoint lines on its boundary. At least four edges of the mesh must
 lead around each handle, and more where it is to be mapped with low distortion. `refine_and_parameterize()` does without them,
 and has another choice there: voxels whose boundary has as many handles are simplified by moving their faces, as long as that
-lowers the cost of labels, and the edges of the polycube that they are then become disjoint paths on the boundary. Up to 84 grids
-are tried, with 8 to 48 voxels along the body; bodies with finer handles are not found.
+lowers the cost of labels, and the edges of the polycube that they are then become disjoint paths on the boundary. Near
+these, edges of the mesh are split to the length of a voxel, and further where a path is blocked. Up to 84 grids are tried,
+with 8 to 48 voxels along the body; bodies with finer handles are not found.
 
 `parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,

@@ -60,10 +60,15 @@ public:
       const auto blocked = route(order);
       if(blocked == order.end())
         return charts_between_paths();
+      const std::vector<std::size_t>& points = m_borders.borders()[*blocked].points;
+      m_blocked_points.insert(points.begin(), points.end());
       std::rotate(order.begin(), blocked, blocked + 1); // it comes first
     }
     return {};
   }
+
+  // Returns the points of the faces on the borders whose paths were blocked.
+  const std::set<std::size_t>& blocked_points() const { return m_blocked_points; }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -192,6 +197,7 @@ private:
   std::vector<std::vector<std::size_t> > m_beside; // vertices, of the borders at each corner
   std::unordered_map<std::size_t, std::size_t> m_number_of_corner;
   std::vector<bool> m_is_used;
+  std::set<std::size_t> m_blocked_points;
   Boundary_mesh_3 m_mesh;
 };
 

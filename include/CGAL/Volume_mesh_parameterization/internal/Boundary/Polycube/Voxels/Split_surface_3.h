@@ -59,22 +59,46 @@ struct Split_surface_3
     return parents;
   }
 
-  // Splits edges that are longer, and their halves, until there are none.
-  void split_long_edges(const double maximal_length)
+  // Splits edges that are longer than is allowed at their midpoints, and their halves, until there are none. No facet is split
+  // unless its longest edge is, which keeps its angles from becoming ever smaller.
+  template <typename Length>
+  void split_long_edges(const Length& maximal_length_at)
   {
     for(std::set<Edge> edges; ; edges.clear())
     {
       for(const std::array<std::size_t, 3>& facet : facets)
         for(std::size_t i = 0; i < 3; ++i)
-          if(length(edge(facet, i)) > maximal_length)
-            edges.insert(edge(facet, i));
+          if(const Edge e = edge(facet, i); length(e) > maximal_length_at((points[e.first] + points[e.second]) / 2))
+            edges.insert(e);
       if(edges.empty())
         return;
+      add_longest_edges(edges);
       split(edges);
     }
   }
 
+  void split_edges_longer_than(const double maximal_length)
+  { split_long_edges([maximal_length](const Eigen::Vector3d&) { return maximal_length; }); }
+
 private:
+  // Adds the longest edge of each facet that has an edge among some.
+  void add_longest_edges(std::set<Edge>& edges) const
+  {
+    for(bool has_changed = true; has_changed; )
+    {
+      has_changed = false;
+      for(const std::array<std::size_t, 3>& facet : facets)
+      {
+        const std::array<Edge, 3> around = { edge(facet, 0), edge(facet, 1), edge(facet, 2) };
+        if(std::none_of(around.begin(), around.end(), [&](const Edge& e) { return edges.count(e) > 0; }))
+          continue;
+        const Edge longest = *std::max_element(around.begin(), around.end(),
+                                               [&](const Edge& e, const Edge& f) { return length(e) < length(f); });
+        has_changed = edges.insert(longest).second || has_changed;
+      }
+    }
+  }
+
   // Splits a facet at the first of the midpoints of its edges, which have the order of the splits, and then its parts.
   static void append_parts(const std::array<std::size_t, 3>& facet, const std::map<Edge, std::size_t>& midpoints,
                            std::vector<std::array<std::size_t, 3> >& parts)

@@ -184,6 +184,59 @@ inline bool have_charts_the_neighbors_of_voxels(const Voxels_3& voxels, const Vo
          && without_repetitions(std::move(neighbors)) == without_repetitions(std::move(neighbors_of_cells));
 }
 
+// Returns the two points of the edge between the face of a voxel in a direction and the one across another direction.
+inline std::array<std::size_t, 2> points_of_edge(const Voxels_3& voxels, const std::size_t face, const std::size_t direction)
+{
+  const auto number = [&](const Eigen::Vector3i& p)
+  { return static_cast<std::size_t>((p[2] * (voxels.size[1] + 1) + p[1]) * (voxels.size[0] + 1) + p[0]); };
+  Eigen::Vector3i p = voxels.voxel(face / 6);
+  for(const std::size_t d : { face % 6, direction })
+    p[axis_of_direction(d)] += sign_of_direction(d) > 0;
+  const int along = 3 - axis_of_direction(face % 6) - axis_of_direction(direction);
+  return { number(p), number(p + Eigen::Vector3i::Unit(along)) };
+}
+
+// Returns the charts around each point where more than two borders end, in sorted order, from the ends of the edges of borders:
+// pairs of points and charts, a pair for each side of an edge.
+inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std::pair<std::size_t, std::size_t> > ends)
+{
+  std::vector<std::vector<std::size_t> > result;
+  std::sort(ends.begin(), ends.end());
+  for(auto first = ends.begin(), last = first; first != ends.end(); first = last)
+  {
+    std::vector<std::size_t> charts;
+    for(; last != ends.end() && last->first == first->first; ++last)
+      charts.push_back(last->second);
+    if(charts.size() > 2 * 2)
+      result.push_back(std::move(charts));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Returns whether the charts of cells meet at as many corners as those of the voxels, and the same ones at each. Otherwise, an
+// edge of the polycube would begin and end at one point.
+inline bool have_charts_the_corners_of_voxels(const Voxels_3& voxels, const Voxel_faces_3& old_faces,
+                                              const std::vector<std::size_t>& face_of_cell)
+{
+  const Charts_of_voxels_3 charts(voxels);
+  std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_cells;
+  for(const std::size_t face : charts.faces)
+    for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
+    {
+      if(const std::size_t chart = charts.chart_of_face[face]; chart != charts.chart_of_face[face_across(voxels, face, e)])
+        for(const std::size_t p : points_of_edge(voxels, face, e))
+          ends.emplace_back(p, chart);
+    });
+  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
+    for(std::size_t k = 0; k < 4; ++k)
+      if(const std::size_t chart = charts.chart_of_face[face_of_cell[c]];
+         chart != charts.chart_of_face[face_of_cell[old_faces.neighbors[c][k]]])
+        for(const std::size_t p : { old_faces.corners[c][k], old_faces.corners[c][(k + 1) % 4] })
+          ends_of_cells.emplace_back(p, chart);
+  return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_cells));
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_VOXELS_VOXEL_FACES_3_H

@@ -31,9 +31,11 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Voxel_simplification_3
 {
 public:
-  // Takes the faces of the voxels at first, which the cells belong to.
-  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Cells_of_voxels_3& cells)
-    : m_voxels(voxels), m_faces(faces), m_costs(cells), m_face_of_cell(faces.faces), m_is_moving(voxels.is_inside.size(), false)
+  // Takes the faces of the voxels at first, which the cells belong to, and whether each move keeps corners where those of the
+  // cells are.
+  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Cells_of_voxels_3& cells, const bool do_keep_corners)
+    : m_voxels(voxels), m_faces(faces), m_costs(cells), m_do_keep_corners(do_keep_corners), m_face_of_cell(faces.faces),
+      m_is_moving(voxels.is_inside.size(), false)
   {
     for(std::size_t c = 0; c < m_face_of_cell.size(); ++c)
       m_cells[m_face_of_cell[c]].push_back(c);
@@ -262,7 +264,8 @@ private:
     std::optional<std::vector<std::size_t> > present = voxels;
     for(int layer = 0; layer < std::abs(best) && present; ++layer)
       present = move(*present, d, best > 0, changes);
-    if(have_charts_the_neighbors_of_voxels(m_voxels, m_faces, m_face_of_cell))
+    if(have_charts_the_neighbors_of_voxels(m_voxels, m_faces, m_face_of_cell)
+       && (!m_do_keep_corners || have_charts_the_corners_of_voxels(m_voxels, m_faces, m_face_of_cell)))
       return true;
     revert(changes);
     return false;
@@ -271,6 +274,7 @@ private:
   Voxels_3& m_voxels;
   const Voxel_faces_3& m_faces;
   const Cells_of_voxels_3& m_costs;
+  const bool m_do_keep_corners;
   std::vector<std::size_t> m_face_of_cell;
   std::unordered_map<std::size_t, std::vector<std::size_t> > m_cells; // of each face
   std::vector<bool> m_is_moving;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Length_of_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Placed_voxel_faces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Routed_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Voxel_simplification_3.h>
@@ -40,9 +41,11 @@ struct Polycube_of_voxels_3
   std::vector<int> plane_of_chart; // numbers of layers of voxels
 };
 
-// Places the faces of voxels on a surface, and simplifies the voxels.
-inline Polycube_of_voxels_3 polycube_of_voxels_3(Voxels_3 voxels, const Split_surface_3& surface, const Budget& budget)
+// Places the faces of voxels on a surface, and simplifies the voxels. Moves may change corners at first, as those that do not
+// leave more charts; if corners of the polycube are not those of its charts then, which no map has, all moves keep them.
+inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Split_surface_3& surface, const Budget& budget)
 {
+  Voxels_3 voxels = given;
   Boundary_mesh_3 mesh;
   build_boundary_mesh_3(surface, mesh);
   const Facets_3 facets(surface);
@@ -51,11 +54,19 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(Voxels_3 voxels, const Split_su
   };
   const Cells_of_voxels_3 cells(mesh, facets, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
                                 result.faces.faces.size());
-  Voxel_simplification_3 simplification(voxels, result.faces, cells);
-  simplification.run(budget);
+  std::vector<std::size_t> face_of_cell;
+  for(const bool do_keep_corners : { false, true })
+  {
+    voxels = given;
+    Voxel_simplification_3 simplification(voxels, result.faces, cells, do_keep_corners);
+    simplification.run(budget);
+    face_of_cell = simplification.face_of_cell();
+    if(have_charts_the_corners_of_voxels(voxels, result.faces, face_of_cell))
+      break;
+  }
 
   const Charts_of_voxels_3 charts(voxels);
-  for(const std::size_t face : simplification.face_of_cell())
+  for(const std::size_t face : face_of_cell)
     result.chart_of_face.push_back(charts.chart_of_face[face]);
   result.label_of_chart = charts.labels;
   result.plane_of_chart.resize(charts.labels.size());
@@ -72,12 +83,23 @@ struct Drawn_polycube_3
   std::vector<std::size_t> chart_of_facet; // none if the charts cannot be drawn
 };
 
-inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, Split_surface_3 surface, const Budget& budget)
+// Draws the charts on a surface, whose edges are split to a length at the borders, and further where one is blocked.
+inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Split_surface_3& surface, const double length,
+                                        const Budget& budget)
 {
-  Drawn_polycube_3 result = { std::move(surface), {} };
-  result.chart_of_facet = Routed_charts_3(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
-                                          polycube.size_of_voxels).run(budget);
-  return result;
+  Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
+  for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
+  {
+    Drawn_polycube_3 result = { surface, {} };
+    result.surface.split_long_edges(lengths);
+    Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
+                           polycube.size_of_voxels);
+    result.chart_of_facet = charts.run(budget);
+    if(!result.chart_of_facet.empty())
+      return result;
+    has_changed = lengths.halve(charts.blocked_points());
+  }
+  return {};
 }
 
 // Splits edges inside of charts whose ends are on their borders.
@@ -145,7 +167,7 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
   constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; fewer splits first
   const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
                            - static_cast<int>(mesh.number_of_edges());
-  Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
+  const Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
   Map_to_voxels_3 best;
@@ -164,12 +186,11 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
       if(!make_surface_of_characteristic(voxels, least_parts[attempt], characteristic))
         continue;
       Split_surface_3 surface = unit_surface;
-      surface.split_long_edges(size_of_voxels);
-      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(std::move(voxels), surface, budget);
+      surface.split_edges_longer_than(size_of_voxels);
+      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, surface, budget);
       for(const double length : lengths_of_edges)
       {
-        surface.split_long_edges(length * size_of_voxels);
-        Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, budget);
+        Drawn_polycube_3 drawn = draw_polycube_3(polycube, unit_surface, length * size_of_voxels, budget);
         if(drawn.chart_of_facet.empty())
           continue;
         Map_to_voxels_3 map = map_drawn_polycube_3(polycube, std::move(drawn), box, spacing, budget);
