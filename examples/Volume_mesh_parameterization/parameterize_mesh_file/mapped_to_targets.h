@@ -158,8 +158,8 @@ inline Mapped_mesh with_edges_split_at_boundary(Mapped_mesh mapped)
 
 // Finds the map to the polycube of a boundary that is split for it. It has far more vertices than there are inside, and each of
 // these may be joined to too many: where no map is found in a third of the time, all edges inside that begin at the boundary are
-// split. If the boundary as it is given has a polycube, too, a quarter of the time that is left then is kept for that, as it has far
-// fewer cells.
+// split. If the boundary as it is given has a polycube, too, a quarter of the time that is left then is kept for that, which has
+// far fewer cells.
 inline Mapped_mesh mapped_with_splits(const Mapped_mesh& given, const Mapped_mesh& with_targets, const Options& options,
                                       const Landmarks& landmarks, Progress_line& progress)
 {
