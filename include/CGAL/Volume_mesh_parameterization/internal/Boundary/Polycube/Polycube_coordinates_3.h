@@ -26,21 +26,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns the mean coordinate of the faces of each group along their axis.
-inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                              const Polycube_groups_3& groups)
-{
-  std::vector<double> result = groups.sums([&](const auto f)
-  {
-    const auto [a, b, c] = vertices_of_face(mesh, f);
-    const int axis = charts.axis(charts.chart_of_face()[f]);
-    return area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
-  });
-  for(std::size_t g = 0; g < groups.size(); ++g)
-    result[g] /= groups[g] == g ? groups.areas()[g] : 1;
-  return result;
-}
-
 // Finds the coordinates of the groups of faces of a polycube, along their axes, that minimize
 //   sum over groups g of area(g) (x(g) - wanted coordinate of g)^2
 // such that each edge of the polycube has at least a part of the length of its chain. The axes are independent of each other,
@@ -66,7 +51,7 @@ public:
       for(int axis = 0; axis < 3; ++axis)
         if(m_budget.is_exhausted() || (!m_is_solved[axis] && !solve(axis, wanted)))
           return false;
-    while(separate_intersecting_edges());
+    while(enclose_holes() || separate_intersecting_edges());
     join_equal_coordinates();
     return m_are_separable && are_faces_whole();
   }
@@ -161,6 +146,48 @@ private:
     m_order.add(order.first, order.second);
   }
 
+  // Adds orders that keep holes of faces between the lowest and the highest edges of the outer polygons. Returns whether there are
+  // any new ones.
+  bool enclose_holes()
+  {
+    const std::size_t n = m_orders.size();
+    const std::vector<std::vector<Border> > borders = m_charts.borders();
+    for(std::size_t c = 0; c < borders.size(); ++c)
+    {
+      const auto outer = std::find_if(borders[c].begin(), borders[c].end(), [&](const Border& border)
+                                      { return is_outer(image(border, m_charts.plane_axes(c))); });
+      for(auto hole = borders[c].begin(); hole != borders[c].end() && outer != borders[c].end(); ++hole)
+        for(const int axis : m_charts.plane_axes(c))
+          if(hole != outer)
+            enclose(extent(*hole, axis), extent(*outer, axis), c);
+    }
+    return m_are_separable && m_orders.size() > n;
+  }
+
+  using Border = std::vector<Polycube_charts_3::Vertex>;
+  using Extent = std::array<std::size_t, 2>; // groups with the lowest and the highest coordinate
+
+  Extent extent(const Border& border, const int axis) const
+  {
+    const auto [lowest, highest] = std::minmax_element(border.begin(), border.end(), [&](const auto v, const auto w)
+    { return m_coordinate[m_groups.at(v)[axis]] < m_coordinate[m_groups.at(w)[axis]]; });
+    return { m_groups.at(*lowest)[axis], m_groups.at(*highest)[axis] };
+  }
+
+  void enclose(const Extent& hole, const Extent& outer, const std::size_t chart)
+  {
+    double shortest = (std::numeric_limits<double>::infinity)();
+    for(const Edge& edge : m_edges)
+      if(edge.charts[0] == chart || edge.charts[1] == chart)
+        shortest = (std::min)(shortest, edge.length);
+    for(const auto& [low, high] : { std::pair(outer[0], hole[0]), std::pair(hole[1], outer[1]) })
+      if(m_are_separable && !(m_coordinate[low] < m_coordinate[high]))
+      {
+        m_are_separable = m_order.may_precede(low, high);
+        add_order({ low, high, smallest_part * shortest });
+      }
+  }
+
   // Adds orders for edges of a face that intersect. Returns whether there are any new ones.
   bool separate_intersecting_edges()
   {
@@ -203,11 +230,11 @@ private:
   // Tells whether each face has one outer polygon, with its other polygons inside.
   bool are_faces_whole() const
   {
-    const std::vector<std::vector<std::vector<Polycube_charts_3::Vertex> > > borders = m_charts.borders();
+    const std::vector<std::vector<Border> > borders = m_charts.borders();
     for(std::size_t c = 0; c < borders.size(); ++c)
     {
       std::vector<Polygon> polygons;
-      for(const std::vector<Polycube_charts_3::Vertex>& border : borders[c])
+      for(const Border& border : borders[c])
         polygons.push_back(image(border, m_charts.plane_axes(c)));
       if(!are_nested(polygons))
         return false;
@@ -217,7 +244,7 @@ private:
 
   using Polygon = std::vector<Boundary_point_2>;
 
-  Polygon image(const std::vector<Polycube_charts_3::Vertex>& border, const std::array<int, 2>& axes) const
+  Polygon image(const Border& border, const std::array<int, 2>& axes) const
   {
     Polygon result;
     for(const auto v : border)
@@ -228,17 +255,20 @@ private:
     return result;
   }
 
+  // Tells whether a polygon leads counterclockwise around a face, and not around a hole, even where its edges intersect.
+  static bool is_outer(const Polygon& p)
+  {
+    int turns = 0;
+    for(std::size_t i = 0; i < p.size(); ++i)
+      turns += CGAL::orientation(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]);
+    return turns > 0;
+  }
+
   // Tells whether disjoint polygons are one and its holes: holes lead clockwise, are inside of it, and outside of each other.
   static bool are_nested(std::vector<Polygon>& polygons)
   {
     const auto is_inside = [](const Polygon& inner, const Polygon& outer)
-    {
-      return CGAL::bounded_side_2(outer.begin(), outer.end(), inner.front()) == ON_BOUNDED_SIDE;
-    };
-    const auto is_outer = [](const Polygon& p)
-    {
-      return CGAL::polygon_area_2(p.begin(), p.end(), Boundary_kernel()) > 0;
-    };
+    { return CGAL::bounded_side_2(outer.begin(), outer.end(), inner.front()) == ON_BOUNDED_SIDE; };
     const auto first_inner = std::partition(polygons.begin(), polygons.end(), is_outer);
     if(first_inner - polygons.begin() != 1)
       return false;

@@ -70,6 +70,21 @@ private:
   std::vector<double> m_areas;
 };
 
+// Returns the mean coordinate of the faces of each group along their axis.
+inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                              const Polycube_groups_3& groups)
+{
+  std::vector<double> result = groups.sums([&](const auto f)
+  {
+    const auto [a, b, c] = vertices_of_face(mesh, f);
+    const int axis = charts.axis(charts.chart_of_face()[f]);
+    return area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
+  });
+  for(std::size_t g = 0; g < groups.size(); ++g)
+    result[g] /= groups[g] == g ? groups.areas()[g] : 1;
+  return result;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_POLYCUBE_POLYCUBE_GROUPS_3_H
