@@ -201,7 +201,7 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
                                   Splits_of_edges* const splits, std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation,
                                   const Budget& budget)
 {
-  const double factor = frames.size() > 1 ? 2 : std::sqrt(2.); // guesses; candidates of several frames need not be as many of each
+  const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
   double least_distortion = (std::numeric_limits<double>::infinity)();
   bool has_polycube = false;
   for(const Turned_surface_3& turned : frames)
