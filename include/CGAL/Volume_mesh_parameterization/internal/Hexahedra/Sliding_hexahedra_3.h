@@ -81,8 +81,9 @@ public:
 
   // Makes steps of Newton's method for all vertices at once, or, unless `do_slide`, for those inside. Vertices on the boundary
   // move in its tangent planes, or along lines, are put back, and are pulled to cover the boundary; once all corners are
-  // positive, also to approach it, which hinders untangling; more with a larger weight. Hexahedra whose corners are all positive
-  // keep them so.
+  // positive, also to approach it, which hinders untangling; more with a larger weight. Vertices that slide are pulled to where
+  // they were at first, which helps to untangle corners, or later to where they are, without which steps along a curved surface
+  // are too long. Hexahedra whose corners are all positive keep them so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent, const double weight = 1)
   {
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
@@ -95,7 +96,7 @@ public:
     const bool is_valid = inverted_cells(m_numbered, m_numbered.target).number == 0;
     if(do_slide)
     {
-      hold_boundary(goals);
+      hold_boundary(is_valid ? m_numbered.target : m_numbered.source, goals);
       for(const Covered_surface_3& covered : m_covered)
       {
         pull_to_vertices_3(covered, m_numbered.target, weight, goals);
@@ -119,7 +120,7 @@ public:
       Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
                                number_of_steps };
       set_edges(goals);
-      hold_boundary(goals);
+      hold_boundary(m_numbered.source, goals);
       for(const Covered_surface_3& covered : m_covered)
         pull_to_vertices_3(covered, m_numbered.target, 1, goals);
       return_to_surface(std::sqrt(weight / pull), goals);
@@ -204,14 +205,15 @@ private:
         goals.edges[c][i] = (std::max)(length(c, i), shortest * goals.mean_edge);
   }
 
-  // Pulls sliding vertices to their first positions.
-  void hold_boundary(Corner_goals_3& goals) const
+  // Pulls sliding vertices to positions: those on lines to the first ones, which keeps curved lines evenly divided, and the others
+  // to those given.
+  void hold_boundary(const Matrix3Xd& positions, Corner_goals_3& goals) const
   {
     for(std::size_t i = 0; i < m_order.size(); ++i)
       if(m_freedom[i] == Freedom_3::SURFACE || m_freedom[i] == Freedom_3::LINE)
         for(int axis = 0; axis < 3; ++axis)
           goals.constraints.push_back({ { { static_cast<int>(i), Eigen::Vector3d::Unit(axis) } },
-                                        m_numbered.source(axis, i) });
+                                        (m_freedom[i] == Freedom_3::LINE ? m_numbered.source : positions)(axis, i) });
   }
 
   // Returns the point nearest to a vertex among those where it may be: the first position of one that may not move.
