@@ -1352,6 +1352,7 @@ TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the fa
   set_points(mesh, surface.points);
   Polycube_coordinates_3 beside(mesh, charts, groups, any_planes, budget);
   REQUIRE(beside.run(mean_coordinates_3(mesh, charts, groups)));
+  const std::vector<double> coordinates = beside.of_charts();
   for(const auto f : mesh.faces())
   {
     const std::size_t chart = charts.chart_of_face()[f];
@@ -1362,9 +1363,9 @@ TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the fa
         const std::size_t other = charts.chart_of_face()[g];
         const double y = mesh.point(mesh.source(mesh.halfedge(g))).x();
         if(charts.axis(other) == 0 && y == 0)
-          CHECK(beside.of_charts()[other] < beside.of_charts()[chart]);
+          CHECK(coordinates[other] < coordinates[chart]);
         else if(charts.axis(other) == 0 && y == 8)
-          CHECK(beside.of_charts()[chart] < beside.of_charts()[other]);
+          CHECK(coordinates[chart] < coordinates[other]);
       }
   }
 }

@@ -93,8 +93,9 @@ along sharp edges of the body whose images are parallel to an axis, as those on 
 are. Sharp edges are the marked edges of the soup, or the 1-dimensional features of the complex; if there are none on the
 boundary, those with more than 60 degrees between the normals on both sides. The vertex nearest to a marked corner of the soup, or
 a 0-dimensional feature of the complex, is moved to it and stays there: along a sharp edge, if the corner is on one, and at most by
-the spacing in the domain. A weak pull to their first positions keeps vertices
-apart, and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
+the spacing in the domain. A weak pull to their first positions, or, once all corners are positive, of vertices beside the lines to
+where they are, keeps steps short,
+and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
 boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.4 after the last one, vertices
 move one after the other such that their worst corners become better, and those near points of a boundary that are far from the
 other one such that these come nearer; in the end that is repeated as long as corners become better. Of corners

@@ -83,13 +83,12 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners, 
       if(freedom[v] == Freedom_3::NONE || widths[v] < smallest_width)
         continue;
       const Corners_of_vertex& around = corners_of_vertex[v];
-      const bool is_short = shortage(positions, around, edge, target) > 0;
-      const double paid = price_of_uncovered(v);
-      if(!is_short && paid == 0)
+      const double missing = shortage(positions, around, edge, target), paid = price_of_uncovered(v);
+      if(missing == 0 && paid == 0)
         continue;
       const double goal
-        = is_short ? target : (std::max)(target, (std::min)(good_scaled_jacobian, least_scaled_jacobian(positions, around)));
-      double least = shortage(positions, around, edge, goal) + paid;
+        = missing > 0 ? target : (std::max)(target, (std::min)(good_scaled_jacobian, least_scaled_jacobian(positions, around)));
+      double least = (missing > 0 ? missing : shortage(positions, around, edge, goal)) + paid;
       const Eigen::Vector3d here = positions.col(v);
       Eigen::Vector3d best = here;
       const double step = widths[v] * mean_length_of_edges(positions, around);

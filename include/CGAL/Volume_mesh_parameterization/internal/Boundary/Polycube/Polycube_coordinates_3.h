@@ -37,7 +37,7 @@ public:
   Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups,
                          const Grid_planes_3& planes, const Budget& budget)
     : m_mesh(mesh), m_charts(charts), m_groups(groups), m_planes(planes), m_budget(budget),
-      m_coordinate(groups.size()), m_order(groups.size())
+      m_coordinate(groups.size()), m_borders(charts.borders()), m_order(groups.size())
   {}
 
   // Returns whether there are coordinates.
@@ -68,6 +68,8 @@ public:
   const Grid_planes_3& planes() const { return m_planes; }
 
 private:
+  using Border = std::vector<Polycube_charts_3::Vertex>;
+
   // Edge of the polycube, with the box and the length of its chain on the surface.
   struct Edge
   {
@@ -151,12 +153,13 @@ private:
   bool enclose_holes()
   {
     const std::size_t n = m_orders.size();
-    const std::vector<std::vector<Border> > borders = m_charts.borders();
-    for(std::size_t c = 0; c < borders.size(); ++c)
+    for(std::size_t c = 0; c < m_borders.size(); ++c)
     {
-      const auto outer = std::find_if(borders[c].begin(), borders[c].end(), [&](const Border& border)
-                                      { return is_outer(image(border, m_charts.plane_axes(c))); });
-      for(auto hole = borders[c].begin(); hole != borders[c].end() && outer != borders[c].end(); ++hole)
+      const std::vector<Border>& borders = m_borders[c];
+      const auto outer = borders.size() < 2 ? borders.end()
+        : std::find_if(borders.begin(), borders.end(),
+                       [&](const Border& border) { return is_outer(image(border, m_charts.plane_axes(c))); });
+      for(auto hole = borders.begin(); hole != borders.end() && outer != borders.end(); ++hole)
         for(const int axis : m_charts.plane_axes(c))
           if(hole != outer)
             enclose(extent(*hole, axis), extent(*outer, axis), c);
@@ -164,7 +167,6 @@ private:
     return m_are_separable && m_orders.size() > n;
   }
 
-  using Border = std::vector<Polycube_charts_3::Vertex>;
   using Extent = std::array<std::size_t, 2>; // groups with the lowest and the highest coordinate
 
   Extent extent(const Border& border, const int axis) const
@@ -174,17 +176,22 @@ private:
     return { m_groups.at(*lowest)[axis], m_groups.at(*highest)[axis] };
   }
 
-  void enclose(const Extent& hole, const Extent& outer, const std::size_t chart)
+  double shortest_edge(const std::size_t chart) const
   {
-    double shortest = (std::numeric_limits<double>::infinity)();
+    double result = (std::numeric_limits<double>::infinity)();
     for(const Edge& edge : m_edges)
       if(edge.charts[0] == chart || edge.charts[1] == chart)
-        shortest = (std::min)(shortest, edge.length);
+        result = (std::min)(result, edge.length);
+    return result;
+  }
+
+  void enclose(const Extent& hole, const Extent& outer, const std::size_t chart)
+  {
     for(const auto& [low, high] : { std::pair(outer[0], hole[0]), std::pair(hole[1], outer[1]) })
       if(m_are_separable && !(m_coordinate[low] < m_coordinate[high]))
       {
         m_are_separable = m_order.may_precede(low, high);
-        add_order({ low, high, smallest_part * shortest });
+        add_order({ low, high, smallest_part * shortest_edge(chart) });
       }
   }
 
@@ -230,11 +237,10 @@ private:
   // Tells whether each face has one outer polygon, with its other polygons inside.
   bool are_faces_whole() const
   {
-    const std::vector<std::vector<Border> > borders = m_charts.borders();
-    for(std::size_t c = 0; c < borders.size(); ++c)
+    for(std::size_t c = 0; c < m_borders.size(); ++c)
     {
       std::vector<Polygon> polygons;
-      for(const Border& border : borders[c])
+      for(const Border& border : m_borders[c])
         polygons.push_back(image(border, m_charts.plane_axes(c)));
       if(!are_nested(polygons))
         return false;
@@ -289,6 +295,7 @@ private:
   const Budget& m_budget;
   std::vector<double> m_coordinate; // by group
   std::array<bool, 3> m_is_solved = {}; // the orders along each axis
+  const std::vector<std::vector<Border> > m_borders; // of the charts
   std::vector<Edge> m_edges;
   std::vector<Order_of_coordinates> m_orders;
   Order_of_elements m_order;
