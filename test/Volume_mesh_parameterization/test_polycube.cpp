@@ -1370,6 +1370,44 @@ TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the fa
   }
 }
 
+TEST_CASE("polygons are those of a face if one is around all others, which are holes beside each other")
+{
+  using VMP::internal::Boundary_polygon_2;
+  const auto square = [](const double x, const double y, const double size)
+  { return Boundary_polygon_2{ { x, y }, { x + size, y }, { x + size, y + size }, { x, y + size } }; };
+  const auto hole = [&](const double x, const double y, const double size)
+  {
+    const Boundary_polygon_2 p = square(x, y, size);
+    return Boundary_polygon_2(p.rbegin(), p.rend());
+  };
+  const Boundary_polygon_2 bracket = { { 0, 0 }, { 9, 0 }, { 9, 3 }, { 3, 3 }, { 3, 9 }, { 0, 9 } };
+  using VMP::internal::are_nested;
+  CHECK(are_nested({ bracket }));
+  CHECK(are_nested({ hole(1, 1, 1), bracket, hole(4, 1, 1) }));
+  CHECK(!are_nested({ bracket, hole(5, 5, 1) }));                // not inside
+  CHECK(!are_nested({ bracket, hole(0.5, 0.5, 2), hole(1, 1, 1) })); // inside of each other
+  CHECK(!are_nested({ bracket, square(1, 1, 1) }));              // no hole
+  CHECK(!are_nested({ bracket, square(5, 5, 1) }));              // two faces
+  CHECK(!are_nested({ hole(1, 1, 1) }));                         // only a hole
+}
+
+TEST_CASE("a polycube that has a hole beside a face, in a notch of it, is refused")
+{
+  using namespace VMP::internal;
+  // a bracket with a hole at its corner
+  const auto is_solid = [](const int x, const int y, int) { return (x < 3 || y < 3) && (x != 1 || y != 1); };
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(Soup_surface(bricks({9, 9, 3}, is_solid, in_place)), mesh) == VMP::OK);
+  const Budget budget;
+  const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest());
+  const Polycube_groups_3 groups(mesh, charts);
+  std::vector<double> wanted = mean_coordinates_3(mesh, charts, groups);
+  CHECK(Polycube_coordinates_3(mesh, charts, groups, Grid_planes_3(), budget).run(wanted));
+  for(double& x : wanted)
+    x += x > 0.5 && x < 2.5 ? 5 : 0; // of the walls of the hole, across the two walls of the notch
+  CHECK(!Polycube_coordinates_3(mesh, charts, groups, Grid_planes_3(), budget).run(wanted));
+}
+
 TEST_CASE("a facet between two lines of the same edge is named")
 {
   Labelled_complex complex(bricks(size, is_box, in_place));

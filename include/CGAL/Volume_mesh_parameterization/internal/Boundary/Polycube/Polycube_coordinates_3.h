@@ -13,11 +13,10 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_groups_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/nested_polygons_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/ordered_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
-
-#include <CGAL/Polygon_2_algorithms.h>
 
 #include <algorithm>
 #include <cmath>
@@ -239,51 +238,24 @@ private:
   {
     for(std::size_t c = 0; c < m_borders.size(); ++c)
     {
-      std::vector<Polygon> polygons;
+      std::vector<Boundary_polygon_2> polygons;
       for(const Border& border : m_borders[c])
         polygons.push_back(image(border, m_charts.plane_axes(c)));
-      if(!are_nested(polygons))
+      if(!are_nested(std::move(polygons)))
         return false;
     }
     return true;
   }
 
-  using Polygon = std::vector<Boundary_point_2>;
-
-  Polygon image(const Border& border, const std::array<int, 2>& axes) const
+  Boundary_polygon_2 image(const Border& border, const std::array<int, 2>& axes) const
   {
-    Polygon result;
+    Boundary_polygon_2 result;
     for(const auto v : border)
     {
       const std::array<std::size_t, 3> groups = m_groups.at(v);
       result.emplace_back(m_coordinate[groups[axes[0]]], m_coordinate[groups[axes[1]]]);
     }
     return result;
-  }
-
-  // Tells whether a polygon leads counterclockwise around a face, and not around a hole, even where its edges intersect.
-  static bool is_outer(const Polygon& p)
-  {
-    int turns = 0;
-    for(std::size_t i = 0; i < p.size(); ++i)
-      turns += CGAL::orientation(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]);
-    return turns > 0;
-  }
-
-  // Tells whether disjoint polygons are one and its holes: holes lead clockwise, are inside of it, and outside of each other.
-  static bool are_nested(std::vector<Polygon>& polygons)
-  {
-    const auto is_inside = [](const Polygon& inner, const Polygon& outer)
-    { return CGAL::bounded_side_2(outer.begin(), outer.end(), inner.front()) == ON_BOUNDED_SIDE; };
-    const auto first_inner = std::partition(polygons.begin(), polygons.end(), is_outer);
-    if(first_inner - polygons.begin() != 1)
-      return false;
-    for(auto inner = first_inner; inner != polygons.end(); ++inner)
-      if(!is_inside(*inner, polygons.front())
-         || std::any_of(first_inner, polygons.end(), [&](const Polygon& other)
-                        { return &other != &*inner && is_inside(*inner, other); }))
-        return false;
-    return true;
   }
 
   static constexpr double smallest_part = 0.2; // a guess; length of an edge of the polycube, relative to its chain
