@@ -36,8 +36,8 @@ public:
   // from where the surface is to be close to it.
   Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
                  const double spacing, const bool may_move)
-    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels),
-      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero())
+    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels), m_groups(mesh, m_charts),
+      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero()), m_relaxations(m_charts.number_of_charts())
   {
     const double size = box.sizes().maxCoeff();
     m_planes = { -box.center() / size, spacing / size, may_move };
@@ -48,17 +48,15 @@ public:
   {
     if(m_charts.number_of_defects() > 0)
       return ERROR_NO_POLYCUBE;
-    const Polycube_groups_3 groups(m_mesh, m_charts);
-    return start_close_to(mean_coordinates_3(m_mesh, m_charts, groups), groups, budget);
+    return start_close_to(mean_coordinates_3(m_mesh, m_charts, m_groups), budget);
   }
 
   // Returns the map to the polycube whose lengths are those of the surface, if that has less distortion.
   std::optional<Polycube_map_3> with_lengths_of_surface(const Budget& budget) const
   {
-    const Polycube_groups_3 groups(m_mesh, m_charts);
-    const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, groups).run(m_coordinates, m_planes, budget);
+    const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, m_groups).run(m_coordinates, m_planes, budget);
     Polycube_map_3 result(*this);
-    if(result.start_close_to(coordinates, groups, budget) != OK || !(result.distortion() < distortion()))
+    if(result.start_close_to(coordinates, budget) != OK || !(result.distortion() < distortion()))
       return std::nullopt;
     return result;
   }
@@ -125,10 +123,9 @@ public:
 
 private:
   // Finds the polycube that is closest to coordinates of its faces, by chart.
-  Error_code start_close_to(const std::vector<double>& coordinates_of_charts, const Polycube_groups_3& groups,
-                            const Budget& budget)
+  Error_code start_close_to(const std::vector<double>& coordinates_of_charts, const Budget& budget)
   {
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, groups, m_planes, budget);
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_groups, m_planes, budget);
     if(!coordinates.run(coordinates_of_charts))
       return ERROR_NO_POLYCUBE;
     m_planes = coordinates.planes();
@@ -161,8 +158,9 @@ private:
   // Moves the vertices inside charts for a low distortion, and finds the faces that are flipped then.
   void relax(const Budget& budget)
   {
-    for(Chart_relaxation_2& relaxation : m_relaxations)
-      relaxation.run(m_images, budget);
+    for(std::optional<Chart_relaxation_2>& relaxation : m_relaxations)
+      if(relaxation)
+        relaxation->run(m_images, budget);
     m_flipped_faces.clear();
     for(const Face f : m_mesh.faces())
       if(!is_positive(f))
@@ -221,17 +219,11 @@ private:
     }
     for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
     {
-      if(c < m_relaxations.size() && m_relaxations[c].has_border(m_is_held, m_images))
-      {
-        m_relaxations[c].write(m_images);
-        continue;
-      }
       const auto [u, v] = m_charts.plane_axes(c);
-      Chart_relaxation_2 relaxation(m_mesh, faces[c], m_is_held, u, v, m_images);
-      if(c < m_relaxations.size())
-        m_relaxations[c] = std::move(relaxation);
+      if(m_relaxations[c] && m_relaxations[c]->has_border(m_is_held, m_images))
+        m_relaxations[c]->write(m_images);
       else
-        m_relaxations.push_back(std::move(relaxation));
+        m_relaxations[c].emplace(m_mesh, faces[c], m_is_held, u, v, m_images);
     }
   }
 
@@ -270,12 +262,13 @@ private:
   const Eigen::AlignedBox3d m_box;
   const double m_spacing;
   const Polycube_charts_3 m_charts;
+  const Polycube_groups_3 m_groups;
   Grid_planes_3 m_planes;
   std::vector<double> m_coordinates; // of the faces of the charts, along their axes
   std::vector<Eigen::Vector3d> m_images;
   Held_coordinates m_is_held;    // on edges of the polycube, and across lines
   Held_coordinates m_is_on_line; // across lines
-  std::vector<Chart_relaxation_2> m_relaxations;
+  std::vector<std::optional<Chart_relaxation_2> > m_relaxations; // by chart; none of those not mapped yet
   std::vector<Face> m_flipped_faces;
 };
 

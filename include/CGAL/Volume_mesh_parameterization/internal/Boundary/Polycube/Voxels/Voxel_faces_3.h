@@ -47,12 +47,13 @@ inline std::vector<std::size_t> boundary_faces(const Voxels_3& voxels)
 // Charts of the boundary of voxels: coplanar faces that are connected by edges. They are the faces of a polycube.
 struct Charts_of_voxels_3
 {
+  const Voxels_3& voxels;
   std::vector<std::size_t> faces;         // of the boundary
   std::vector<std::size_t> chart_of_face; // by the numbers of faces
   std::vector<std::size_t> labels;        // of the charts
 
   explicit Charts_of_voxels_3(const Voxels_3& voxels)
-    : faces(boundary_faces(voxels)), chart_of_face(6 * voxels.is_inside.size(), none)
+    : voxels(voxels), faces(boundary_faces(voxels)), chart_of_face(6 * voxels.is_inside.size(), none)
   {
     std::vector<std::size_t> chart;
     for(const std::size_t face : faces)
@@ -158,16 +159,15 @@ without_repetitions(std::vector<std::pair<std::size_t, std::size_t> > pairs)
 
 // Returns whether cells, one for each of the faces of voxels as they were once, are connected in each chart of the voxels as they
 // are now, and cells of two charts are neighbors if the charts are, and no others.
-inline bool have_charts_the_neighbors_of_voxels(const Voxels_3& voxels, const Voxel_faces_3& old_faces,
-                                                const std::vector<std::size_t>& face_of_cell)
+inline bool have_cells_the_neighbors_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                               const std::vector<std::size_t>& face_of_cell)
 {
-  const Charts_of_voxels_3 charts(voxels);
   const auto chart_of_cell = [&](const std::size_t c) { return charts.chart_of_face[face_of_cell[c]]; };
   std::vector<std::pair<std::size_t, std::size_t> > neighbors, neighbors_of_cells;
   for(const std::size_t face : charts.faces)
     for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
     {
-      if(const std::size_t a = charts.chart_of_face[face], b = charts.chart_of_face[face_across(voxels, face, e)]; a < b)
+      if(const std::size_t a = charts.chart_of_face[face], b = charts.chart_of_face[face_across(charts.voxels, face, e)]; a < b)
         neighbors.emplace_back(a, b);
     });
   Disjoint_sets sets(face_of_cell.size());
@@ -216,16 +216,15 @@ inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std:
 
 // Returns whether the charts of cells meet at as many corners as those of the voxels, and the same ones at each. Otherwise, an
 // edge of the polycube would begin and end at one point.
-inline bool have_charts_the_corners_of_voxels(const Voxels_3& voxels, const Voxel_faces_3& old_faces,
-                                              const std::vector<std::size_t>& face_of_cell)
+inline bool have_cells_the_corners_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                             const std::vector<std::size_t>& face_of_cell)
 {
-  const Charts_of_voxels_3 charts(voxels);
   std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_cells;
   for(const std::size_t face : charts.faces)
     for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
     {
-      if(const std::size_t chart = charts.chart_of_face[face]; chart != charts.chart_of_face[face_across(voxels, face, e)])
-        for(const std::size_t p : points_of_edge(voxels, face, e))
+      if(const std::size_t chart = charts.chart_of_face[face]; chart != charts.chart_of_face[face_across(charts.voxels, face, e)])
+        for(const std::size_t p : points_of_edge(charts.voxels, face, e))
           ends.emplace_back(p, chart);
     });
   for(std::size_t c = 0; c < face_of_cell.size(); ++c)

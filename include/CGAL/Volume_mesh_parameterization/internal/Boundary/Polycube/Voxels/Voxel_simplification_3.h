@@ -264,8 +264,9 @@ private:
     std::optional<std::vector<std::size_t> > present = voxels;
     for(int layer = 0; layer < std::abs(best) && present; ++layer)
       present = move(*present, d, best > 0, changes);
-    if(have_charts_the_neighbors_of_voxels(m_voxels, m_faces, m_face_of_cell)
-       && (!m_do_keep_corners || have_charts_the_corners_of_voxels(m_voxels, m_faces, m_face_of_cell)))
+    const Charts_of_voxels_3 charts(m_voxels);
+    if(have_cells_the_neighbors_of_charts(charts, m_faces, m_face_of_cell)
+       && (!m_do_keep_corners || have_cells_the_corners_of_charts(charts, m_faces, m_face_of_cell)))
       return true;
     revert(changes);
     return false;

@@ -61,7 +61,7 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Sp
     Voxel_simplification_3 simplification(voxels, result.faces, cells, do_keep_corners);
     simplification.run(budget);
     face_of_cell = simplification.face_of_cell();
-    if(have_charts_the_corners_of_voxels(voxels, result.faces, face_of_cell))
+    if(have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_cell))
       break;
   }
 
