@@ -72,6 +72,8 @@ private:
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
+      if(!m_proposed.insert(labels).second)
+        continue;
       for(int attempt = 0; attempt < 10 && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
       {
         if(!repair_labels_3(m_mesh, costs, smoothing, labels, m_budget) || !m_tried.insert(labels).second)
@@ -129,7 +131,7 @@ private:
   const bool m_may_move;
   const double m_factor;
   const Budget& m_budget;
-  std::set<Labels> m_tried;
+  std::set<Labels> m_proposed, m_tried; // before and after repair
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
