@@ -115,6 +115,20 @@ public:
   }
 
 private:
+  static constexpr int full_turn = 4; // right angles of a border
+
+  // By how many right angles the borders of a chart turn left.
+  struct Turnings
+  {
+    int number = 0, largest = 0, distance = 0; // distance: the sum of those from turns around holes
+
+    void add(const int turning)
+    {
+      largest = number++ == 0 ? turning : (std::max)(largest, turning);
+      distance += std::abs(turning + full_turn);
+    }
+  };
+
   static std::size_t opposite(const std::size_t side) { return side ^ 1; }
 
   void unite(const std::size_t c, const std::size_t d)
@@ -144,16 +158,10 @@ private:
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(s % 2 == 0 || separates(s))
         --m_characteristic[chart(s)];
-    std::vector<std::size_t> charts;
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
-    {
-      charts.clear();
-      for(const std::size_t s : sides)
-        charts.push_back(chart(s));
-      std::sort(charts.begin(), charts.end());
-      for(auto end = std::unique(charts.begin(), charts.end()), it = charts.begin(); it != end; ++it)
-        ++m_characteristic[*it];
-    }
+      for(auto it = sides.begin(); it != sides.end(); ++it)
+        if(std::none_of(sides.begin(), it, [&](const std::size_t s) { return chart(s) == chart(*it); }))
+          ++m_characteristic[chart(*it)];
   }
 
   // Finds whether a corner remains one, and counts a defect unless all three axes meet there.
@@ -198,7 +206,7 @@ private:
       m_defects[chart(side)] += d.isZero() || e == -d;
       turning += d.cross(e)[axis_of_direction(label(side))] * sign_of_direction(label(side));
     }
-    m_turnings[chart(side)].push_back(turning);
+    m_turnings[chart(side)].add(turning);
   }
 
   void follow_closed_line(const std::size_t side)
@@ -212,24 +220,16 @@ private:
   void add_closed_line(const std::size_t chart)
   {
     ++m_defects[chart];
-    m_turnings[chart].push_back(0);
+    m_turnings[chart].add(0);
   }
 
   // Returns how far borders are from those of a polygon with holes: one turns left by four right angles, the others turn
   // right, and the characteristic tells of no handle.
-  static int distance_from_polygon(const std::vector<int>& turnings, const int characteristic)
+  static int distance_from_polygon(const Turnings& turnings, const int characteristic)
   {
-    constexpr int full_turn = 4; // right angles of a border
-    const int b = static_cast<int>(turnings.size());
-    int result = full_turn * std::abs(2 - b - characteristic);
-    for(const int turning : turnings)
-      result += std::abs(turning + full_turn);
-    if(b > 0)
-    {
-      const int outer = *std::max_element(turnings.begin(), turnings.end());
-      result += std::abs(outer - full_turn) - std::abs(outer + full_turn);
-    }
-    return result;
+    const int outer = turnings.largest;
+    return full_turn * std::abs(2 - turnings.number - characteristic) + turnings.distance
+      + (turnings.number > 0 ? std::abs(outer - full_turn) - std::abs(outer + full_turn) : 0);
   }
 
   const Chart_borders_3& m_borders;
@@ -240,7 +240,7 @@ private:
   std::vector<std::size_t> m_last;          // last side of the chain that begins with a side
   std::vector<Eigen::Vector3i> m_direction; // direction of the chain that begins with a side
   std::vector<int> m_defects, m_characteristic;
-  std::vector<std::vector<int> > m_turnings; // turnings of the borders of each chart
+  std::vector<Turnings> m_turnings; // of the borders of each chart
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -31,14 +31,19 @@ inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, cons
                                                const Polycube_chain_3& chain)
 {
   const std::vector<Polycube_charts_3::Vertex> path = charts.vertices(chain);
-  std::map<Polycube_charts_3::Vertex, std::size_t> position;
+  std::vector<std::pair<Polycube_charts_3::Vertex, std::size_t> > positions; // in the order of vertices
   for(std::size_t i = 0; i < path.size(); ++i)
-    position[path[i]] = i;
+    positions.emplace_back(path[i], i);
+  std::sort(positions.begin(), positions.end());
+  const auto position = [&](const Polycube_charts_3::Vertex v)
+  {
+    const auto it = std::lower_bound(positions.begin(), positions.end(), std::pair(v, std::size_t(0)));
+    return it != positions.end() && it->first == v ? it->second : 0;
+  };
   for(std::size_t i = 0; i < path.size(); ++i)
     for(const auto h : CGAL::halfedges_around_source(path[i], mesh))
     {
-      const auto end = position.find(mesh.target(h));
-      if(end == position.end() || end->second < i + 2 || charts.chart(h) != charts.chart(mesh.opposite(h)))
+      if(charts.chart(h) != charts.chart(mesh.opposite(h)) || position(mesh.target(h)) < i + 2)
         continue;
       if(charts.chart(h) == chain.charts[0])
         return Chain_chord_3{ h, chain.halfedges[i], chain.charts[0], chain.charts[1] };
