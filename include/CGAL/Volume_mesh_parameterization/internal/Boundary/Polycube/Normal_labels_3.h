@@ -113,10 +113,19 @@ public:
   // Lowers the sum, `smoothing` being the weight of the lengths.
   void minimize(const double smoothing, Labels& labels)
   {
+    const std::vector<bool> none(labels.size(), false);
+    Settled_faces is_settled;
     do
-      while(!m_budget.is_exhausted()
-            && (relabel_regions(0, smoothing, labels) || relabel_charts(smoothing, labels)
-                || relabel_regions(1, smoothing, labels) || relabel_regions(2, smoothing, labels))) {}
+    {
+      is_settled.fill(none);
+      while(!m_budget.is_exhausted())
+        if(relabel_regions(0, smoothing, is_settled, labels))
+          continue;
+        else if(relabel_charts(smoothing, labels))
+          is_settled.fill(none);
+        else if(!relabel_regions(1, smoothing, is_settled, labels) && !relabel_regions(2, smoothing, is_settled, labels))
+          break;
+    }
     while(!m_budget.is_exhausted() && has_opposite_neighbors(labels));
   }
 
@@ -198,30 +207,39 @@ private:
     return std::find(is_best.begin(), is_best.end(), true) != is_best.end();
   }
 
+  // Tells by number of rings whether the region around a face keeps its labels as long as none nearby changes.
+  using Settled_faces = std::array<std::vector<bool>, 3>;
+
   // Gives the faces within some rings around a face one label, where the sum falls thereby. Returns whether any label changed.
-  bool relabel_regions(const int rings, const double smoothing, Labels& labels) const
+  bool relabel_regions(const int rings, const double smoothing, Settled_faces& is_settled, Labels& labels) const
   {
     bool has_changed = false;
     std::vector<Face> region, center_of_face(labels.size(), Boundary_mesh_3::null_face());
     for(const Face f : m_mesh.faces())
     {
-      if(std::all_of(m_sides[f].begin(), m_sides[f].end(), [&](const Side& side) { return labels[side.face] == labels[f]; }))
+      if(is_settled[rings][f]
+         || std::all_of(m_sides[f].begin(), m_sides[f].end(), [&](const Side& side) { return labels[side.face] == labels[f]; }))
         continue;
-      find_region(f, rings, center_of_face, region);
+      region.assign(1, f);
+      center_of_face[f] = f;
+      add_rings(rings, f, center_of_face, region);
       const auto [label, gain] = best_label(region, f, center_of_face, smoothing, labels);
-      if(gain <= least_gain)
+      is_settled[rings][f] = gain <= least_gain;
+      if(is_settled[rings][f])
         continue;
       has_changed = true;
       for(const Face g : region)
         labels[g] = label;
+      add_rings(static_cast<int>(is_settled.size()), f, center_of_face, region); // all whose own regions reach beside it
+      for(const Face g : region)
+        for(std::vector<bool>& is : is_settled)
+          is[g] = false;
     }
     return has_changed;
   }
 
-  void find_region(const Face center, const int rings, std::vector<Face>& center_of_face, std::vector<Face>& region) const
+  void add_rings(const int rings, const Face center, std::vector<Face>& center_of_face, std::vector<Face>& region) const
   {
-    region.assign(1, center);
-    center_of_face[center] = center;
     for(int ring = 0; ring < rings; ++ring)
       for(std::size_t i = 0, n = region.size(); i < n; ++i)
         for(const Face g : m_ring[region[i]])
