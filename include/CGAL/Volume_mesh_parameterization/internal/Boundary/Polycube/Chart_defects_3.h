@@ -86,6 +86,11 @@ public:
       unite(m_sides[s].chart, m_sides[s + 1].chart);
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
       unite(charts[0], charts[1]);
+    for(const Chart_borders_3::Side& side : m_sides)
+    {
+      m_chart.push_back(m_union[side.chart]);
+      m_label.push_back(m_labels[side.chart]);
+    }
   }
 
   // Returns the defects of each chart. Charts that are one have them all at one chart.
@@ -138,8 +143,8 @@ private:
       std::replace(m_union.begin(), m_union.end(), from, to);
   }
 
-  std::size_t chart(const std::size_t side) const { return m_union[m_sides[side].chart]; }
-  std::size_t label(const std::size_t side) const { return m_labels[m_sides[side].chart]; }
+  std::size_t chart(const std::size_t side) const { return m_chart[side]; }
+  std::size_t label(const std::size_t side) const { return m_label[side]; }
   bool separates(const std::size_t side) const { return label(side) != label(opposite(side)); }
 
   std::size_t next(std::size_t side) const
@@ -236,6 +241,7 @@ private:
   const Labels& m_labels;
   const std::vector<Chart_borders_3::Side>& m_sides;
   std::vector<std::size_t> m_union; // for each chart, the one that stands for all that are one now
+  std::vector<std::size_t> m_chart, m_label; // by side: that chart, and its label
   std::vector<bool> m_is_corner, m_is_followed;
   std::vector<std::size_t> m_last;          // last side of the chain that begins with a side
   std::vector<Eigen::Vector3i> m_direction; // direction of the chain that begins with a side
