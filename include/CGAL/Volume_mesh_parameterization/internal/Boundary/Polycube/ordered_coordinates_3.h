@@ -22,6 +22,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -119,6 +120,27 @@ inline double closest_shift_of_integers(const std::vector<double>& weights, cons
   return result - std::round(result);
 }
 
+// Distances by which coordinates must at least be larger than others, by the numbers of the smaller and the larger one.
+using Least_distances = std::map<std::pair<std::size_t, std::size_t>, double>;
+
+// Raises coordinates until all are as far apart as they must be. Returns whether they can.
+inline bool move_into_order(const Least_distances& distances, std::vector<double>& x)
+{
+  for(std::size_t round = 0; round <= x.size(); ++round)
+  {
+    bool has_changed = false;
+    for(const auto& [pair, distance] : distances)
+      if(const double least = x[pair.first] + distance; x[pair.second] < least)
+      {
+        x[pair.second] = least;
+        has_changed = true;
+      }
+    if(!has_changed)
+      return true;
+  }
+  return false;
+}
+
 // Coordinates along an axis, and the origin of the planes that they are on, if there are planes.
 struct Ordered_coordinates
 {
@@ -129,6 +151,8 @@ struct Ordered_coordinates
 // Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders, by
 // exact quadratic programming; none if they contradict each other.
 //
+// The program is that of the way from coordinates in these orders, as the solver takes far longer if it must find such ones first.
+//
 // Rounds distances up to multiples of the spacing where there are planes of a grid, and the solution to the nearest planes, which
 // are moved before if they may. As floor(x + 1/2) is monotone and commutes with adding integers, that keeps all distances.
 inline std::optional<Ordered_coordinates>
@@ -137,40 +161,48 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
 {
   const bool has_planes = planes.spacing > 0;
   const double scale = has_planes ? planes.spacing : 1, origin = has_planes ? planes.origin[axis] : 0;
-  Quadratic_program<double> program(LARGER, false, 0, false, 0);
-  for(std::size_t i = 0; i < areas.size(); ++i)
-  {
-    const int variable = static_cast<int>(i);
-    program.set_d(variable, variable, 2 * areas[i]);
-    program.set_c(variable, -2 * (moments[i] - areas[i] * origin) / scale);
-  }
-  std::map<std::pair<std::size_t, std::size_t>, double> distances; // the largest ones
+  Least_distances distances;
   for(const auto& [first, second, distance] : orders)
   {
     if(first == second)
       return std::nullopt;
     double& largest = distances.emplace(std::pair(first, second), distance).first->second;
-    largest = (std::max)(largest, distance);
+    largest = (std::max)(largest, has_planes ? std::ceil(distance / scale) : distance);
+  }
+  std::vector<double> wanted;
+  for(std::size_t i = 0; i < areas.size(); ++i)
+    wanted.push_back((moments[i] / areas[i] - origin) / scale);
+  std::vector<double> start = wanted;
+  if(has_planes) // so that differences are exact
+    std::transform(start.begin(), start.end(), start.begin(), [](const double x) { return std::round(x); });
+  if(!move_into_order(distances, start))
+    return std::nullopt;
+  Quadratic_program<double> program(LARGER, false, 0, false, 0);
+  for(std::size_t i = 0; i < areas.size(); ++i)
+  {
+    const int variable = static_cast<int>(i);
+    program.set_d(variable, variable, 2 * areas[i]);
+    program.set_c(variable, 2 * areas[i] * (start[i] - wanted[i]));
   }
   int row = 0;
   for(const auto& [pair, distance] : distances)
   {
     program.set_a(static_cast<int>(pair.first), row, -1);
     program.set_a(static_cast<int>(pair.second), row, 1);
-    program.set_b(row++, has_planes ? std::ceil(distance / scale) : distance);
+    program.set_b(row++, (std::min)(distance - (start[pair.second] - start[pair.first]), 0.));
   }
   const auto solution = solve_quadratic_program(program, Program_number());
   if(solution.is_infeasible())
     return std::nullopt;
   std::vector<double> x;
   for(auto it = solution.variable_values_begin(); x.size() < areas.size(); ++it)
-    x.push_back(CGAL::to_double(*it));
+    x.push_back(start[x.size()] + CGAL::to_double(*it));
   if(!has_planes)
     return Ordered_coordinates{ x, origin };
   const double shift = planes.may_move ? closest_shift_of_integers(areas, x) : 0;
   Ordered_coordinates result = { {}, origin + scale * shift };
   for(auto it = solution.variable_values_begin(); result.values.size() < areas.size(); ++it)
-    result.values.push_back(result.origin + scale * nearest_integer(*it - Program_number(shift)));
+    result.values.push_back(result.origin + scale * (start[result.values.size()] + nearest_integer(*it - Program_number(shift))));
   return result;
 }
 
