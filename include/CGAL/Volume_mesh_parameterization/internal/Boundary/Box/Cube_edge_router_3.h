@@ -12,13 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <CGAL/Random.h>
 #include <CGAL/algorithm.h>
-
-#include <queue>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -28,38 +27,15 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
                                                const int source, const int target, const std::vector<double>& costs,
                                                const Budget& budget)
 {
-  using Entry = std::pair<double, int>;
-  std::vector<double> distance(points.size(), (std::numeric_limits<double>::infinity)());
-  std::vector<int> previous(points.size(), -1);
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  distance[source] = 0;
-  queue.emplace(0., source);
-  while(!queue.empty() && queue.top().second != target && !budget.is_exhausted())
+  const auto for_each_edge = [&](const std::size_t v, const auto& reach)
   {
-    const Entry nearest = queue.top();
-    queue.pop();
-    if(nearest.first > distance[nearest.second])
-      continue;
-    for(const int w : rings[nearest.second])
-    {
-      const double length = (points[w] - points[nearest.second]).norm();
-      const double candidate = nearest.first + ((w == target) ? length : costs[w] * length);
-      if(candidate < distance[w])
-      {
-        distance[w] = candidate;
-        previous[w] = nearest.second;
-        queue.emplace(candidate, w);
-      }
-    }
-  }
-
-  if(previous[target] < 0)
-    return {};
-  std::vector<int> path(1, target);
-  while(path.back() != source)
-    path.push_back(previous[path.back()]);
-  std::reverse(path.begin(), path.end());
-  return path;
+    for(const int w : rings[static_cast<int>(v)])
+      reach(w, (w == target ? 1 : costs[w]) * (points[w] - points[v]).norm());
+  };
+  const Shortest_paths paths(points.size(), std::array<int, 1>{ source }, for_each_edge, [&](const std::size_t v)
+  { return v == static_cast<std::size_t>(target) || budget.is_exhausted(); });
+  const std::vector<std::size_t> path = paths.path_to(target);
+  return std::vector<int>(path.begin(), path.end());
 }
 
 // Returns on which side of the cube a corner is along an axis a: bit a of its number tells.

@@ -164,21 +164,22 @@ private:
     std::array<std::vector<std::size_t>, 4> previous;
     for(std::size_t k = 0; k < 4; ++k)
     {
-      const Shortest_paths_3 paths(m_mesh, { m_mesh.source(goals[k]) }, [this](const Halfedge h) { return length(m_mesh, h); });
+      const Shortest_paths paths
+        = shortest_paths_3(m_mesh, { m_mesh.source(goals[k]) }, [this](const Halfedge h) { return length(m_mesh, h); });
       std::size_t best = none;
       for(std::size_t i = 0; i < line.size(); ++i)
       {
         if(k > 0 && i > 0 && (best == none || sum[k - 1][i - 1] < sum[k - 1][best]))
           best = i - 1;
         const bool is_out_of_reach = k == 0 ? i < begin : best == none;
-        const double before = is_out_of_reach ? Shortest_paths_3::infinity : k == 0 ? 0 : sum[k - 1][best];
+        const double before = is_out_of_reach ? Shortest_paths::infinity : k == 0 ? 0 : sum[k - 1][best];
         sum[k].push_back(before + paths.distance[m_mesh.source(line[i])]);
         previous[k].push_back(best);
       }
     }
     std::array<std::size_t, 4> result;
     result[3] = std::min_element(sum[3].begin(), sum[3].end()) - sum[3].begin();
-    if(sum[3][result[3]] == Shortest_paths_3::infinity)
+    if(sum[3][result[3]] == Shortest_paths::infinity)
       return std::nullopt;
     for(std::size_t k = 3; k > 0; --k)
       result[k - 1] = previous[k][result[k]];
@@ -215,20 +216,20 @@ private:
     {
       const auto first = leaving(m_mesh, ring.line, corner, ring.is_other_on_left);
       const Vertex source = m_mesh.source(ring.line[corner]);
-      const Shortest_paths_3 paths(m_mesh, { source }, [&](const Halfedge h)
+      const Shortest_paths paths = shortest_paths_3(m_mesh, { source }, [&](const Halfedge h)
       {
         const Vertex v = m_mesh.source(h), w = m_mesh.target(h);
         const bool is_open = v == source ? std::find(first.begin(), first.end(), h) != first.end() : !m_is_on_line[v];
-        return is_open && (is_goal[w] || !m_is_on_line[w]) ? length(m_mesh, h) : Shortest_paths_3::infinity;
+        return is_open && (is_goal[w] || !m_is_on_line[w]) ? length(m_mesh, h) : Shortest_paths::infinity;
       });
       Vertex goal = source;
       for(const Halfedge h : ring.other_line)
         if(const Vertex v = m_mesh.source(h); is_goal[v] && (goal == source || paths.distance[v] < paths.distance[goal]))
           goal = v;
-      if(goal == source || paths.distance[goal] == Shortest_paths_3::infinity)
+      if(goal == source || paths.distance[goal] == Shortest_paths::infinity)
         return false;
       is_goal[goal] = false;
-      draw(paths.path_to(m_mesh, goal));
+      draw(line_along(m_mesh, paths.path_to(goal)));
     }
     return true;
   }

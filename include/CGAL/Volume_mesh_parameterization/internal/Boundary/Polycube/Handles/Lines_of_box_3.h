@@ -127,7 +127,7 @@ private:
     const auto first = leaving(m_mesh, m_meridians[from.meridian], from.index, from.leaves_left);
     const auto last = leaving(m_mesh, m_meridians[to.meridian], to.index, !to.leaves_left);
     const Vertex source = m_mesh.source(m_meridians[from.meridian][from.index]);
-    const Shortest_paths_3 paths(m_mesh, { source }, [&](const Halfedge h)
+    const Shortest_paths paths = shortest_paths_3(m_mesh, { source }, [&](const Halfedge h)
     {
       const bool is_open = !m_is_on_meridian[m_mesh.target(h)]
         && (m_mesh.source(h) != source || std::find(first.begin(), first.end(), h) != first.end());
@@ -139,7 +139,7 @@ private:
     { return whole(h) < whole(k); });
     if(end != last.end() && whole(*end) < infinity && m_mesh.target(*end) != source)
     {
-      result = paths.path_to(m_mesh, m_mesh.target(*end));
+      result = line_along(m_mesh, paths.path_to(m_mesh.target(*end)));
       result.push_back(m_mesh.opposite(*end));
     }
     return result;
@@ -255,7 +255,8 @@ private:
         for(const Vertex v : m_mesh.vertices())
           if(m_uses[v] > 0)
             other_vertices.push_back(v);
-        const Shortest_paths_3 from_other_lines(m_mesh, other_vertices, [this](const Halfedge h) { return length(m_mesh, h); });
+        const Shortest_paths from_other_lines
+          = shortest_paths_3(m_mesh, other_vertices, [this](const Halfedge h) { return length(m_mesh, h); });
         const auto factor = [&](const Vertex v)
         { return 1 + history[v] + (m_uses[v] > 0 ? 10 * round : std::pow(quarter / from_other_lines.distance[v], 2)); };
         if(!route(line, [&](const Halfedge h) { return length(m_mesh, h) * factor(m_mesh.target(h)); }))

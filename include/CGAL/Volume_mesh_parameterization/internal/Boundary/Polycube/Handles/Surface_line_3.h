@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -20,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <queue>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -85,54 +85,26 @@ inline Surface_line_3 without_shortcuts(const Boundary_mesh_3& mesh, Surface_lin
   return line;
 }
 
-// Shortest paths on a surface from several vertices, along halfedges that have lengths; halfedges of infinite length are not
-// used.
-struct Shortest_paths_3
+// Returns the shortest paths on a surface from some vertices, given the lengths of halfedges.
+template <typename Length>
+Shortest_paths shortest_paths_3(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Vertex_index>& sources,
+                                const Length& length)
 {
-  using Vertex = Boundary_mesh_3::Vertex_index;
-  using Halfedge = Boundary_mesh_3::Halfedge_index;
-  static constexpr double infinity = (std::numeric_limits<double>::infinity)();
-
-  std::vector<double> distance;
-  std::vector<Halfedge> last; // last halfedge of the path to each vertex
-
-  template <typename Length>
-  Shortest_paths_3(const Boundary_mesh_3& mesh, const std::vector<Vertex>& sources, const Length& length)
-    : distance(mesh.number_of_vertices(), infinity), last(mesh.number_of_vertices())
+  const auto for_each_edge = [&](const std::size_t v, const auto& reach)
   {
-    using Entry = std::pair<double, Vertex>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-    const auto reach = [&](const Vertex v, const double d)
-    {
-      distance[v] = d;
-      queue.push({ d, v });
-    };
-    for(const Vertex v : sources)
-      reach(v, 0);
-    while(!queue.empty())
-    {
-      const auto [d, v] = queue.top();
-      queue.pop();
-      if(d == distance[v])
-        for(const Halfedge h : CGAL::halfedges_around_source(v, mesh))
-          if(const double candidate = d + length(h); candidate < distance[mesh.target(h)])
-          {
-            last[mesh.target(h)] = h;
-            reach(mesh.target(h), candidate);
-          }
-    }
-  }
+    for(const auto h : CGAL::halfedges_around_source(vertex_index(v), mesh))
+      reach(mesh.target(h), length(h));
+  };
+  return Shortest_paths(mesh.number_of_vertices(), sources, for_each_edge, [](std::size_t) { return false; });
+}
 
-  // Returns the path from a source to a vertex that has been reached.
-  Surface_line_3 path_to(const Boundary_mesh_3& mesh, Vertex v) const
-  {
-    Surface_line_3 result;
-    for(; distance[v] > 0; v = mesh.source(last[v]))
-      result.push_back(last[v]);
-    std::reverse(result.begin(), result.end());
-    return result;
-  }
-};
+inline Surface_line_3 line_along(const Boundary_mesh_3& mesh, const std::vector<std::size_t>& path)
+{
+  Surface_line_3 result;
+  for(std::size_t i = 1; i < path.size(); ++i)
+    result.push_back(mesh.halfedge(vertex_index(path[i - 1]), vertex_index(path[i])));
+  return result;
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -13,11 +13,10 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Corners_on_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
-#include <functional>
 #include <numeric>
-#include <queue>
 #include <unordered_map>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -120,39 +119,14 @@ private:
   std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to,
                                          const Border_of_voxel_charts_3& border) const
   {
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-    std::unordered_map<std::size_t, double> distances = { { from, 0 } };
-    std::unordered_map<std::size_t, std::size_t> previous;
-    queue.push({ 0, from });
-    while(!queue.empty() && queue.top().second != to)
+    const auto for_each_edge = [&](const std::size_t v, const auto& reach)
     {
-      const auto [distance, v] = queue.top();
-      queue.pop();
-      if(distance > distances.at(v))
-        continue;
       for(const std::size_t w : vertices_around(m_mesh, v))
-      {
-        if(m_is_used[w] && w != to)
-          continue;
-        const double candidate
-          = distance + (m_surface.points[w] - m_surface.points[v]).norm() * factor(m_surface.points[w], border);
-        const auto [it, is_new] = distances.emplace(w, candidate);
-        if(!is_new && candidate >= it->second)
-          continue;
-        it->second = candidate;
-        previous[w] = v;
-        queue.push({ candidate, w });
-      }
-    }
-    std::vector<std::size_t> result;
-    if(queue.empty())
-      return result;
-    for(std::size_t v = to; v != from; v = previous.at(v))
-      result.push_back(v);
-    result.push_back(from);
-    std::reverse(result.begin(), result.end());
-    return result;
+        if(!m_is_used[w] || w == to)
+          reach(w, (m_surface.points[w] - m_surface.points[v]).norm() * factor(m_surface.points[w], border));
+    };
+    return Shortest_paths(m_surface.points.size(), std::array<std::size_t, 1>{ from }, for_each_edge,
+                          [&](const std::size_t v) { return v == to; }).path_to(to);
   }
 
   // Returns the charts of the facets between the paths; none if one has no part or several.
