@@ -20,7 +20,7 @@ package_of()
     Box_intersection_d/* | box_intersection_d.h) echo Box_intersection_d ;;
     Intersections_3/*) echo Intersections_3 ;;
     Rational_traits.h | number_utils.h) echo Algebraic_foundations ;;
-    Exact_integer.h | Exact_rational.h | Gmpzf.h) echo Number_types ;;
+    Exact_integer.h | Exact_rational.h | Gmpzf.h | MP_Float.h) echo Number_types ;;
     Bbox_3.h | Exact_predicates_inexact_constructions_kernel.h | determinant.h) echo Kernel_23 ;;
     property_map.h) echo Property_map ;;
     boost/graph/*) echo BGL ;;
@@ -31,6 +31,7 @@ package_of()
     Real_timer.h) echo Profiling_tools ;;
     Simple_cartesian.h) echo Cartesian_kernel ;;
     Spatial_sort_traits_adapter_3.h | hilbert_sort.h) echo Spatial_sorting ;;
+    Orthogonal_k_neighbor_search.h | Search_traits.h) echo Spatial_searching ;;
     Surface_mesh.h) echo Surface_mesh ;;
     Union_find.h) echo Union_find ;;
     centroid.h) echo Principal_component_analysis_LGPL ;;

@@ -43,7 +43,6 @@ public:
     m_on_borders.assign(on_borders.begin(), on_borders.end());
     for(const std::size_t p : m_on_borders)
       m_nearest.add(m_points[p], Eigen::Vector3d::Zero());
-    m_nearest.build();
   }
 
   // Halves the lengths at some points of borders. Returns whether there was one that has not been halved too often.

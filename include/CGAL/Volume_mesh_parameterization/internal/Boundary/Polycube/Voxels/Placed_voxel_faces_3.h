@@ -15,102 +15,50 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Split_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Voxel_faces_3.h>
 
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits.h>
+
+#include <array>
 #include <limits>
-#include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Finds among points with normals the one nearest to another point and normal: a tree in six dimensions, split at medians.
+// Finds among points with normals the one nearest to another point and normal: a tree in six dimensions.
 class Nearest_with_normal_3
 {
 public:
-  using Vector_6 = Small_matrix<6, 1>;
-
   // Takes the distance that counts as much as a right angle between normals.
   explicit Nearest_with_normal_3(const double weight) : m_weight(weight) {}
 
-  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) { m_points.push_back(joined(p, normal)); }
-
-  void build()
-  {
-    m_order.resize(m_points.size());
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    split(0, m_order.size(), 0);
-  }
+  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) { m_tree.insert(joined(p, normal, m_tree.size())); }
 
   std::size_t nearest(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
-  {
-    Query query = { joined(p, normal) };
-    search(query, 0, m_order.size(), 0);
-    return query.nearest;
-  }
+  { return Search(m_tree, joined(p, normal, 0), 1).begin()->first.number; }
 
 private:
-  static constexpr std::size_t size_of_leaf = 8; // a guess
-
-  struct Query
+  struct Point_6
   {
-    Vector_6 point;
-    double squared_distance = (std::numeric_limits<double>::infinity)();
-    std::size_t nearest = 0;
+    std::array<double, 6> coordinates;
+    std::size_t number;
   };
 
-  Vector_6 joined(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
+  struct Coordinates
   {
-    Vector_6 result;
-    result << p, m_weight * normal;
-    return result;
-  }
+    using result_type = const double*;
+    const double* operator()(const Point_6& p) const { return p.coordinates.data(); }
+    const double* operator()(const Point_6& p, int) const { return p.coordinates.data() + 6; }
+  };
 
-  // Takes coordinates of points twice as often as those of normals, which vary less.
-  static Eigen::Index dimension(const std::size_t depth)
-  {
-    constexpr std::array<Eigen::Index, 9> dimensions = { 0, 1, 2, 0, 1, 2, 3, 4, 5 };
-    return dimensions[depth % 9];
-  }
+  using Search = Orthogonal_k_neighbor_search<Search_traits<double, Point_6, const double*, Coordinates, Dimension_tag<6> > >;
 
-  void split(const std::size_t begin, const std::size_t end, const std::size_t depth)
+  Point_6 joined(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const std::size_t number) const
   {
-    if(end - begin <= size_of_leaf)
-      return;
-    const auto at = [&](const std::size_t i) { return m_order.begin() + static_cast<std::ptrdiff_t>(i); };
-    const std::size_t middle = (begin + end) / 2;
-    const Eigen::Index k = dimension(depth);
-    std::nth_element(at(begin), at(middle), at(end),
-                     [&](const std::size_t i, const std::size_t j) { return m_points[i][k] < m_points[j][k]; });
-    split(begin, middle, depth + 1);
-    split(middle + 1, end, depth + 1);
-  }
-
-  void search(Query& query, const std::size_t begin, const std::size_t end, const std::size_t depth) const
-  {
-    if(end - begin <= size_of_leaf)
-    {
-      for(std::size_t i = begin; i < end; ++i)
-        test(query, m_order[i]);
-      return;
-    }
-    const std::size_t middle = (begin + end) / 2;
-    test(query, m_order[middle]);
-    const double distance = query.point[dimension(depth)] - m_points[m_order[middle]][dimension(depth)];
-    for(const bool is_lower : { distance < 0, distance >= 0 }) // the side of the query first
-      if(is_lower == (distance < 0) || distance * distance < query.squared_distance)
-        is_lower ? search(query, begin, middle, depth + 1) : search(query, middle + 1, end, depth + 1);
-  }
-
-  void test(Query& query, const std::size_t i) const
-  {
-    const double distance = (m_points[i] - query.point).squaredNorm();
-    if(distance < query.squared_distance)
-    {
-      query.squared_distance = distance;
-      query.nearest = i;
-    }
+    const Eigen::Vector3d n = m_weight * normal;
+    return { { p[0], p[1], p[2], n[0], n[1], n[2] }, number };
   }
 
   double m_weight;
-  std::vector<Vector_6> m_points;
-  std::vector<std::size_t> m_order;
+  Search::Tree m_tree;
 };
 
 // Places the corners of faces of voxels on a surface, by rounds of smoothing and projection to planes of facets that are near
@@ -126,8 +74,6 @@ public:
       m_nearest.add(facets.centers[f], facets.normals[f]);
       m_nearest_in_position.add(facets.centers[f], facets.normals[f]);
     }
-    m_nearest.build();
-    m_nearest_in_position.build();
   }
 
   // Returns the faces after the number of rounds with which fewest of them are folded: more rounds make them smoother, but let
@@ -220,7 +166,6 @@ inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, co
         };
         nearest.add(bilinear(faces.points), bilinear(normals).normalized());
       }
-  nearest.build();
   std::vector<std::size_t> result;
   for(std::size_t f = 0; f < facets.areas.size(); ++f)
     result.push_back(nearest.nearest(facets.centers[f], facets.normals[f]) / (samples * samples));
