@@ -131,10 +131,10 @@ private:
       if(end - begin == 2 && m_pairs[f] == m_pairs[g] && !is_sharp_edge(m_facets[f], m_facets[g], position))
         sets.unite(f, g);
     });
-    std::map<std::size_t, std::size_t> numbers;
+    for(const std::size_t number : sets.numbers())
+      m_patches.push_back(1 + number);
     for(std::size_t f = 0; f < m_facets.size(); ++f)
     {
-      m_patches.push_back(numbers.emplace(sets.find(f), numbers.size() + 1).first->second);
       m_patch_of_facet[sorted(m_facets[f])] = m_patches[f];
       m_patches_of_pair[m_pairs[f]].insert(m_patches[f]);
     }

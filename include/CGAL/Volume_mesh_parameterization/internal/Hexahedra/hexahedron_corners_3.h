@@ -237,9 +237,8 @@ inline void set_facets(Hexahedron_soup_3& domain)
     if(end - begin == 2)
       patches.unite(begin->second, (begin + 1)->second);
   });
-  std::map<std::size_t, std::size_t> numbers;
-  for(std::size_t f = 0; f < domain.facets.size(); ++f)
-    domain.facet_patches.push_back(numbers.emplace(patches.find(f), numbers.size() + 1).first->second);
+  for(const std::size_t number : patches.numbers())
+    domain.facet_patches.push_back(1 + number);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -46,6 +46,21 @@ public:
     return i;
   }
 
+  // Returns the number of the set of each index, in the order of the first indices.
+  std::vector<std::size_t> numbers()
+  {
+    std::vector<std::size_t> number_of_set(m_up.size(), m_up.size()), result;
+    std::size_t n = 0;
+    for(std::size_t i = 0; i < m_up.size(); ++i)
+    {
+      std::size_t& number = number_of_set[find(i)];
+      if(number == m_up.size())
+        number = n++;
+      result.push_back(number);
+    }
+    return result;
+  }
+
 private:
   std::vector<std::size_t> m_up, m_size; // the size is that of the set which an index stands for
 };

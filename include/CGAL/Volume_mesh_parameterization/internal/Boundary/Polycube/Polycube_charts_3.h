@@ -33,16 +33,9 @@ inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const
   for(const auto e : mesh.edges())
     if(const auto f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1)); labels[f] == labels[g])
       sets.unite(f, g);
-  std::size_t n = 0;
-  std::vector<std::size_t> chart_of_face(labels.size()), chart_of_set(labels.size(), labels.size());
-  for(std::size_t f = 0; f < labels.size(); ++f)
-  {
-    std::size_t& chart = chart_of_set[sets.find(f)];
-    if(chart == labels.size())
-      chart = n++;
-    chart_of_face[f] = chart;
-  }
-  return { chart_of_face, n };
+  std::vector<std::size_t> charts = sets.numbers();
+  const std::size_t n = charts.empty() ? 0 : 1 + *std::max_element(charts.begin(), charts.end());
+  return { std::move(charts), n };
 }
 
 // Line between two charts, from corner to corner: the preimage of an edge of the polycube.

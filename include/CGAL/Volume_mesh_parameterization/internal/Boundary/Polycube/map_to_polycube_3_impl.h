@@ -25,7 +25,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -42,19 +41,17 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
   std::size_t number_of_points = 0;
   for(const std::array<std::size_t, 4>& cell : *whole.cells)
     number_of_points = (std::max)(number_of_points, *std::max_element(cell.begin(), cell.end()) + 1);
-  Disjoint_sets sets(number_of_points);
-  for(const std::array<std::size_t, 4>& cell : *whole.cells)
-    for(const std::size_t v : cell)
-      sets.unite(cell[0], v);
-  std::map<std::size_t, std::size_t> number_of_set;
-  const auto body_of = [&](const std::size_t point)
-  { return number_of_set.emplace(sets.find(point), number_of_set.size()).first->second; };
-  for(const std::array<std::size_t, 4>& cell : *whole.cells)
-    body_of(cell[0]);
+  const std::size_t n = whole.cells->size();
+  Disjoint_sets sets(n + number_of_points); // cells, and points behind them
+  for(std::size_t c = 0; c < n; ++c)
+    for(const std::size_t v : (*whole.cells)[c])
+      sets.unite(c, n + v);
+  const std::vector<std::size_t> numbers = sets.numbers();
+  const auto body_of = [&](const std::size_t point) { return numbers[n + point]; };
 
-  std::vector<Separate_body_3> bodies(number_of_set.size());
-  for(const std::array<std::size_t, 4>& cell : *whole.cells)
-    bodies[body_of(cell[0])].cells.push_back(cell);
+  std::vector<Separate_body_3> bodies(1 + *std::max_element(numbers.begin(), numbers.begin() + n));
+  for(std::size_t c = 0; c < n; ++c)
+    bodies[numbers[c]].cells.push_back((*whole.cells)[c]);
   std::vector<std::size_t> number(whole.vertices.size());
   for(std::size_t v = 0; v < number.size(); ++v)
   {
