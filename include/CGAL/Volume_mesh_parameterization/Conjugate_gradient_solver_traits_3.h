@@ -39,10 +39,10 @@ public:
   using NT = NT_;                           ///< the number type
   using Matrix = Block_sparse_matrix_3<NT>; ///< the type of the matrix
 
-  /// limits the number of iterations of each call of `solve()`, which at the limit returns the last iterate. A map then
-  /// factorizes the matrix, as `Eigen_solver_traits_3` does, where that takes no more multiplications, and the following ones
-  /// as long as iterations take longer.
-  explicit Conjugate_gradient_solver_traits_3(const int maximal_number_of_iterations = 2000)
+  /// limits the number of iterations of each call of `solve()`, by default to 2,000; at the limit, it returns the last iterate. A
+  /// map then factorizes the matrix, as `Eigen_solver_traits_3` does, where that takes no more multiplications, and the
+  /// following ones as long as iterations take longer.
+  explicit Conjugate_gradient_solver_traits_3(const int maximal_number_of_iterations = internal::default_limit_of_iterations)
     : m_solver(internal::is_parallel<ConcurrencyTag>(), maximal_number_of_iterations)
   {}
 

@@ -24,7 +24,6 @@
 
 #include <Eigen/Dense>
 
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -124,7 +123,6 @@ private:
   // Finds the points where lines end or turn, or more than two edges of them meet.
   void find_ends(const std::vector<std::array<double, 3> >& points)
   {
-    const double cosine_of_turn = std::sqrt(0.5); // a guess; 45 degrees, below which a curve is smooth
     std::map<std::size_t, std::vector<Eigen::Vector3d> > directions;
     for(const auto& [v, w] : m_edges_of_lines)
     {
@@ -133,7 +131,7 @@ private:
       directions[w].push_back(-d);
     }
     for(const auto& [v, d] : directions)
-      if(d.size() != 2 || -d[0].dot(d[1]) < cosine_of_turn)
+      if(d.size() != 2 || -d[0].dot(d[1]) < cosine_of_smooth_turn())
         m_ends.push_back(to_vector(points[v]));
   }
 

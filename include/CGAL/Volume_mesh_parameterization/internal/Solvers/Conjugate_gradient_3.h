@@ -20,6 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+constexpr int default_limit_of_iterations = 2000; // a guess
+
 // Work of `Conjugate_gradient_solver_traits_3`: one code for one thread and many, hence the same bits, however a compiler
 // contracts products and sums.
 template <typename NT>

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ private:
     return axis;
   }
 
-  // Returns the sharp edges of the chart behind an edge that turn by less than half a right angle.
+  // Returns the sharp edges of the chart in which an edge goes on.
   std::vector<Halfedge> continuations(const Halfedge h) const
   {
     const auto edge = [this](const Halfedge k) -> Eigen::Vector3d
@@ -70,7 +71,7 @@ private:
     std::vector<Halfedge> result;
     for(const Halfedge k : CGAL::halfedges_around_source(m_mesh.target(h), m_mesh))
       if(is_inside(k) && k != m_mesh.opposite(h) && m_charts.chart(k) == m_charts.chart(h)
-         && edge(k).dot(edge(h)) > std::sqrt(0.5) * edge(k).norm() * edge(h).norm())
+         && edge(k).dot(edge(h)) > cosine_of_smooth_turn() * edge(k).norm() * edge(h).norm())
         result.push_back(k);
     return result;
   }

@@ -14,6 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
+#include <cmath>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Tells whether the edge between two facets that are oriented alike is sharp.
@@ -28,6 +30,9 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
   };
   return normal(f).dot(normal(g)) < cosine_of_sharp_edge;
 }
+
+// Returns the cosine of the turn up to which an edge of a curve of sharp edges goes on in the next one.
+inline double cosine_of_smooth_turn() { return std::sqrt(0.5); } // a guess; 45 degrees
 
 // Tells whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
 inline bool leads_along_axis(const Eigen::Vector3d& p, const Eigen::Vector3d& q)

@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Direct_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/sums_over_cells_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Solvers/Conjugate_gradient_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -143,9 +144,9 @@ private:
                                  const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                                  const Budget& budget)
   {
-    constexpr std::size_t limit_of_iterations = 2000; // of the default solver: nothing interrupts a factorization
+    // nothing interrupts a factorization, so it may cost no more than the default solver does
     const std::size_t number_of_iterations = found.is_usable() ? m_solver.number_of_own_iterations() - iterations_before
-                                                               : limit_of_iterations;
+                                                               : default_limit_of_iterations;
     if(!m_mesh.is_whole() || budget.is_exhausted() || !m_turns.takes_over(m_system->matrix(), is_inexact, number_of_iterations))
       return found;
     Newton_direction_3 exact = direction_by(m_turns.begin_turn(), energy, u, negative_curvature, 0., budget);
