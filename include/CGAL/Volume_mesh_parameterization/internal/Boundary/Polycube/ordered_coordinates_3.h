@@ -17,7 +17,7 @@
 #ifdef CGAL_USE_GMP
 #  include <CGAL/Gmpzf.h>
 #else
-#  include <CGAL/Exact_rational.h>
+#  include <CGAL/MP_Float.h>
 #endif
 
 #include <Eigen/Core>
@@ -37,7 +37,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 #ifdef CGAL_USE_GMP
 using Program_number = Gmpzf;
 #else
-using Program_number = Exact_rational;
+using Program_number = MP_Float;
 #endif
 
 // Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. They may be moved if they are
