@@ -1,6 +1,7 @@
 // The program parameterize_mesh_file: its exit codes, its files and its sentences.
 #include "catch.h"
 #include "array_of_vtu_file.h"
+#include "mapped_with_splits.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
@@ -28,6 +29,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <regex>
 #include <set>
@@ -295,6 +297,48 @@ std::vector<std::string> report_keys_with(const std::vector<std::string>& others
 
 std::string hexahedra_of(const std::string& report) { return report.substr(report.find("\"hexahedra\": {")); }
 
+// Attempts to map a mesh whose boundary is split, of which is told how they end, and the clock on which they run.
+struct Told_attempts
+{
+  enum Quality { NONE, VALID, SUCCESSFUL };
+
+  struct Mesh
+  {
+    std::string name;
+    Quality quality = NONE;
+
+    bool is_success() const { return quality == SUCCESSFUL; }
+    bool has_valid_map() const { return quality != NONE; }
+  };
+
+  std::map<std::string, Quality> qualities;
+  bool has_other_targets = true;
+  std::size_t end = 4;           // the number of computations after which the time is over
+  std::vector<std::string> log = {}; // what is computed, within how many hundredths of the time that is left
+  double part_of_time = 1;
+
+  void end_after_part_of_time(const double part) { part_of_time = part; }
+  void end_after_all_time() { part_of_time = 1; }
+  bool goes_on() const { return log.size() < end; }
+  void compute(const std::string& name) { log.push_back(name + " " + std::to_string(std::lround(100 * part_of_time))); }
+
+  std::string best()
+  {
+    const auto with_map = [this](const Mesh& mesh)
+    {
+      compute(mesh.name);
+      return Mesh{ mesh.name, qualities[mesh.name] };
+    };
+    const auto with_edges_split = [](const Mesh& mesh) { return Mesh{ mesh.name + " and edges" }; };
+    const auto without_splits = [this]
+    {
+      compute("targets");
+      return has_other_targets ? std::optional<Mesh>({ "given" }) : std::nullopt;
+    };
+    return mapped_with_splits(Mesh{ "splits" }, with_map, with_edges_split, without_splits, *this).name;
+  }
+};
+
 } // namespace
 
 TEST_CASE("An affine boundary gives an affine map, in the order of the file")
@@ -458,6 +502,31 @@ TEST_CASE("The boundary goes to a domain that has a name")
   CHECK(folder.run("source.mesh --to ball --report report.json") == 2);
   CHECK(folder.text("stderr").find("at 1 vertex, number 7 (counted from 0)") != std::string::npos);
   CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_NON_MANIFOLD_BOUNDARY\"") != std::string::npos);
+}
+
+TEST_CASE("A split boundary is mapped as it is, then with edges split at it, and last the boundary as given")
+{
+  using Log = std::vector<std::string>;
+  const Log all = { "splits 33", "targets 50", "splits and edges 75", "given 100" };
+  const auto first = [&](const std::size_t n) { return Log(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)); };
+  const auto good = Told_attempts::SUCCESSFUL, valid = Told_attempts::VALID;
+  const auto check = [](Told_attempts attempts, const std::string& best, const Log& log)
+  {
+    CHECK(attempts.best() == best);
+    CHECK(attempts.log == log);
+  };
+  check({ { { "splits", good } } }, "splits", first(1));
+  check({ { { "splits and edges", good } } }, "splits and edges", first(3));
+  check({ { { "splits", valid }, { "splits and edges", good } } }, "splits and edges", first(3));
+  check({ { { "splits", valid }, { "given", good } } }, "given", all);
+  // takes the first valid one of those that fail
+  check({ { { "splits", valid }, { "splits and edges", valid }, { "given", valid } } }, "splits", all);
+  check({ { { "splits and edges", valid }, { "given", valid } } }, "splits and edges", all);
+  check({}, "given", all);
+  // gives edges that are split all of the time, if there is nothing else
+  check({ {}, false }, "splits and edges", { "splits 33", "targets 50", "splits and edges 100" });
+  for(const std::size_t n : { 1, 2, 3 }) // at the end of the time
+    check({ {}, true, n }, n < 3 ? "splits" : "splits and edges", first(n));
 }
 
 TEST_CASE("A ball is turned to landmarks, and a box has eight of them as corners")

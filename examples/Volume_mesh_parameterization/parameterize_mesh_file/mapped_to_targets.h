@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "Target_points.h"
 #include "boundary_targets_of.h"
+#include "mapped_with_splits.h"
 #include "read_source.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -41,6 +42,9 @@ struct Mapped_mesh
   double seconds_boundary = 0;
   Points uvw = {};
   Result result = {};
+
+  bool is_success() const { return exit_code(result) == SUCCESS; }
+  bool has_valid_map() const { return result.has_valid_map; }
 };
 
 // Extends what is told of the vertices of a mesh to those that it has got.
@@ -156,45 +160,17 @@ inline Mapped_mesh with_edges_split_at_boundary(Mapped_mesh mapped)
   return mapped;
 }
 
-// Finds the map to the polycube of a boundary that is split for it. It has far more vertices than there are inside, and each of
-// these may be joined to too many: where no map is found in a third of the time, all edges inside that begin at the boundary are
-// split. If the boundary as it is given has a polycube, too, a quarter of the time that is left then is kept for that, which has
-// far fewer cells.
-inline Mapped_mesh mapped_with_splits(const Mapped_mesh& given, const Mapped_mesh& with_targets, const Options& options,
-                                      const Landmarks& landmarks, Progress_line& progress)
-{
-  progress.end_after_part_of_time(1. / 3);
-  Mapped_mesh mapped = with_map(with_targets, options, progress);
-  progress.end_after_all_time();
-  if(exit_code(mapped.result) == SUCCESS || !progress.goes_on())
-    return mapped;
-  progress.end_after_part_of_time(0.5);
-  const std::optional<Mapped_mesh> without_splits = with_targets_without_splits(given, options, landmarks, progress);
-  progress.end_after_all_time();
-  if(without_splits)
-    progress.end_after_part_of_time(0.75);
-  const auto try_other = [&](const Mapped_mesh& with_other_targets)
-  {
-    Mapped_mesh other = with_map(with_other_targets, options, progress);
-    if(exit_code(other.result) == SUCCESS || !mapped.result.has_valid_map)
-      mapped = std::move(other);
-  };
-  if(progress.goes_on())
-    try_other(with_edges_split_at_boundary(with_targets));
-  progress.end_after_all_time();
-  if(exit_code(mapped.result) != SUCCESS && without_splits && progress.goes_on())
-    try_other(*without_splits);
-  return mapped;
-}
-
 inline Mapped_mesh mapped_to_domain(Mapped_mesh given, const Options& options, const Landmarks& landmarks, Progress_line& progress)
 {
   const bool may_split = options.domain == "polycube" && named_refinement(options.refinement).do_refine;
   if(!may_split)
     return with_map(with_targets_on_domain(std::move(given), options, false, landmarks, progress), options, progress);
-  Mapped_mesh mapped = with_targets_on_domain(given, options, true, landmarks, progress);
-  return mapped.number_of_new_points == 0 ? with_map(std::move(mapped), options, progress)
-                                          : mapped_with_splits(given, mapped, options, landmarks, progress);
+  Mapped_mesh with_targets = with_targets_on_domain(given, options, true, landmarks, progress);
+  if(with_targets.number_of_new_points == 0)
+    return with_map(std::move(with_targets), options, progress);
+  const auto map = [&](const Mapped_mesh& mesh) { return with_map(mesh, options, progress); };
+  const auto without_splits = [&] { return with_targets_without_splits(given, options, landmarks, progress); };
+  return mapped_with_splits(with_targets, map, with_edges_split_at_boundary, without_splits, progress);
 }
 
 inline Mapped_mesh mapped_to_targets(Mapped_mesh given, const Options& options, const Landmarks& landmarks,
