@@ -164,7 +164,7 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
   constexpr int maximal_number_of_maps = 4, maximal_number_of_sizes = 3; // with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
-  constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; fewer splits first
+  constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
   const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
                            - static_cast<int>(mesh.number_of_edges());
   const Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
