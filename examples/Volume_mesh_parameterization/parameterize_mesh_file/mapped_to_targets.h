@@ -168,9 +168,13 @@ inline Mapped_mesh mapped_to_domain(Mapped_mesh given, const Options& options, c
   Mapped_mesh with_targets = with_targets_on_domain(given, options, true, landmarks, progress);
   if(with_targets.number_of_new_points == 0)
     return with_map(std::move(with_targets), options, progress);
+  Options held = options;
+  if(named_boundary_mode(options.boundary) == VMP::Boundary_mode::AUTO)
+    held.boundary = "fixed";
+  const auto map_held = [&](const Mapped_mesh& mesh) { return with_map(mesh, held, progress); };
   const auto map = [&](const Mapped_mesh& mesh) { return with_map(mesh, options, progress); };
   const auto without_splits = [&] { return with_targets_without_splits(given, options, landmarks, progress); };
-  return mapped_with_splits(with_targets, map, with_edges_split_at_boundary, without_splits, progress);
+  return mapped_with_splits(with_targets, map_held, map, with_edges_split_at_boundary, without_splits, progress);
 }
 
 inline Mapped_mesh mapped_to_targets(Mapped_mesh given, const Options& options, const Landmarks& landmarks,
