@@ -28,6 +28,12 @@ constexpr double sufficient_scaled_jacobian = 0.4, poor_scaled_jacobian = 0.2, f
                  bad_scaled_jacobian = 0.05;
 constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
 
+// Corners that vertices move for: all alike, the poor ones first, or the worst ones, whose edges may have any lengths.
+enum class Corners_to_improve { ALL, POOR, WORST_ANGLES };
+
+inline int exponent_for(const Corners_to_improve which)
+{ return which == Corners_to_improve::ALL ? 1 : which == Corners_to_improve::POOR ? 2 : 4; } // guesses
+
 // Hexahedra of a body whose vertices move inside, on its boundary and along its lines; likewise on its interfaces, whose
 // vertices have positions.
 class Sliding_hexahedra_3
@@ -84,19 +90,22 @@ public:
   // positive, also to approach it, which hinders untangling; more with a larger weight. Vertices that slide are pulled to where
   // they were at first, which helps to untangle corners, or later to where they are, without which steps along a curved surface
   // are too long. Hexahedra whose corners are all positive keep them so.
-  void improve(const std::size_t number_of_steps, const bool do_slide, const int exponent, const double weight = 1)
+  void improve(const std::size_t number_of_steps, const bool do_slide, const Corners_to_improve which, const double weight = 1)
   {
-    Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent, number_of_steps };
+    Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent_for(which), number_of_steps };
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
       const bool stays = !do_slide && m_freedom[i] != Freedom_3::SPACE;
       goals.projectors.push_back(m_surfaces[i]->projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
     }
-    set_edges(goals);
+    set_mean_edges(m_numbered, goals);
+    if(which == Corners_to_improve::WORST_ANGLES)
+      set_own_edges(m_numbered, goals);
     const bool is_valid = inverted_cells(m_numbered, m_numbered.target).number == 0;
     if(do_slide)
     {
-      hold_boundary(is_valid ? m_numbered.target : m_numbered.source, goals);
+      hold_boundary(is_valid ? m_numbered.target : m_numbered.source,
+                    which == Corners_to_improve::WORST_ANGLES ? firm_hold_of_lines : 1, goals);
       for(const Covered_surface_3& covered : m_covered)
       {
         pull_to_vertices_3(covered, m_numbered.target, weight, goals);
@@ -119,8 +128,8 @@ public:
     {
       Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
                                number_of_steps };
-      set_edges(goals);
-      hold_boundary(m_numbered.source, goals);
+      set_mean_edges(m_numbered, goals);
+      hold_boundary(m_numbered.source, 1, goals);
       for(const Covered_surface_3& covered : m_covered)
         pull_to_vertices_3(covered, m_numbered.target, 1, goals);
       return_to_surface(std::sqrt(weight / pull), goals);
@@ -182,38 +191,20 @@ public:
 
 private:
   static constexpr double pull = 5; // a guess; weight of covering the boundary: hardly makes corners worse
+  static constexpr double firm_hold_of_lines = 15; // a guess; relative to other steps, as the worst corners weigh more
 
-  // Sets the goal for edges: the mean length of the edges of a hexahedron along each axis, or a bound for short ones.
-  void set_edges(Corner_goals_3& goals) const
-  {
-    constexpr double shortest = 0.5; // a guess; relative to the mean edge
-    std::vector<Eigen::Vector3d> edges(m_mesh.cells.size(), Eigen::Vector3d::Zero());
-    const auto length = [&](const std::size_t corner, const std::size_t i) -> double&
-    {
-      const std::array<std::size_t, 4>& vertices = corners_of_hexahedron[m_numbered.user_number(corner) % 8];
-      return edges[m_numbered.user_number(corner) / 8][axis_of_edge(vertices[0], vertices[i + 1])];
-    };
-    for(std::size_t c = 0; c < m_numbered.cells.size(); ++c)
-      for(std::size_t i = 0; i < 3; ++i)
-        length(c, i) += edge_matrix(m_numbered.target, m_numbered.cells[c]).col(i).norm() / 8;
-    goals.mean_edge = 0;
-    for(const Eigen::Vector3d& lengths : edges)
-      goals.mean_edge += lengths.mean() / static_cast<double>(edges.size());
-    goals.edges.resize(m_numbered.cells.size());
-    for(std::size_t c = 0; c < m_numbered.cells.size(); ++c)
-      for(std::size_t i = 0; i < 3; ++i)
-        goals.edges[c][i] = (std::max)(length(c, i), shortest * goals.mean_edge);
-  }
-
-  // Pulls sliding vertices to positions: those on lines to the first ones, which keeps curved lines evenly divided, and the others
-  // to those given.
-  void hold_boundary(const Matrix3Xd& positions, Corner_goals_3& goals) const
+  // Pulls sliding vertices to positions: those on lines to the first ones, by a factor more, which keeps curved lines evenly
+  // divided, and the others to those given.
+  void hold_boundary(const Matrix3Xd& positions, const double factor_of_lines, Corner_goals_3& goals) const
   {
     for(std::size_t i = 0; i < m_order.size(); ++i)
-      if(m_freedom[i] == Freedom_3::SURFACE || m_freedom[i] == Freedom_3::LINE)
+      if(const bool is_on_line = m_freedom[i] == Freedom_3::LINE; is_on_line || m_freedom[i] == Freedom_3::SURFACE)
+      {
+        const double factor = is_on_line ? factor_of_lines : 1;
+        const Eigen::Vector3d p = factor * (is_on_line ? m_numbered.source : positions).col(i);
         for(int axis = 0; axis < 3; ++axis)
-          goals.constraints.push_back({ { { static_cast<int>(i), Eigen::Vector3d::Unit(axis) } },
-                                        (m_freedom[i] == Freedom_3::LINE ? m_numbered.source : positions)(axis, i) });
+          goals.constraints.push_back({ { { static_cast<int>(i), factor * Eigen::Vector3d::Unit(axis) } }, p[axis] });
+      }
   }
 
   // Returns the point nearest to a vertex among those where it may be: the first position of one that may not move.

@@ -140,7 +140,8 @@ private:
       if(round > 0 && m_result.minimal_scaled_jacobian < flat_scaled_jacobian)
         smooth(price);
       const double mean = m_result.mean_scaled_jacobian;
-      m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0, round < number_of_first_rounds ? 1 : 2);
+      m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
+                          round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
       evaluate();
       in_vain = m_result.number_of_inverted_corners <= fewest_inverted_corners / 2 ? 0 : in_vain + 1;
       fewest_inverted_corners = (std::min)(fewest_inverted_corners, m_result.number_of_inverted_corners);
@@ -150,8 +151,8 @@ private:
     }
   }
 
-  // Improves the worst corners as long as they gain: while they are poor but positive, far points count less, and the vertices of
-  // bad ones leave the lines.
+  // Improves the worst corners as long as they gain, one vertex after the other and all at once in turn. While they are poor but
+  // positive and gain nothing, far points count less, and the vertices of bad ones leave the lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
@@ -161,6 +162,11 @@ private:
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
       const double least = m_result.minimal_scaled_jacobian;
+      if(round > 0)
+      {
+        m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
+        evaluate();
+      }
       smooth(price_of_uncovered);
       in_vain = m_result.minimal_scaled_jacobian > least + least_gain ? 0 : in_vain + 1;
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
@@ -183,7 +189,7 @@ private:
     {
       const Hexahedral_mesh_result before = m_best.result;
       weight *= growth;
-      m_hexahedra.improve(steps, true, 2, weight);
+      m_hexahedra.improve(steps, true, Corners_to_improve::POOR, weight);
       evaluate();
       smooth(price * weight);
       in_vain = is_better(m_best.result, before, m_best.edge) ? 0 : in_vain + 1;
@@ -197,7 +203,7 @@ private:
     for(int round = 0; round < patience && m_result.minimal_scaled_jacobian < least_scaled_jacobian
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "interfaces") && m_hexahedra.leave_interfaces(flat_scaled_jacobian); ++round)
     {
-      m_hexahedra.improve(steps, true, 2);
+      m_hexahedra.improve(steps, true, Corners_to_improve::POOR);
       evaluate();
       smooth(price);
     }
