@@ -177,10 +177,11 @@ private:
     }
   }
 
-  // Pulls hexahedra more and more to points of the boundary that are far away, as long as that leads to better ones.
+  // Pulls hexahedra more and more to points of the boundary that are far away, as long as that leads to better ones. Hexahedra may
+  // be of any length there, as in tips.
   void approach_boundary()
   {
-    constexpr double growth = 2; // a guess; of the weight
+    constexpr double growth = 4; // a guess; of the weight
     double weight = 1;
     for(int round = 0, in_vain = 0;
         round < number_of_rounds && in_vain < patience && m_result.number_of_inverted_corners == 0
@@ -189,7 +190,7 @@ private:
     {
       const Hexahedral_mesh_result before = m_best.result;
       weight *= growth;
-      m_hexahedra.improve(steps, true, Corners_to_improve::POOR, weight);
+      m_hexahedra.improve(steps, true, Corners_to_improve::WORST_ANGLES, weight);
       evaluate();
       smooth(price * weight);
       in_vain = is_better(m_best.result, before, m_best.edge) ? 0 : in_vain + 1;
