@@ -152,7 +152,7 @@ private:
   }
 
   // Improves the worst corners as long as they gain, one vertex after the other and all at once in turn. While they are poor but
-  // positive and gain nothing, far points count less, and the vertices of bad ones leave the lines.
+  // positive and gain nothing, far points count less, and the vertices of flat ones leave the lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
@@ -171,7 +171,7 @@ private:
       in_vain = m_result.minimal_scaled_jacobian > least + least_gain ? 0 : in_vain + 1;
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
       {
-        m_hexahedra.leave_lines(bad_scaled_jacobian);
+        m_hexahedra.leave_lines(flat_scaled_jacobian);
         price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);
       }
     }
