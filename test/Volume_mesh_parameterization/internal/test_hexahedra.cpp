@@ -38,6 +38,7 @@ using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VMP::Hexahedral_mesh_result;
 using VMP::Hexahedron_soup_3;
 using VMP::Tetrahedron_soup_3;
+using VMP::internal::Corners_to_improve;
 using Points = std::vector<std::array<double, 3> >;
 
 namespace {
@@ -353,7 +354,7 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
 
   Sliding_hexahedra sliding(box, mesh);
   for(int i = 0; i < 4; ++i)
-    sliding.hexahedra.improve(30, false, 1);
+    sliding.hexahedra.improve(30, false, Corners_to_improve::ALL);
   mesh = sliding.hexahedra.mesh();
   const Hexahedral_mesh_result result = VMP::internal::evaluated_hexahedra(mesh, false);
   CHECK(result.status == VMP::OK);
@@ -678,7 +679,7 @@ TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertic
   const double before = distance(tip, boundary_facets(sliding.start));
   REQUIRE(before > 1);
   for(int round = 0; round < 5; ++round)
-    sliding.hexahedra.improve(3, true, 1);
+    sliding.hexahedra.improve(3, true, Corners_to_improve::ALL);
   CHECK(distance(tip, boundary_facets(sliding.hexahedra.mesh())) < 0.95 * before); // for their corners alone they would leave it
 }
 
@@ -688,9 +689,50 @@ TEST_CASE("Vertices slide to where corners are best, however far that is from wh
   { return p + Vector3d(0.00125 * p[0] * (8 - p[0]) * p[1] * (8 - p[1]) * (p[2] - 4), 0, 0); });
   Sliding_hexahedra sliding(block, 2);
   for(int round = 0; round < 20; ++round)
-    sliding.hexahedra.improve(3, true, 1);
+    sliding.hexahedra.improve(3, true, Corners_to_improve::ALL);
   const std::vector<double> quality = VMP::internal::scaled_jacobians(sliding.hexahedra.mesh());
   CHECK(*std::min_element(quality.begin(), quality.end()) > 0.999); // if they were drawn to there, 0.987
+}
+
+TEST_CASE("Worst angles are improved whatever lengths edges have, and thin layers stay thin")
+{
+  const Body block(8, 0, same);
+  Hexahedron_soup_3 mesh = Sliding_hexahedra(block, 2).start;
+  std::size_t number_moved = 0;
+  for(std::array<double, 3>& p : mesh.points)
+  {
+    const bool is_in_middle = p == std::array<double, 3>{ 4, 4, 4 };
+    p[0] = p[0] == 2 ? 0.4 : p[0]; // a rectilinear grid with a thin layer
+    if(is_in_middle)
+    {
+      p = { 3.4, 4.9, 4.7 };
+      ++number_moved;
+    }
+  }
+  REQUIRE(number_moved == 1);
+  const auto least = [](const Sliding_hexahedra& sliding)
+  {
+    const std::vector<double> quality = VMP::internal::scaled_jacobians(sliding.hexahedra.mesh());
+    return *std::min_element(quality.begin(), quality.end());
+  };
+  const auto thickest = [&](const Sliding_hexahedra& sliding)
+  {
+    double result = 0;
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+      if(mesh.points[v][0] == 0.4)
+        result = (std::max)(result, sliding.hexahedra.mesh().points[v][0]);
+    return result;
+  };
+  Sliding_hexahedra for_angles(block, mesh), for_poor(block, mesh);
+  REQUIRE(least(for_angles) < 0.9);
+  for(int round = 0; round < 5; ++round)
+  {
+    for_angles.hexahedra.improve(10, true, Corners_to_improve::WORST_ANGLES);
+    for_poor.hexahedra.improve(10, true, Corners_to_improve::POOR);
+  }
+  CHECK(least(for_angles) > 0.99);
+  CHECK(thickest(for_angles) < 0.45);
+  CHECK(thickest(for_poor) > 0.6); // equal lengths count there, too
 }
 
 TEST_CASE("Quadrangles that span a waist of the body, and their edges, come nearer to its surface")
@@ -716,7 +758,7 @@ TEST_CASE("Quadrangles that span a waist of the body, and their edges, come near
   const double before = farthest(sliding.start);
   REQUIRE(before > 0.9);
   for(int round = 0; round < 5; ++round)
-    sliding.hexahedra.improve(3, true, 1);
+    sliding.hexahedra.improve(3, true, Corners_to_improve::ALL);
   CHECK(farthest(sliding.hexahedra.mesh()) < 0.45 * before); // without this pull, 0.55
   CHECK(smallest_determinant(sliding.hexahedra.mesh()) > 0);
 }
@@ -790,7 +832,7 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     for(int round = 0; round < 3; ++round)
     {
       const bool was_valid = smallest_determinant(sliding.hexahedra.mesh()) > 0;
-      sliding.hexahedra.improve(4, true, 1 + round % 2);
+      sliding.hexahedra.improve(4, true, static_cast<Corners_to_improve>(round)); // all three kinds
       CHECK((smallest_determinant(sliding.hexahedra.mesh()) > 0 || !was_valid));
     }
 
