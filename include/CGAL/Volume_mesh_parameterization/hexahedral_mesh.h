@@ -98,10 +98,12 @@ where they are, keeps steps short,
 and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
 boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.4 after the last one, vertices
 move one after the other such that their worst corners become better, and those near points of a boundary that are far from the
-other one such that these come nearer; in the end that is repeated as long as corners become better. Of corners
-that stay below 0.05 the vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left
-uncovered. The rounds end when a round raises the mean by less than 0.002. Last, as long as points of both boundaries are farther
-apart than 0.4 edges and that leads to better hexahedra, quadrangles are drawn to such points by a pull that is doubled each time.
+other one such that these come nearer. The rounds end when a round raises the mean by less than 0.002. Then rounds for the worst
+corners follow as long as they become better: all vertices move by the fourth power of the energy, of boxes whose edges are as long
+as those at each corner, so that angles alone count, and then one after the other again. Of corners that stay below 0.1 the
+vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left uncovered. Last, as long as
+points of both boundaries are farther apart than 0.4 edges and that leads to better hexahedra, quadrangles are drawn to such points
+by a pull that is four times as strong each time, and angles alone count there, too.
 
 If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon
