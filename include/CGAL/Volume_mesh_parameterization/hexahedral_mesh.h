@@ -96,7 +96,7 @@ a 0-dimensional feature of the complex, is moved to it and stays there: along a 
 the spacing in the domain. A weak pull to their first positions, or, once all corners are positive, of vertices beside the lines to
 where they are, keeps steps short,
 and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
-boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.4 after the last one, vertices
+boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.5 after the last one, vertices
 move one after the other such that their worst corners become better, and those near points of a boundary that are far from the
 other one such that these come nearer. The rounds end when a round raises the mean by less than 0.002. Then rounds for the worst
 corners follow as long as they become better: all vertices move by the fourth power of the energy, of boxes whose edges are as long

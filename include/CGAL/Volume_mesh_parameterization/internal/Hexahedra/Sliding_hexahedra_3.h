@@ -24,7 +24,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
 // tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
-constexpr double sufficient_scaled_jacobian = 0.4, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
+constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
                  bad_scaled_jacobian = 0.05;
 constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
 
