@@ -819,7 +819,7 @@ TEST_CASE("A better worst hexahedron does not make up for a mean that loses more
   };
   CHECK(is_better(result(0, 0.09, 0.97), result(0, 0.10, 0.93)));
   CHECK(is_better(result(0, 0.20, 0.92), result(0, 0.10, 0.93)));
-  CHECK(is_better(result(0, 0.40, 0.93), result(0, 0.50, 0.92))); // both suffice
+  CHECK(is_better(result(0, 0.50, 0.93), result(0, 0.60, 0.92))); // both suffice
   CHECK(is_better(result(0, 0.05, 0.70), result(0, 0.01, 0.90))); // a bad one
   CHECK(is_better(result(0, 0.01, 0.70), result(1, -0.01, 0.95)));
 }
