@@ -94,16 +94,15 @@ are. Sharp edges are the marked edges of the soup, or the 1-dimensional features
 boundary, those with more than 60 degrees between the normals on both sides. The vertex nearest to a marked corner of the soup, or
 a 0-dimensional feature of the complex, is moved to it and stays there: along a sharp edge, if the corner is on one, and at most by
 the spacing in the domain. A weak pull to their first positions, or, once all corners are positive, of vertices beside the lines to
-where they are, keeps steps short,
-and a strong one draws quadrangles to vertices of the body's boundary that are far from all quadrangles, so that the
-boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.5 after the last one, vertices
-move one after the other such that their worst corners become better, and those near points of a boundary that are far from the
-other one such that these come nearer. The rounds end when a round raises the mean by less than 0.002. Then rounds for the worst
-corners follow as long as they become better: all vertices move by the fourth power of the energy, of boxes whose edges are as long
-as those at each corner, so that angles alone count, and then one after the other again. Of corners that stay below 0.1 the
-vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left uncovered. Last, as long as
-points of both boundaries are farther apart than 0.4 edges and that leads to better hexahedra, quadrangles are drawn to such points
-by a pull that is four times as strong each time, and angles alone count there, too.
+where they are, keeps steps short, and a strong one draws quadrangles to vertices of the body's boundary that are far from all
+quadrangles, so that the boundary remains covered. If the smallest scaled Jacobian is below 0.1 after a round, or below 0.5 after
+the last one, vertices move one after the other such that their worst corners become better, and those near points of a boundary
+that are far from the other one such that these come nearer. The rounds end when a round raises the mean by less than 0.002. Then
+rounds for the worst corners follow as long as they become better: all vertices move by the fourth power of the energy, of boxes
+whose edges are as long as those at each corner, so that angles alone count, and then one after the other again. Of corners that
+stay below 0.1 the vertices leave the sharp edges and the marked corners, and small parts of the boundary may be left uncovered.
+Last, as long as points of both boundaries are farther apart than 0.4 edges and that leads to better hexahedra, quadrangles are
+drawn to such points by a pull that is four times as strong each time, and angles alone count there, too.
 
 If normals of quadrangles on both sides of a convex edge of the domain make at most 45 degrees, hexahedra there would be
 almost flat: then a layer of hexahedra is put along the faces on both sides, in the manner of Cherchi, Alliez, Scateni, Lyon

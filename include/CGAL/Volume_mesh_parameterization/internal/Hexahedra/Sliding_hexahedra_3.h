@@ -92,20 +92,18 @@ public:
   // are too long. Hexahedra whose corners are all positive keep them so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const Corners_to_improve which, const double weight = 1)
   {
+    const bool are_for_angles = which == Corners_to_improve::WORST_ANGLES;
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent_for(which), number_of_steps };
     for(std::size_t i = 0; i < m_order.size(); ++i)
     {
       const bool stays = !do_slide && m_freedom[i] != Freedom_3::SPACE;
       goals.projectors.push_back(m_surfaces[i]->projector(m_numbered.target.col(i), stays ? Freedom_3::NONE : m_freedom[i]));
     }
-    set_mean_edges(m_numbered, goals);
-    if(which == Corners_to_improve::WORST_ANGLES)
-      set_own_edges(m_numbered, goals);
+    set_edges(m_numbered, are_for_angles, goals);
     const bool is_valid = inverted_cells(m_numbered, m_numbered.target).number == 0;
     if(do_slide)
     {
-      hold_boundary(is_valid ? m_numbered.target : m_numbered.source,
-                    which == Corners_to_improve::WORST_ANGLES ? firm_hold_of_lines : 1, goals);
+      hold_boundary(is_valid ? m_numbered.target : m_numbered.source, are_for_angles ? firm_hold_of_lines : 1, goals);
       for(const Covered_surface_3& covered : m_covered)
       {
         pull_to_vertices_3(covered, m_numbered.target, weight, goals);
@@ -128,7 +126,7 @@ public:
     {
       Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
                                number_of_steps };
-      set_mean_edges(m_numbered, goals);
+      set_edges(m_numbered, false, goals);
       hold_boundary(m_numbered.source, 1, goals);
       for(const Covered_surface_3& covered : m_covered)
         pull_to_vertices_3(covered, m_numbered.target, 1, goals);

@@ -28,38 +28,33 @@ struct Corner_goals_3
   double mean_edge = 1;
   std::vector<Linear_constraint_3<int> > constraints; // where vertices are wanted
   double weight = 0;                       // of constraints: how many corners a residual of one edge costs as much as
-  int exponent = 1;                        // of the energy: 2 for the sake of the worst corners
+  int exponent = 1;                        // of the energy: the larger, the more the worst corners count
   std::size_t number_of_steps = 1;         // with positive corners
 };
 
-// Sets the goal for edges of hexahedra: the mean length of those of a hexahedron along each axis, or a bound for short ones.
-inline void set_mean_edges(const Numbered_mesh_3& mesh, Corner_goals_3& goals)
+// Sets the goal for edges: their own lengths at each corner, so that angles alone count, as they do for scaled Jacobians; or the
+// mean lengths of the edges of a hexahedron along each axis. Short ones have a bound.
+inline void set_edges(const Numbered_mesh_3& mesh, const bool are_own, Corner_goals_3& goals)
 {
-  constexpr double shortest = 0.5; // a guess; relative to the mean edge
+  const double shortest = are_own ? 0.05 : 0.5; // guesses; relative to the mean edge
   std::vector<Eigen::Vector3d> edges(mesh.cells.size() / 8, Eigen::Vector3d::Zero());
-  const auto length = [&](const std::size_t corner, const std::size_t i) -> double&
+  const auto own_length = [&](const std::size_t corner, const std::size_t i)
+  { return edge_matrix(mesh.target, mesh.cells[corner]).col(i).norm(); };
+  const auto mean_length = [&](const std::size_t corner, const std::size_t i) -> double&
   {
     const std::array<std::size_t, 4>& vertices = corners_of_hexahedron[mesh.user_number(corner) % 8];
     return edges[mesh.user_number(corner) / 8][axis_of_edge(vertices[0], vertices[i + 1])];
   };
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     for(std::size_t i = 0; i < 3; ++i)
-      length(c, i) += edge_matrix(mesh.target, mesh.cells[c]).col(i).norm() / 8;
+      mean_length(c, i) += own_length(c, i) / 8;
   goals.mean_edge = 0;
   for(const Eigen::Vector3d& lengths : edges)
     goals.mean_edge += lengths.mean() / static_cast<double>(edges.size());
   goals.edges.resize(mesh.cells.size());
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     for(std::size_t i = 0; i < 3; ++i)
-      goals.edges[c][i] = (std::max)(length(c, i), shortest * goals.mean_edge);
-}
-
-// Sets the goal for edges to their lengths at each corner: angles alone count then, as they do for scaled Jacobians.
-inline void set_own_edges(const Numbered_mesh_3& mesh, Corner_goals_3& goals)
-{
-  constexpr double shortest = 0.05; // a guess; relative to the mean edge
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    goals.edges[c] = edge_matrix(mesh.target, mesh.cells[c]).colwise().norm().transpose().cwiseMax(shortest * goals.mean_edge);
+      goals.edges[c][i] = (std::max)(are_own ? own_length(c, i) : mean_length(c, i), shortest * goals.mean_edge);
 }
 
 // Returns cells whose references are corners of boxes, with the edges that are the goals.
@@ -93,7 +88,7 @@ inline Quadratic_penalty_3 penalty_of_goals_3(const Numbered_mesh_3& mesh, const
 inline Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goals_3& goals, Linear_solver_3& solver,
                                    const Budget& budget)
 {
-  constexpr double theta = 0.5;                            // a guess; how much volumes count beside shapes
+  constexpr double theta = 0.5;                           // a guess; how much volumes count beside shapes
   constexpr std::size_t number_of_steps_to_untangle = 30; // a guess
   Unknowns_3 unknowns(goals.projectors);
   if(unknowns.size() == 0 || budget.is_exhausted())
