@@ -1,0 +1,42 @@
+# Makes the programs of this project compile faster: by one set of precompiled headers and, on demand, by optimizing the
+# engine only.
+set(CMAKE_OPTIMIZE_DEPENDENCIES ON) # libraries that link others do not wait for them
+
+if(${PROJECT_NAME}_COMPILE_FAST)
+  target_compile_options(${PROJECT_NAME}_engine PRIVATE -O1)
+  # The linker takes the first of the functions that a program compiles, too: those of the engine are optimized.
+  target_link_options(${PROJECT_NAME}_engine INTERFACE
+    "$<BUILD_INTERFACE:LINKER:--whole-archive,$<TARGET_FILE:${PROJECT_NAME}_engine>,--no-whole-archive>")
+endif()
+
+# The headers of CGAL, Eigen and Boost that nearly every program includes take most of the compiler's time.
+if(TARGET CGAL::Volume_mesh_parameterization_engine AND TARGET CGAL::Data)
+  file(CONFIGURE OUTPUT precompiled_headers.cpp CONTENT "")
+  add_library(precompiled_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_headers.cpp)
+  target_link_libraries(precompiled_headers PRIVATE CGAL::Volume_mesh_parameterization_engine CGAL::Data)
+  target_precompile_headers(precompiled_headers PRIVATE
+    <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Labeled_mesh_domain_3.h>
+    <CGAL/Mesh_complex_3_in_triangulation_3.h> <CGAL/Mesh_triangulation_3.h> <CGAL/Surface_mesh.h>
+    <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h> <Eigen/Dense>
+    <boost/property_map/function_property_map.hpp> <iostream> <unordered_map>)
+  if(${PROJECT_NAME}_COMPILE_FAST)
+    target_precompile_headers(precompiled_headers PRIVATE cmake/common_instantiations.h)
+  endif()
+endif()
+
+# The functions of the precompiled headers are compiled once by Clang. Programs that use the headers link the target
+# precompiled_functions; the linker leaves out the functions that they do not call.
+if(${PROJECT_NAME}_COMPILE_FAST AND TARGET precompiled_headers AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+  target_compile_options(precompiled_headers PRIVATE "SHELL:-Xclang -fmodules-codegen")
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" configuration)
+  separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${configuration}}")
+  get_directory_property(options COMPILE_OPTIONS)
+  set(functions ${CMAKE_CURRENT_BINARY_DIR}/precompiled_functions.o)
+  add_custom_command(OUTPUT ${functions} VERBATIM DEPENDS precompiled_headers $<TARGET_OBJECTS:precompiled_headers>
+    COMMAND ${CMAKE_CXX_COMPILER} ${flags} ${options} -w
+      -c ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/precompiled_headers.dir/cmake_pch.hxx.pch -o ${functions})
+  set_source_files_properties(${functions} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+  add_library(precompiled_functions STATIC ${functions})
+  set_target_properties(precompiled_functions PROPERTIES LINKER_LANGUAGE CXX)
+  target_link_options(precompiled_functions INTERFACE LINKER:--gc-sections)
+endif()
