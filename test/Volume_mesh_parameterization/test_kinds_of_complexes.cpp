@@ -1,6 +1,5 @@
 // stretch_minimizing_volume_parameterization() on complexes of all kinds, and with other kernels.
 #include "catch.h"
-#include "code_of_readme.h"
 #include "cube_complex.h"
 #include "mesh_body.h"
 
@@ -17,6 +16,10 @@
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
+
+#define main program_of_readme // its name in this program, which has a main() of its own
+#include "code_of_readme.h"
+#undef main
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
@@ -77,6 +80,11 @@ TEMPLATE_TEST_CASE("Kernels", "", CGAL::Simple_cartesian<double>, CGAL::Exact_pr
     const auto& q = expected.uvw.at(expected.vertices[v]);
     CHECK((CGAL::to_double(p.x()) == q.x() && CGAL::to_double(p.y()) == q.y() && CGAL::to_double(p.z()) == q.z()));
   }
+}
+
+TEST_CASE("The program of README.md")
+{
+  CHECK(program_of_readme() == 0);
 }
 
 TEST_CASE("The function of README.md")
