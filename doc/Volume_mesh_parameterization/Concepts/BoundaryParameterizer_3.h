@@ -2,9 +2,9 @@
 \ingroup PkgVolumeMeshParameterizationConcepts
 \cgalConcept
 
-The concept `BoundaryParameterizer_3` describes a way to choose the images of the boundary vertices of a complex. A model is
-passed as `boundary_parameterizer` to `CGAL::stretch_minimizing_volume_parameterization()`, which calls the function for arrays;
-or the user calls it before and passes the images as `boundary_map`, as where there are corners, labels or landmarks.
+The concept `BoundaryParameterizer_3` describes classes that find the images of the boundary vertices of a complex. A model is
+passed as `boundary_parameterizer` to `CGAL::stretch_minimizing_volume_parameterization()`, which calls the function for arrays. Or the user
+calls `parameterize()` first, and passes the images as `boundary_map`. This is necessary for corners, labels and landmarks.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}
@@ -22,10 +22,10 @@ public:
 /// @{
 
 /*!
-writes the image of each vertex of a facet that has a cell of the complex on one side only.
+writes the image of each boundary vertex. A boundary facet has a cell of the complex on one side only.
 
-The images of the facets form a closed surface without self-intersections that is oriented like the boundary, unless the
-model leaves this to the caller, as `CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3` does.
+The images of the facets form a closed surface without self-intersections, with the orientation of the boundary. A model may leave
+this to the caller, as `CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3` does.
 
 \param c3t3 the complex
 \param target receives the images; the property map of `CGAL::Volume_mesh_parameterization::make_vertex_point_map()`
@@ -44,14 +44,14 @@ model leaves this to the caller, as `CGAL::Volume_mesh_parameterization::Surface
     \cgalParamDefault{no limit}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{may end the computation, and is told of its rounds (`Step_kind::ROUND`)}
+    \cgalParamDescription{an object that receives each round (`Step_kind::ROUND`), and may end the computation}
     \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`CGAL::Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return `OK`; otherwise nothing is written, and the value tells what is wrong with the boundary, or is `ERROR_INTERRUPTED`
-        if the visitor or the limit of time ended the computation
+\return `OK`, or an error code; then nothing is written. The code names the fault of the boundary. If the visitor or the time
+        limit ended the computation, it is `ERROR_INTERRUPTED`.
 */
 template <typename C3t3, typename VertexPointMap, typename NamedParameters = CGAL::parameters::Default_named_parameters>
 CGAL::Volume_mesh_parameterization::Error_code
@@ -59,14 +59,14 @@ parameterize(const C3t3& c3t3, VertexPointMap target,
              const NamedParameters& np = CGAL::parameters::default_values()) const;
 
 /*!
-writes the image of each point on the boundary of a mesh that is given by arrays, in the same way.
+writes the image of each point on the boundary of a mesh of arrays, in the same way.
 
 \param points the points, a random access range as `CGAL::stretch_minimizing_volume_parameterization()` takes it
 \param cells four indices of points each, such that all cells are positive
-\param targets receives an image for each point; of those that are not on the boundary, coordinates that are not numbers
+\param targets receives an image for each point. Interior points receive coordinates that are not numbers.
 \param np the same named parameters
 
-\return the same. `Input_error` is thrown as by `CGAL::stretch_minimizing_volume_parameterization()`.
+\return the same. The function throws `Input_error` like `CGAL::stretch_minimizing_volume_parameterization()`.
 */
 template <typename PointRange, typename CellRange, typename TargetRange,
           typename NamedParameters = CGAL::parameters::Default_named_parameters>

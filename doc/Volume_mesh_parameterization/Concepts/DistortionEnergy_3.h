@@ -2,34 +2,34 @@
 \ingroup PkgVolumeMeshParameterizationConcepts
 \cgalConcept
 
-The concept `DistortionEnergy_3` describes what is minimized by
-`CGAL::stretch_minimizing_volume_parameterization()`: the mean, over the cells of the complex, of a
-function \f$\psi(\sigma_1, \sigma_2, \sigma_3)\f$ of the signed singular values of the differential
-\f$J\f$ of the map in a cell.
+The concept `DistortionEnergy_3` describes the energy of a cell. It is a function \f$\psi(\sigma_1, \sigma_2, \sigma_3)\f$ of the
+signed singular values of the differential \f$J\f$ of the map. `CGAL::stretch_minimizing_volume_parameterization()` minimizes
+the mean of \f$\psi\f$ over the cells of the complex.
 
 The signed singular values are those of \f$J = R\,\mathrm{diag}(\sigma_1, \sigma_2, \sigma_3)\,Q^T\f$ with
-two rotations \f$R\f$ and \f$Q\f$, and \f$\sigma_1 \ge \sigma_2 \ge |\sigma_3|\f$. Their product is
-\f$\det J\f$, the change of the volume; an inverted cell is one with \f$\sigma_3 < 0\f$. Before \f$J\f$ is
-computed, the source is scaled to the volume of the target, so that 1 stands for the mean change of lengths. The
-values have no unit.
+two rotations \f$R\f$ and \f$Q\f$, and \f$\sigma_1 \ge \sigma_2 \ge |\sigma_3|\f$. Their product
+\f$\det J\f$ is the change of the volume. A cell with \f$\sigma_3 < 0\f$ is inverted. Before \f$J\f$ is
+computed, the source is scaled to the volume of the target. The value 1 is then the mean change of lengths.
+The values have no unit.
 
-The function must be symmetric: no permutation of its arguments changes its value. It must be twice
-continuously differentiable where all arguments are positive, also where some of them are equal; then
-it is so as a function of the matrix \f$J\f$. A maximum of the arguments, for example, is not allowed, but a
-sum of high powers is. It need not be convex.
+The function must be symmetric: no permutation of its arguments changes its value. For positive
+arguments, it must be twice continuously differentiable, also if some of them are equal. It is then twice
+continuously differentiable as a function of the matrix \f$J\f$. A maximum of the arguments, for example, is not
+allowed, but a sum of high powers is. The function need not be convex.
 
-All functions are templates of a number type `T`, which is `double`, or a type for several cells at
-a time that is evaluated with the vector instructions of the processor. This type has the arithmetic
-operators, it can be constructed from `double`, and `sqrt`, `abs`, `exp` and `log` are found by
-argument-dependent lookup. So write `T(2)` instead of `2`, say `using std::sqrt;` and call `sqrt(x)`. Do not branch on
-values of type `T`: comparisons with `<`, `<=`, `>` and `>=` hold a result for each cell, to be passed to
-`CGAL::Volume_mesh_parameterization::select()`; beside it, there are `minimum()` and `maximum()`, of the header
-`CGAL/Volume_mesh_parameterization/select.h`. Say `using CGAL::Volume_mesh_parameterization::select;` and call
-`select(x < T(0), a, b)`. Functions must not have side effects: they are called from
-several threads.
+All functions are templates of a number type `T`. It is `double`, or a type for several cells at a time that uses
+the vector instructions of the processor. This type has the arithmetic operators, and is constructible from
+`double`. Argument-dependent lookup finds `sqrt`, `abs`, `exp` and `log`. Therefore, write `T(2)` instead of `2`,
+and `using std::sqrt;` before `sqrt(x)`.
 
-An evaluation should take constant time: all three functions are called for each cell in each Newton step. Models must
-be copy constructible; objects are copied, and should be small.
+Do not branch on values of type `T`. Comparisons with `<`, `<=`, `>` and `>=` have a result for each cell, and
+`CGAL::Volume_mesh_parameterization::select()` takes this result. Write
+`using CGAL::Volume_mesh_parameterization::select;` and call `select(x < T(0), a, b)`. The header
+`CGAL/Volume_mesh_parameterization/select.h` also has `minimum()` and `maximum()`. Several threads call the
+functions. Therefore, they must not have side effects.
+
+An evaluation should take constant time, because all three functions are called for each cell in each Newton step.
+Models must be copy constructible. Objects are copied, and should be small.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Stretch_energy_3}
@@ -52,10 +52,10 @@ class DistortionEnergy_3
 {
 public:
   /// \name Operations
-  /// The vector `s` holds \f$\sigma_1, \sigma_2, \sigma_3\f$. For \f$\sigma_1\sigma_2\sigma_3 \le 0\f$ nothing is
-  /// required of the results: no such map is accepted, whatever its energy. Unless \f$\psi\f$ tends to infinity where a
-  /// cell becomes flat (\f$\sigma_3\f$ tends to 0 and \f$\sigma_1\f$ does not), cells become flat during the minimization
-  /// and keep it from going on; `Barrier_energy_3` adds such a barrier.
+  /// The vector `s` holds \f$\sigma_1, \sigma_2, \sigma_3\f$. For \f$\sigma_1\sigma_2\sigma_3 \le 0\f$, the results are arbitrary,
+  /// because no such map is accepted. The function \f$\psi\f$ should tend to infinity if a cell becomes flat (\f$\sigma_3\f$ tends
+  /// to 0 and \f$\sigma_1\f$ does not). Otherwise, cells become flat during the minimization, and stop it. `Barrier_energy_3` adds
+  /// such a barrier.
   /// @{
 
   /// returns \f$\psi\f$.
@@ -76,8 +76,8 @@ public:
   /// \name Optional
   /// @{
 
-  /// returns \f$\psi\f$ of \f$|J|^2 = \sum_i\sigma_i^2\f$, \f$|J^{-1}|^2 = \sum_i\sigma_i^{-2}\f$ and \f$\det J\f$, where it
-  /// depends on nothing else. The energy after a step is then found without the singular values, in a fraction of the time.
+  /// returns \f$\psi\f$ as a function of \f$|J|^2 = \sum_i\sigma_i^2\f$, \f$|J^{-1}|^2 = \sum_i\sigma_i^{-2}\f$ and
+  /// \f$\det J\f$, if it depends on nothing else. The energy after a step then needs no singular values, and takes a fraction of the time.
   template <typename T>
   T value_of_norms(const T& squared_norm, const T& squared_norm_of_inverse, const T& determinant) const;
 
