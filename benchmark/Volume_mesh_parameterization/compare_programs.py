@@ -42,12 +42,13 @@ HEADINGS = {"flip_free": "valid", "seconds_to_first_valid": "first", "megabytes"
             "volume_mean": "volumes", "volume_max": "largest", "ratio_of_seconds_to_first_valid": "ratio of first",
             "ratio_of_seconds": "ratio of seconds"}
 INTRODUCTION = """\
-Exact are maps without inverted cells that meet the prescribed boundary bit by bit, valid are those without inverted cells, by
-rational numbers on the files written. Seconds are those of the processor for the whole program, with its files; "first" those
-until no cell was inverted. MB is the largest memory in use. Distortions are those of angles, s1 / s3 + s3 / s1, and of volumes,
-det + 1 / det: means over the volume of the source, and the largest. Tables of programs have medians over the common cases, which
-all programs map that map any; ratios are relative to the first program, medians over the cases that both map. Programs may
-have other aims: some stop at the first valid map.
+A map is valid if it has no inverted cell. It is exact if it also meets the prescribed boundary bit by bit. Rational arithmetic
+decides this for the written files. Seconds are processor time of the whole program, with its files. The column "first" is the
+time of the first map without inverted cells. MB is the largest memory in use. The distortion of angles is s1 / s3 + s3 / s1, and
+the distortion of volumes is det + 1 / det. Both have two columns: the mean over the volume of the source, and the largest value.
+Tables of programs have medians over the common cases: the cases of all programs, except programs without any map. Ratios are
+relative to the first program, and are medians over the cases that both map. Programs may have other aims: some stop at the first
+valid map. If a command limits the time of a program, "no map" means: no map within this limit.
 
 """
 OURS = "parameterize_mesh_file"

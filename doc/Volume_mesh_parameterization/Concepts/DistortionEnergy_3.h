@@ -77,7 +77,8 @@ public:
   /// @{
 
   /// returns \f$\psi\f$ as a function of \f$|J|^2 = \sum_i\sigma_i^2\f$, \f$|J^{-1}|^2 = \sum_i\sigma_i^{-2}\f$ and
-  /// \f$\det J\f$, if it depends on nothing else. The energy after a step then needs no singular values, and takes a fraction of the time.
+  /// \f$\det J\f$, if it depends on nothing else. The energy after a step then needs no singular values, and takes a
+  /// fraction of the time.
   template <typename T>
   T value_of_norms(const T& squared_norm, const T& squared_norm_of_inverse, const T& determinant) const;
 
