@@ -35,7 +35,7 @@ package_of()
     Surface_mesh.h) echo Surface_mesh ;;
     Union_find.h) echo Union_find ;;
     centroid.h) echo Principal_component_analysis_LGPL ;;
-    Polygon_mesh_processing/* | Surface_mesh_parameterization/*) dirname "$1" ;;
+    Polygon_mesh_processing/*) dirname "$1" ;;
     *) echo "the unknown package of <CGAL/$1>" ;;
   esac
 }

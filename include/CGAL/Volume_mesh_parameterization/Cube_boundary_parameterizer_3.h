@@ -29,10 +29,9 @@ in all images there. No triangle is flipped or flat, which is checked with exact
 
 The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are shortest paths on the
 sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the charts
-are mapped from the sphere by mean value coordinates \cgalCite{cgal:f-mvc-03}, with the package
-\ref PkgSurfaceMeshParameterization. Finally the symmetric Dirichlet energy of the map from the boundary, scaled
-to the area of the box, is lowered: vertices move in their face or along their edge of the box, in at most 100 sweeps
-over all vertices.
+are mapped from the sphere, first harmonically and then by the untangling energy \cgalCite{cgal:gkkrs-ffm-21}. Finally
+the symmetric Dirichlet energy of the map from the boundary, scaled to the area of the box, is
+lowered: vertices move in their face or along their edge of the box, in at most 100 sweeps over all vertices.
 
 Unless corners are given, eight vertices are chosen such that the charts have areas in the ratio of the faces of the box,
 the map is turned like the scaling of the bounding box of the boundary to the box, and the vertices are close to the corners
@@ -42,7 +41,7 @@ of the bounding box.
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
 `ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if
 rounding spoilt the map, or `ERROR_INTERRUPTED`. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices,
-if their degrees are bounded, plus the solution of two sparse linear systems for each face of the box.
+if their degrees are bounded, plus the solution of at most 51 sparse linear systems for each face of the box.
 
 \cgalModels{BoundaryParameterizer_3}
 

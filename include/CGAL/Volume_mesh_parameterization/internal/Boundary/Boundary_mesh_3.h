@@ -81,6 +81,21 @@ std::vector<double> arc_lengths(const Boundary_mesh_3& mesh, const Path& path)
   return result;
 }
 
+// Spaces the images of the vertices of a path between those of its ends, along an axis, by their distances.
+template <typename Path>
+void map_path_to_segment_3(const Boundary_mesh_3& mesh, const Path& path, const int axis,
+                           std::vector<Eigen::Vector3d>& images)
+{
+  const std::vector<double> length = arc_lengths(mesh, path);
+  const Eigen::Vector3d first = images[path.front()], last = images[path.back()];
+  for(std::size_t i = 1; i + 1 < path.size(); ++i)
+  {
+    const double part = length[i] / length.back();
+    images[path[i]] = first;
+    images[path[i]][axis] = (1 - part) * first[axis] + part * last[axis];
+  }
+}
+
 // Returns the vertices of a face, counterclockwise as seen from outside.
 inline std::array<Boundary_mesh_3::Vertex_index, 3> vertices_of_face(const Boundary_mesh_3& mesh,
                                                                      const Boundary_mesh_3::Face_index f)

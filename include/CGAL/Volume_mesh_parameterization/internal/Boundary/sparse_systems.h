@@ -32,10 +32,6 @@ struct Sparse_entry
   double value() const { return x; }
 };
 
-// Solves A x = b by elimination with pivots, and returns whether that is possible.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-bool solve_by_elimination(const std::vector<Sparse_entry>& A, const std::vector<double>& b, std::vector<double>& x);
-
 // Solves systems with symmetric matrices of one pattern.
 class Symmetric_sparse_solver
 {

@@ -15,23 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-bool solve_by_elimination(const std::vector<Sparse_entry>& A, const std::vector<double>& b, std::vector<double>& x)
-{
-  using Matrix = Eigen::SparseMatrix<double>;
-  Matrix matrix(b.size(), b.size());
-  matrix.setFromTriplets(A.begin(), A.end());
-  Eigen::SparseLU<Matrix> solver;
-  solver.compute(matrix);
-  if(solver.info() != Eigen::Success)
-    return false;
-  Eigen::Map<Eigen::VectorXd>(x.data(), x.size()) = solver.solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
-  return solver.info() == Eigen::Success;
-}
 
 // The type of the solver keeps the functions apart from those of units with another Eigen.
 template <typename Solver>

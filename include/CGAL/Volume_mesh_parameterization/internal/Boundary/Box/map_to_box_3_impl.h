@@ -14,9 +14,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/Cube_edge_router_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -125,29 +125,36 @@ struct Box_boundary_3
   }
 };
 
-// Maps the charts between the paths to the faces of the box on which their borders are. Returns whether all are mapped.
-inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path,
-                               std::vector<Eigen::Vector3d>& images, const Budget& budget)
+// Maps the charts between the paths, which have their images, to faces of the box.
+inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path, const std::vector<bool>& is_held,
+                              std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   std::vector<std::size_t> chart_of_face(mesh.number_of_faces());
-  const std::size_t number_of_charts = Polygon_mesh_processing::connected_components(
+  std::vector<std::vector<Boundary_mesh_3::Face_index> > charts(Polygon_mesh_processing::connected_components(
     mesh, boost::make_iterator_property_map(chart_of_face.begin(), get(boost::face_index, mesh)),
     parameters::edge_is_constrained_map(boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
-      [&](const Boundary_mesh_3::Edge_index e) -> bool { return is_on_path[e]; })));
-  for(std::size_t i = 0; i < number_of_charts; ++i)
+      [&](const Boundary_mesh_3::Edge_index e) -> bool { return is_on_path[e]; }))));
+  for(const auto f : mesh.faces())
+    charts[chart_of_face[f]].push_back(f);
+  Held_coordinates is_held_along;
+  for(const bool is : is_held)
+    is_held_along.push_back({ is, is, is });
+  for(const auto& faces : charts)
   {
-    const Surface_chart_3 chart = extract_chart(mesh, chart_of_face, i);
     Eigen::AlignedBox3d border;
-    for(const int v : chart.vertices)
-      if(!images[v].isZero(0))
-        border.extend(images[v]);
+    for(const auto f : faces)
+      for(const auto v : vertices_of_face(mesh, f))
+        if(is_held[v])
+          border.extend(images[v]);
     int axis;
     if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
       return false;
-    for(const int v : chart.vertices)
-      images[v][axis] = (border.min)()[axis];
-    if(!map_chart_to_polygon_3(chart, (axis + 1) % 3, (axis + 2) % 3, images))
-      return false;
+    const double height = (border.min)()[axis];
+    for(const auto f : faces)
+      for(const auto v : vertices_of_face(mesh, f))
+        images[v][axis] = height;
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Chart_relaxation_2(mesh, faces, is_held_along, height > 0 ? u : v, height > 0 ? v : u, images).run(images, budget);
   }
   return true;
 }
@@ -171,16 +178,18 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
   for(int k = 0; k < 8; ++k)
     for(int axis = 0; axis < 3; ++axis)
       images[corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
-  std::vector<bool> is_on_path(mesh.number_of_edges(), false);
+  std::vector<bool> is_on_path(mesh.number_of_edges(), false), is_held(mesh.number_of_vertices(), false);
   for(std::size_t i = 0; i < 12; ++i)
   {
     const std::vector<int>& path = router.path(i);
     map_path_to_segment_3(sphere_mesh, path, router.edge(i).axis, images);
+    for(const int v : path)
+      is_held[v] = true;
     for(std::size_t k = 1; k < path.size(); ++k)
       is_on_path[mesh.edge(mesh.halfedge(Boundary_mesh_3::Vertex_index(path[k - 1]),
                                          Boundary_mesh_3::Vertex_index(path[k])))] = true;
   }
-  if(!map_charts_to_box(sphere_mesh, is_on_path, images, budget))
+  if(!map_charts_to_box(sphere_mesh, is_on_path, is_held, images, budget))
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 
   const std::vector<Eigen::Vector3d> points = unit_points(mesh);

@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Lines_of_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_lengths_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_chart_to_polygon_3.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
