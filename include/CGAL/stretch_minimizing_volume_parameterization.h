@@ -45,7 +45,10 @@ exact predicates on the coordinates that are written check that no cell is inver
 \param c3t3 the complex; it is modified only if it may be refined (see `do_refine`), and may be constant otherwise. Its
        cells may have several subdomains and connected components; vertices without a cell are ignored.
 \param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
-       (see `Parameterization_result::has_valid_map`); otherwise it is left alone
+       (see `Parameterization_result::has_valid_map`); otherwise it is left alone. If its points have coordinates of a type
+       narrower than `double`, as those of `Simple_cartesian<float>`, targets are rounded to this type before the computation,
+       and images before the exact check. If rounding inverts cells, vertices inside move by a few units in the last place;
+       if this does not help, the status is `ERROR_INVERTED_BY_ROUNDING`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -58,7 +61,8 @@ exact predicates on the coordinates that are written check that no cell is inver
                     `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
                     `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
                     forgotten, which is undefined behavior and may end as `OK`. Prescribed vertices receive exactly
-                    the points given, those of an exact kernel rounded to `double`, unless they slide or the boundary
+                    the points given, those of an exact kernel rounded to `double`, and all rounded to the number
+                    type of `uvw_map`, unless they slide or the boundary
                     is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_parameterizer}
@@ -288,6 +292,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
   {
     constexpr bool may_refine = !std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map);
     VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
+    body.image_type = VMP::internal::coordinate_type_of_map<VertexUVWMap, Point_3>();
     const auto vertex = [&](const std::size_t p) { return body.vertices[p]; };
     std::vector<VMP::internal::Insertion_3> insertions;
     std::vector<std::array<double, 3> > images;

@@ -35,6 +35,7 @@ enum Error_code
   ERROR_ANGLE_BOUND_NOT_REACHED, ///< the map is valid, but the distortion of angles exceeds the bound in some cell
   ERROR_BOUNDARY_NOT_REACHED,    ///< the map has no inverted cell, but does not meet the boundary
   ERROR_NOT_FLIP_FREE,           ///< no map without inverted cells was found
+  ERROR_INVERTED_BY_ROUNDING,    ///< the type in which images are stored, `float` for instance, is too coarse for the map
   ERROR_LINEAR_SOLVER_FAILED,    ///< the linear solver failed
   ERROR_EMPTY_COMPLEX,           ///< the complex has no cell
   ERROR_NON_FINITE_COORDINATE,   ///< a coordinate is infinite or not a number
@@ -75,6 +76,8 @@ inline const char* get_error_message(const Error_code code)
       return "The map is valid, but the distortion of angles is not below the bound in every cell.";
     case ERROR_BOUNDARY_NOT_REACHED: return "The map has no inverted cell, but it does not meet the boundary.";
     case ERROR_NOT_FLIP_FREE: return "No map without inverted cells was found for this boundary and this connectivity.";
+    case ERROR_INVERTED_BY_ROUNDING:
+      return "Rounding the images to their type inverts cells; store them as double, or move the target nearer to the origin.";
     case ERROR_LINEAR_SOLVER_FAILED: return "The linear solver failed; try another one.";
     case ERROR_EMPTY_COMPLEX: return "The complex has no cell.";
     case ERROR_NON_FINITE_COORDINATE: return "A coordinate is infinite or not a number.";

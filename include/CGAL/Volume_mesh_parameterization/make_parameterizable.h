@@ -80,6 +80,18 @@ std::size_t tell_insertions(const std::vector<Insertion_3>& insertions, const Na
   return insertions.size();
 }
 
+// Refines a soup whose points the user stores in some type.
+template <typename NamedParameters>
+std::size_t make_parameterizable_soup_3(Tetrahedron_soup_3& soup, const Coordinate_type& point_type, const NamedParameters& np)
+{
+  const auto point = [](const std::size_t v) { return v; };
+  Body_3 body = body_of(soup);
+  body.point_type = point_type;
+  const std::vector<Insertion_3> insertions = make_parameterizable_3<std::size_t>(body, np, point);
+  soup = std::move(body.soup);
+  return tell_insertions(insertions, np, point);
+}
+
 } // namespace internal
 
 /*!
@@ -99,8 +111,9 @@ split, and the number of insertions is minimal; with a boundary map this rule is
 The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
 subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of
 their origins, and new vertices have the dimension and the index of the face of the complex they lie in. All
-new cells are positive, by exact predicates: if the rounded midpoint does not allow this, another point near it is
-taken, and if there is none the simplex is left as it is, an extreme case for cells as thin as rounding errors.
+new cells are positive, by exact predicates on the coordinates as they are stored: if the rounded midpoint does not allow
+this, another point near it is taken, and if there is none the simplex is left as it is, an extreme case for cells as thin as
+rounding errors.
 
 The triangulation is no longer Delaunay or regular: use only its combinatorial structure afterwards.
 Handles to cells around inserted vertices become invalid, handles to vertices remain valid.
@@ -184,7 +197,7 @@ std::size_t make_parameterizable(PointRange& points, CellRange& cells,
                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {
   Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
-  const std::size_t result = make_parameterizable(soup, np);
+  const std::size_t result = internal::make_parameterizable_soup_3(soup, internal::coordinate_type_of<PointRange>(), np);
   if(result > 0)
     internal::assign_refined(soup, points, cells);
   return result;
@@ -197,13 +210,7 @@ refines a soup in the same way. New cells and marked facets have the references 
 */
 template <typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t make_parameterizable(Tetrahedron_soup_3& soup, const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  const auto point = [](const std::size_t v) { return v; };
-  internal::Body_3 body = internal::body_of(soup);
-  const std::vector<internal::Insertion_3> insertions = internal::make_parameterizable_3<std::size_t>(body, np, point);
-  soup = std::move(body.soup);
-  return internal::tell_insertions(insertions, np, point);
-}
+{ return internal::make_parameterizable_soup_3(soup, {}, np); }
 
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -271,7 +271,8 @@ private:
 /// \param cells gets the cell handle of each cell, in the order of the soup
 ///
 /// \exception Input_error if a coordinate is not finite, an index is out of range, a cell has a vertex twice or
-///            zero volume, some cells are oriented positively and others negatively (by exact predicates),
+///            zero volume, some cells are oriented positively and others negatively (by exact predicates
+///            on the coordinates in the number type of the kernel),
 ///            a facet has more than two cells, or two cells lie on the same side of their common facet;
 ///            the other parameters are then unchanged.
 template <typename C3t3>
@@ -279,12 +280,22 @@ void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices,
                                         std::vector<typename C3t3::Triangulation::Cell_handle>& cells)
 {
-  internal::check_points(soup);
-  internal::check_simplices(soup);
-  const bool has_negative_cells = internal::has_negative_cells(soup);
-  const internal::Facet_matching_3 matching(soup);
+  using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
+  const internal::Coordinate_type type = internal::coordinate_type<internal::Coordinate_of<Point_3> >();
+  Tetrahedron_soup_3 rounded;
+  if(type.is_narrow())
+  {
+    rounded = soup;
+    for(std::array<double, 3>& p : rounded.points)
+      p = type.rounded_point(p);
+  }
+  const Tetrahedron_soup_3& stored = type.is_narrow() ? rounded : soup;
+  internal::check_points(stored);
+  internal::check_simplices(stored);
+  const bool has_negative_cells = internal::has_negative_cells(stored);
+  const internal::Facet_matching_3 matching(stored);
 
-  internal::Mesh_complex_3_builder<C3t3>(soup, matching, c3t3, vertices, cells).build(has_negative_cells);
+  internal::Mesh_complex_3_builder<C3t3>(stored, matching, c3t3, vertices, cells).build(has_negative_cells);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -60,17 +60,20 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   return result;
 }
 
-// Maps a mesh of arrays. `take(soup)` takes over the refined mesh.
+// Maps a mesh of arrays, whose points are stored in some type. `take(soup)` takes over the refined mesh.
 template <typename ConcurrencyTag, bool may_refine, typename TargetOfPoint, typename ImageRange, typename NamedParameters,
           typename Take>
-Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const TargetOfPoint& target, ImageRange& images,
-                                              const NamedParameters& np, const Take& take)
+Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Coordinate_type& point_type,
+                                              const TargetOfPoint& target, ImageRange& images, const NamedParameters& np,
+                                              const Take& take)
 {
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value,
                 "boundary_map must not be passed for arrays: the targets are an argument.");
   return run_problem<ConcurrencyTag>(np, [&](const Map_problem_3& problem)
   {
     Body_3 body = body_of(std::move(soup), problem.options.is_parallel);
+    body.point_type = point_type;
+    body.image_type = coordinate_type_of<ImageRange>();
     std::vector<Insertion_3> insertions;
     std::vector<std::array<double, 3> > images_of_points;
     const Parameterization_result result = parameterize_body_3<std::size_t, may_refine>(
@@ -111,7 +114,8 @@ computes the map of a mesh that is given by arrays, without a complex. Vertices 
 The result is bit for bit the one for a complex whose cells and vertices come in the same order.
 
 \tparam PointRange a model of `RandomAccessContainer` with a `value_type` that has three coordinates by `operator[]` and can be
-        constructed from `{x, y, z}`, as `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d` can. What is not
+        constructed from `{x, y, z}`, as `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d` can. Points that are
+        written are rounded to the type of their coordinates before the exact checks. What is not
         modified may be any random access range with the functions `begin()`, `end()` and `size()`.
 \tparam CellRange a model of `RandomAccessContainer` whose `value_type` has four indices by `operator[]`
 \tparam TargetRange as `PointRange`
@@ -154,7 +158,8 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
   VMP::Tetrahedron_soup_3 soup = VMP::internal::soup_of(points, cells);
   const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    std::move(soup), target, images, np, [&](const VMP::Tetrahedron_soup_3& refined)
+    std::move(soup), VMP::internal::coordinate_type_of<PointRange>(), target, images, np,
+    [&](const VMP::Tetrahedron_soup_3& refined)
   {
     if constexpr(may_refine)
       VMP::internal::assign_refined(refined, points, cells);
@@ -182,8 +187,8 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
   constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS>
     || (VMP::internal::is_refinable<PointRange> && VMP::internal::is_refinable<CellRange>);
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    VMP::internal::soup_of(points, cells), VMP::internal::Targets_to_be_found(), images, np,
-    [&](const VMP::Tetrahedron_soup_3& refined)
+    VMP::internal::soup_of(points, cells), VMP::internal::coordinate_type_of<PointRange>(),
+    VMP::internal::Targets_to_be_found(), images, np, [&](const VMP::Tetrahedron_soup_3& refined)
   {
     if constexpr(may_refine)
       VMP::internal::assign_refined(refined, points, cells);
@@ -213,7 +218,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
   constexpr bool may_refine = VMP::internal::has_do_refine<NamedParameters>;
   const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    soup, target, images, np, [&](VMP::Tetrahedron_soup_3& refined)
+    soup, {}, target, images, np, [&](VMP::Tetrahedron_soup_3& refined)
   {
     if constexpr(may_refine)
       soup = std::move(refined);
@@ -238,7 +243,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    soup, VMP::internal::Targets_to_be_found(), images, np, [&](VMP::Tetrahedron_soup_3& refined)
+    soup, {}, VMP::internal::Targets_to_be_found(), images, np, [&](VMP::Tetrahedron_soup_3& refined)
   {
     if constexpr(may_refine)
       soup = std::move(refined);

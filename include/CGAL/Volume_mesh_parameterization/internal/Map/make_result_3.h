@@ -28,7 +28,8 @@ inline Error_code final_status(const Found_map_3& found)
     return found.status;
   if(found.map.is_valid())
     return found.map.meets_boundary ? found.status : ERROR_BOUNDARY_NOT_REACHED;
-  return found.status == ERROR_LINEAR_SOLVER_FAILED ? found.status : ERROR_NOT_FLIP_FREE;
+  return found.status == ERROR_LINEAR_SOLVER_FAILED || found.status == ERROR_INVERTED_BY_ROUNDING ? found.status
+                                                                                                   : ERROR_NOT_FLIP_FREE;
 }
 
 // Why it did not end better: what the last stage says, or the stage with fixed boundary, or the check of the input.

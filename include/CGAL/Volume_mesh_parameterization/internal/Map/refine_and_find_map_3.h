@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/round_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/split_bridges_3.h>
 
 #include <iomanip>
@@ -104,12 +105,15 @@ inline Parameterization_result interrupted_result(const Body_3& body, const Prog
   return result;
 }
 
-// The result of a search, if there was one; writes the images of the points if they are a map.
+// The result of a search, if there was one. Rounds the images of the points to what the user stores, and writes them if they
+// are a map.
 inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
-                                              const Map_problem_3& problem, const std::optional<Found_map_3>& found,
+                                              const Map_problem_3& problem, std::optional<Found_map_3>&& found,
                                               std::vector<std::array<double, 3> >& images)
 {
   const auto& [numbered, check] = checked;
+  if(found)
+    round_map_3(numbered.mesh, body.image_type, problem, *found);
   Parameterization_result result
     = found ? make_result_3(numbered.mesh, check, *found, problem)
             : refused_result(check, problem.progress);
@@ -143,7 +147,7 @@ Parameterization_result parameterize_body_3(Body_3 body, const Prescription_3& p
   std::optional<Found_map_3> found;
   if(checked.check.allows(problem.options.mode))
     found = find_map_of_body_3(checked, problem, start);
-  return written_result(body, checked, problem, found, images);
+  return written_result(body, checked, problem, std::move(found), images);
 }
 
 // Splits edges of vertices.
@@ -206,7 +210,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   if(!found && checked.check.status == ERROR_PRESCRIBED_CELL_INVERTED && checked.check.is_refinable && budget.is_exhausted())
     checked.check.status = ERROR_INTERRUPTED;
   checked.check.is_refinable = false; // by more than what has been refined
-  Parameterization_result result = written_result(body, checked, problem, found, images);
+  Parameterization_result result = written_result(body, checked, problem, std::move(found), images);
   result.number_of_added_vertices = insertions.size();
   return result;
 }

@@ -124,12 +124,12 @@ inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_
                   proofs.front().cells.size(), ", around the source's vertices at ", points, ".");
 }
 
-// A sentence with the cells, the first ones of many, if there is no proof.
-inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells, const Numbered_mesh_3& mesh)
+// A sentence with the cells, the first ones of many; by default if there is no proof.
+inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells, const Numbered_mesh_3& mesh,
+                                           std::string result = "With the boundary at its targets, these cells stay inverted: ")
 {
   constexpr std::size_t maximal_number = 5; // as many as one looks at
   const std::size_t number = (std::min)(maximal_number, cells.size());
-  std::string result = "With the boundary at its targets, these cells stay inverted: ";
   for(std::size_t i = 0; i < number; ++i)
     result += sentence(i == 0 ? "" : ", ", mesh.user_number(cells[i]));
   return result + (cells.size() > number ? sentence(", and ", cells.size() - number, " others.") : ".");

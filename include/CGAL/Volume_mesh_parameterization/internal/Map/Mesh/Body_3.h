@@ -66,6 +66,8 @@ struct Body_3
   Tetrahedron_soup_3 soup;
   std::vector<std::array<std::size_t, 3> > boundary; // the facets of one cell only, which no refinement changes
   std::vector<std::size_t> sides;                    // which sides these are, before any refinement
+  Coordinate_type point_type;                        // in which the user stores the points, also those of refinement
+  Coordinate_type image_type;                        // and the images
 };
 
 // A point that was made a vertex of an edge, facet or cell, and the cells around this, by their numbers then.
@@ -151,6 +153,7 @@ struct Body_of_complex_3 : Body_3
 
   explicit Body_of_complex_3(const C3t3& c3t3)
   {
+    point_type = coordinate_type<Coordinate_of<typename C3t3::Triangulation::Geom_traits::Point_3> >();
     std::unordered_map<Vertex_handle, std::size_t> indices;
     indices.reserve(c3t3.triangulation().number_of_vertices());
     for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
@@ -217,7 +220,7 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
     {
       result.is_constrained[p] = get(is_constrained, vertex(p));
       if(is_on_boundary[p] || result.is_constrained[p])
-        result.targets[p] = coordinates(target(p));
+        result.targets[p] = body.image_type.rounded_point(coordinates(target(p)));
       if(!constraints.empty())
         points.emplace(vertex(p), p);
     }

@@ -36,7 +36,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup,
   check_simplices(soup);
   const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
   const auto boundary = facets_of_sides(soup.cells, sides);
-  return { std::move(soup), boundary, sides };
+  return { std::move(soup), boundary, sides, {}, {} };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

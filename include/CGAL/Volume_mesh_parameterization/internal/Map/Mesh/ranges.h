@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Coordinate_type.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
@@ -53,6 +54,12 @@ decltype(auto) row(Range& range, const std::size_t i)
     return range.begin()[i];
 }
 
+template <typename Range>
+using Coordinate_of_range = Coordinate_of<decltype(row(std::declval<Range&>(), 0))>;
+
+template <typename Range>
+Coordinate_type coordinate_type_of() { return coordinate_type<Coordinate_of_range<Range> >(); }
+
 // Resizes a range; the first rows keep their values, new ones are undefined.
 template <typename Range>
 void resize_rows(Range& range, const std::size_t size, const int number_of_columns)
@@ -91,10 +98,12 @@ template <typename PointRange>
 void assign_coordinates(const std::vector<std::array<double, 3> >& coordinates, PointRange& points,
                         const std::size_t first = 0)
 {
+  using Coordinate = Coordinate_of_range<PointRange>;
+  static_assert(!std::is_integral<Coordinate>::value, "Points that are written must not have integers as coordinates.");
   resize_rows(points, coordinates.size(), 3);
   for(std::size_t v = first; v < coordinates.size(); ++v)
   {
-    const auto& [x, y, z] = coordinates[v];
+    const Coordinate x(coordinates[v][0]), y(coordinates[v][1]), z(coordinates[v][2]);
     if constexpr(is_matrix<PointRange>)
       row(points, v) << x, y, z;
     else

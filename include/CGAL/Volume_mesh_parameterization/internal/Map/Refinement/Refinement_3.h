@@ -209,7 +209,7 @@ private:
   Exact_point_3 point(const Simplex_3& simplex, const Weights& weights) const
   {
     const auto coordinate = [&](const int i)
-    { return mean(simplex, weights, [&](const std::size_t v) { return m_body.soup.points[v][i]; }); };
+    { return m_body.point_type.rounded(mean(simplex, weights, [&](const std::size_t v) { return m_body.soup.points[v][i]; })); };
     return Exact_point_3(coordinate(0), coordinate(1), coordinate(2));
   }
 
