@@ -5,6 +5,7 @@ Usage: check_formats.py PARAMETERIZE_MESH_FILE MESH_LABELS [--gmsh] [--vtk]
 
 MESH_LABELS meshes a labeled image. The options tell what the program was built with. The programs gmsh, meshio and tetgen are run.
 """
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -126,6 +127,50 @@ def check_gmsh(driver, folder):
         assert len(meshio.read(folder / "ball.mesh").points) > 0
 
 
+def check_nested_groups(driver, folder):
+    """Cells in two physical groups are one, and in both groups afterwards; a body with groups 0 and 1 goes to Gmsh, too."""
+    both = TWO_MATERIALS + 'Physical Volume("all", 13) = {1, 2};\n'
+    (folder / "nested.geo").write_text(both)
+    for options in [], ["-format", "msh22"]:
+        run("gmsh", "-3", *options, "-o", "nested.msh", "nested.geo", folder=folder)
+        ball = run(driver, "nested.msh", "--to", "ball", "--refine=all", "-o", "ball.msh", folder=folder)
+        assert "are left out; their references are the cell data 'reference_2'" in ball.stderr
+        groups = gmsh_sets(folder / "ball.msh")
+        assert groups["bone"].isdisjoint(groups["flesh"]) and groups["all"] == groups["bone"] | groups["flesh"]
+    bar = meshio.read(folder / "bar.msh")
+    cells = bar.cells_dict["tetra"]
+    meshio.write(folder / "zero.vtu", meshio.Mesh(bar.points, [("tetra", cells)],
+                                                  cell_data={"material": [numpy.arange(len(cells)) % 2]}))
+    run(driver, "zero.vtu", "--improve", "-o", "zero.msh", folder=folder)
+    run(driver, "zero.msh", "--improve", "-o", "again.mesh", folder=folder)  # meshio 5.0 reads no cell without a group
+    references = meshio.read(folder / "again.mesh").cell_data_dict["medit:ref"]["tetra"]
+    assert sorted(references.tolist()) == sorted((numpy.arange(len(cells)) % 2).tolist())
+
+
+def gmsh_sets(file):
+    """The centers of the cells of each group."""
+    mesh = meshio.read(file)
+    result = {}
+    for name, (_, dimension) in mesh.field_data.items():
+        if dimension == 3:
+            result[name] = {tuple(x.tolist()) for block, cells in zip(mesh.cells, mesh.cell_sets[name]) if block.type == "tetra"
+                            for x in mesh.points[block.data[cells]].mean(axis=1)}
+    return result
+
+
+def check_one_cell(driver, folder):
+    """A boundary that is too coarse for a box is refined as advised, until it is fine enough."""
+    (folder / "one cell.mesh").write_text("MeshVersionFormatted 2\nDimension 3\nVertices\n4\n0 0 0 0\n1 0 0 0\n0 1 0 0\n"
+                                          "0 0 1 0\nTetrahedra\n1\n1 2 3 4 0\nEnd\n")
+    name = "one cell.mesh"
+    for _ in range(2):
+        words = shlex.split(refused(driver, name, "--to", "cube", "--refine", folder=folder).split("A finer mesh helps: ")[1])
+        command = words[:words.index("splits")]
+        run(*command, folder=folder)
+        name = command[-1]
+    run(driver, name, "--to", "cube", "--refine", folder=folder)
+
+
 def check_data_of_gmsh(driver, folder):
     """Data of nodes and elements of a .msh file come back."""
     mesh = meshio.read(folder / "bar.msh")
@@ -228,6 +273,8 @@ def check_abaqus(driver, folder):
     run(driver, "sets.vtu", "--to", "ball", "-o", "map.vtu", folder=folder)
     run(*command, folder=folder)
     assert "uvw" in meshio.read(folder / "map.vtk").point_data
+    assert set(meshio.read(folder / "ball.vtu").field_data) == {"BONE", "FLESH"}  # the sets are groups
+    assert meshio.read(folder / "ball.vtu").cell_data["reference"][0].tolist() == [1, 2]
     run("meshio", "convert", "sets.inp", "sets.mesh", folder=folder)
     assert "2 cells" in run(driver, "sets.mesh", "--to", "ball", folder=folder).stdout
 
@@ -254,10 +301,12 @@ def main(driver, mesh_labels, options):
         (folder / "bar.geo").write_text(TWO_MATERIALS)
         if "--gmsh" in options:
             check_gmsh(driver, folder)
+            check_nested_groups(driver, folder)
             check_data_of_gmsh(driver, folder)
             check_moved_inclusion(driver, folder)
         else:
             check_advice_for_gmsh(driver, folder)
+        check_one_cell(driver, folder)
         check_labeled_image(driver, mesh_labels, folder)
         check_tetgen(driver, folder)
         check_abaqus(driver, folder)

@@ -29,6 +29,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <regex>
@@ -267,7 +268,7 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "polycube_axes", "improve", "features", "landmarks", "merge_points",
+  "options", "source", "target", "to", "polycube_axes", "improve", "features", "regions", "landmarks", "merge_points",
   "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy",
   "volume_weights", "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
@@ -278,7 +279,8 @@ const std::vector<std::string> report_keys = {
   "distortion", "angle_mean", "angle_max", "volume_mean", "volume_max",
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max", "boundary_distortion",
   "unavoidable_angle_distortion", "missed_angle_distortion",
-  "coinciding_points", "merged_points", "turned_cells", "tangled_cells", "separated_vertices", "targets_inside", "free_targets",
+  "coinciding_points", "merged_points", "turned_cells", "tangled_cells", "separated_vertices", "targets_inside", "missed_targets",
+  "free_targets",
   "seconds_reading", "seconds_boundary", "seconds_hexahedra",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
@@ -986,16 +988,16 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
   folder.write("bad.mesh", bad);
   CHECK(sentence("bad.mesh target.txt").find("(counted from 0) has the negative volume") != std::string::npos);
   bad = source;
-  bad.cells.push_back(bad.cells[4]);
+  bad.cells.push_back({0, 9, 12, 14}); // a part of two others
   bad.cell_references.push_back(bad.cell_references[4]);
   folder.write("bad.mesh", bad);
   for(const std::string target : { "target.txt", "--to ball" })
-    CHECK(sentence("bad.mesh " + target).find("bad.mesh: cell 4 and cell 48 overlap") == 0);
+    CHECK(sentence("bad.mesh " + target).find(" overlap, they lie on the same side of their common facet") != std::string::npos);
 
   folder.write("bad.txt", second_line);
   CHECK(sentence("source.mesh bad.txt")
-        == "bad.txt: vertex 0 (counted from 0) is on the boundary of the source, but has no target; if others stay where they "
-           "are, --others stay tells this\n");
+        == "bad.txt: vertex 0 (counted from 0) is on the boundary of the source, but has no target; --others stay keeps the "
+           "place of such vertices, --others slide lets them move in planes of the boundary\n");
   folder.write("bad.txt", "0 0 0 nan\n" + second_line);
   CHECK(sentence("source.mesh bad.txt") == "bad.txt: line 1: 'nan' is not a finite coordinate\n");
   folder.write("bad.txt", boundary_lines(source, 2, [](const Point& p) { return Point{p[0], p[1], -p[2]}; }));
@@ -1275,20 +1277,24 @@ TEST_CASE("Each file may be a pipe, and - is the standard input or output")
   CHECK(folder.text("stderr").find("/dev/full: this cannot be written completely") != std::string::npos);
 }
 
-TEST_CASE("Cells that are negative in the source are so in the output, which has their order of vertices")
+TEST_CASE("Negative cells are turned and counted by a note, and are positive in written files")
 {
   const Folder folder;
-  Soup source = cube(2);
-  folder.write("target.txt", boundary_lines(source, 2, affine));
-  folder.write("positive.mesh", source);
-  for(auto& cell : source.cells)
+  const Soup positive = cube(2);
+  Soup negative = positive;
+  for(auto& cell : negative.cells)
     std::swap(cell[2], cell[3]);
-  folder.write("negative.mesh", source);
+  folder.write("target.txt", boundary_lines(positive, 2, affine));
+  folder.write("positive.mesh", positive);
+  folder.write("negative.mesh", negative);
   REQUIRE(folder.run("positive.mesh target.txt -o positive_map.mesh") == 0);
-  REQUIRE(folder.run("negative.mesh target.txt -o negative_map.mesh --refined-source again.mesh") == 0);
-  CHECK(folder.soup("negative_map.mesh").cells == source.cells);
-  CHECK(folder.soup("negative_map.mesh").points == folder.soup("positive_map.mesh").points);
-  CHECK(folder.text("again.mesh") == folder.text("negative.mesh"));
+  CHECK(folder.text("stderr") == "");
+  REQUIRE(folder.run("negative.mesh target.txt -o negative_map.mesh --refined-source again.mesh --report report.json") == 0);
+  CHECK(folder.text("stderr") == "note: negative.mesh: all 48 cells are negative, and are turned: the written files have "
+                                 "positive cells\n");
+  CHECK(number(folder.text("report.json"), "turned_cells") == 48);
+  CHECK(folder.text("negative_map.mesh") == folder.text("positive_map.mesh"));
+  CHECK(folder.text("again.mesh") == folder.text("positive.mesh"));
 }
 
 TEST_CASE("Names of groups and data of the source are in the output, also where it is refined")
@@ -1354,6 +1360,113 @@ TEST_CASE("The source may be a file of VTK, and so may the target")
   CHECK(folder.text("other.mesh") == folder.text("map.mesh"));
   REQUIRE(folder.run("source.mesh map.vtu -o same.mesh") == 0);
   CHECK(folder.soup("same.mesh").cell_references == source.cell_references);
+}
+
+namespace {
+
+// Writes a file of VTK whose references have another name.
+void write_regions(const Folder& folder, const std::string& file, const Soup& soup, const std::string& name)
+{
+  std::ostringstream os;
+  VMP::IO::write_VTU(os, soup, soup.points);
+  const std::string text = os.str(), reference = "\"reference\"";
+  const std::size_t begin = text.find(reference);
+  REQUIRE(begin != std::string::npos);
+  folder.write(file, text.substr(0, begin) + "\"" + name + "\"" + text.substr(begin + reference.size()));
+}
+
+} // namespace
+
+TEST_CASE("Regions have the names of many programs, or that of --regions; a note lists others")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+    source.cell_references[c] = c < 24 ? 7 : 8;
+  const auto references = [&](const std::string& arguments)
+  {
+    CAPTURE(arguments);
+    REQUIRE(folder.shell("\"$driver\" source.vtu --improve -o map.mesh " + arguments) == 0);
+    return folder.soup("map.mesh").cell_references;
+  };
+  for(const char* name : { "medit:ref", "gmsh:physical", "material", "attribute", "mat_id", "MaterialIDs", "Material", "su2:tag",
+                           "su2_tag", "cell_tags", "ModelRegionID", "RegionId", "CellEntityIds", "elemTag", "labels", "elset" })
+  {
+    write_regions(folder, "source.vtu", source, name);
+    CHECK(references("") == source.cell_references);
+    CHECK(folder.text("stderr") == "");
+  }
+  for(const std::string name : { "zone", "my zone", "it's 1" })
+  {
+    write_regions(folder, "source.vtu", source, name);
+    CHECK(references("") == std::vector<int>(source.cells.size(), 0));
+    const std::string note = folder.text("stderr"), advice = "--regions ";
+    CHECK(note.find("note: source.vtu: the cell data '" + name + "' are integers with 2 values, and are not used") == 0);
+    const std::size_t begin = note.find(advice);
+    REQUIRE(begin != std::string::npos);
+    CHECK(references(note.substr(begin, note.find(" uses them") - begin)) == source.cell_references);
+    CHECK(folder.text("stderr") == "");
+  }
+  // numbers of cells, and a copy of the references, are no other regions
+  source.cell_data = { { "number", 1, true, {} }, { "copy", 1, true, {} } };
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+  {
+    source.cell_data[0].values.push_back(static_cast<double>(c));
+    source.cell_data[1].values.push_back(-source.cell_references[c]);
+  }
+  write_regions(folder, "source.vtu", source, "RegionId");
+  CHECK(references("") == source.cell_references);
+  CHECK(folder.text("stderr") == "");
+  CHECK(folder.run("source.vtu --improve --regions none") == 2);
+  CHECK(folder.text("stderr").find("source.vtu: there are no cell data 'none' for --regions; there are RegionId, ") == 0);
+
+  // sets that meshio has joined
+  source.cell_data.clear();
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+    source.cell_references[c] = c < 24 ? 0 : 2;
+  write_regions(folder, "source.vtu", source, "BONE-FLESH-SKIN");
+  REQUIRE(folder.run("source.vtu --improve -o map.vtu") == 0);
+  CHECK(folder.text("stderr") == "note: source.vtu: the set 'FLESH' has no cell in the file, because meshio keeps only the last "
+                                 "set of a cell; remove the larger sets before the conversion\n");
+  Soup map;
+  VMP::IO::read_tetrahedron_soup(folder.path("map.vtu"), map);
+  using Group_names = std::map<std::pair<int, int>, std::string>;
+  CHECK(map.group_names == Group_names{ { { 3, 1 }, "BONE" }, { { 3, 3 }, "SKIN" } });
+  for(std::size_t c = 0; c < map.cells.size(); ++c)
+    CHECK(map.cell_references[c] == (c < 24 ? 1 : 3));
+}
+
+TEST_CASE("Cells that a file has twice, as those of two groups, are one")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  Soup twice = source;
+  for(std::size_t c = 0; c < source.cells.size(); c += 2)
+  {
+    auto cell = source.cells[c];
+    std::swap(cell[0], cell[3]); // in any order, and reversed
+    twice.cells.push_back(cell);
+    twice.cell_references.push_back(c < 24 ? 5 : 1);
+  }
+  folder.write("twice.mesh", twice);
+  folder.write("target.txt", boundary_lines(source, 2, affine));
+  for(const std::string target : { "target.txt", "twice.mesh" }) // the target may be a copy of the file
+  {
+    REQUIRE(folder.run("twice.mesh " + target + " -o map.vtu") == 0);
+    CHECK(folder.text("stderr").find("note: twice.mesh: 24 cells have the vertices of an earlier cell, such as cell 48 those of "
+                                     "cell 0 (counted from 0), and are left out; their references are the cell data 'reference_2'")
+          == 0);
+    Soup map;
+    VMP::IO::read_tetrahedron_soup(folder.path("map.vtu"), map);
+    CHECK(map.cells == source.cells);
+    CHECK(map.cell_references == source.cell_references);
+    REQUIRE(map.cell_data.size() > 0);
+    const auto found = std::find_if(map.cell_data.begin(), map.cell_data.end(),
+                                    [](const auto& array) { return array.name == "reference_2"; });
+    REQUIRE(found != map.cell_data.end());
+    for(std::size_t c = 0; c < map.cells.size(); ++c)
+      CHECK(found->values[c] == (c < 24 && c % 2 == 0 ? 5 : 0));
+  }
 }
 
 TEST_CASE("An output behind symbolic links is written where they lead, and the links stay")
@@ -1641,6 +1754,25 @@ TEST_CASE("Reversed cells are turned, and told")
   CHECK(number(folder.text("report.json"), "energy_value") == Approx(energy));
 }
 
+TEST_CASE("Reversed cells are turned also if others are flat")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  source.cells.push_back({0, 12, 9, 3}); // on the side z = 0
+  source.cell_references.push_back(1);
+  for(std::size_t c = 0; c < 48; c += 2)
+    std::swap(source.cells[c][0], source.cells[c][1]);
+  folder.write("source.mesh", source);
+  CHECK(folder.run("source.mesh --to ball --refine") == 2);
+  CHECK(std::regex_search(folder.text("stderr"), std::regex("^source.mesh: 24 of 49 cells were reversed, and are turned; cell 48 "
+                                                            "\\(counted from 0\\) has zero volume; --improve -o FILE")));
+  REQUIRE(folder.run("source.mesh --improve --refine -o improved.mesh --report report.json") == 0); // as advised
+  CHECK(number(folder.text("report.json"), "turned_cells") == 24);
+  CHECK(number(folder.text("report.json"), "tangled_cells") == 1);
+  CHECK(folder.run("improved.mesh --to ball --refine") == 0);
+  CHECK(folder.text("stderr") == "");
+}
+
 TEST_CASE("A tangled mesh is improved within its boundary")
 {
   const Folder folder;
@@ -1675,10 +1807,11 @@ TEST_CASE("A tangled mesh is improved within its boundary")
   CHECK(number_before > 10);
   check("tangled.mesh --energy stretch");
 
-  for(auto& cell : source.cells) // the orientation of the file stays
+  Soup negative = source;
+  for(auto& cell : negative.cells)
     std::swap(cell[2], cell[3]);
-  folder.write("tangled.mesh", source);
-  check("tangled.mesh");
+  folder.write("negative.mesh", negative);
+  check("negative.mesh");
   CHECK(folder.text("stdout").find(" cells were inverted or flat") == std::string::npos); // of the cube
   CHECK(number(folder.text("report.json"), "tangled_cells") == number_before);
 
@@ -1756,6 +1889,53 @@ TEST_CASE("A body that touches itself is separated on request")
   CHECK(folder.soup("refined.mesh").points[soup.points.size()][2] < 2);
 }
 
+TEST_CASE("If --separate parts nothing, the message names the gaps that touch each other, and closing one helps")
+{
+  const Folder folder;
+  // a block of 2 x 2 x 3 cubes, two of which are missing in the middle, on either side of an edge
+  Soup soup = cube(3);
+  const auto write = [&](const std::string& name, const std::set<std::array<int, 3> >& missing)
+  {
+    Soup block;
+    block.points = soup.points;
+    for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    {
+      std::array<int, 3> corner = {3, 3, 3};
+      for(const std::size_t v : soup.cells[c])
+        for(std::size_t i = 0; i < 3; ++i)
+          corner[i] = (std::min)(corner[i], static_cast<int>(soup.points[v][i]));
+      if(corner[0] < 2 && corner[1] < 2 && missing.count(corner) == 0)
+        block.cells.push_back(soup.cells[c]);
+    }
+    block.cell_references.assign(block.cells.size(), 1);
+    folder.write(name, block);
+  };
+  write("gaps.mesh", { {0, 0, 1}, {1, 1, 1} });
+  write("closed.mesh", { {0, 0, 1} });
+  for(const std::string option : { "", " --separate" })
+  {
+    CHECK(folder.run("gaps.mesh --to ball --refine" + option) == 2);
+    CHECK(folder.text("stderr").find("--separate parts nothing. Close a gap by cells at the edge between the vertices 21 and "
+                                     "22") != std::string::npos);
+    CHECK(folder.text("stderr").find("--separate parts them") == std::string::npos);
+  }
+  CHECK(folder.text("stderr").find("note: gaps.mesh: there are no parts to separate") == 0);
+  CHECK(folder.run("closed.mesh --to ball --refine") == 0);
+}
+
+TEST_CASE("Advised commands have file names as a shell wants them")
+{
+  const Folder folder;
+  fs::create_directory(folder.path("it's here"));
+  folder.write("it's here/a b.xyz", "v 0 0 0\n");
+  CHECK(folder.run("\"it's here/a b.xyz\" --to ball") == 2);
+  const std::string sentence = folder.text("stderr"), command = "meshio convert ";
+  const std::size_t begin = sentence.find(command);
+  REQUIRE(begin != std::string::npos);
+  REQUIRE(folder.shell("printf '%s\\n' " + sentence.substr(begin + command.size())) == 0);
+  CHECK(folder.text("stdout") == "it's here/a b.xyz\nit's here/a b.vtu\n");
+}
+
 TEST_CASE("Targets of vertices inside are met")
 {
   const Folder folder;
@@ -1767,6 +1947,31 @@ TEST_CASE("Targets of vertices inside are met")
   CHECK(folder.soup("map.mesh").points[inside] == Point{2.25, 2, 2});
   CHECK(number(folder.text("report.json"), "targets_inside") == 1);
   CHECK(folder.text("stdout").find("1 targets of vertices inside are met\n") != std::string::npos);
+  CHECK(number(folder.text("report.json"), "missed_targets") == 0);
+
+  // two vertices inside change places, which no map follows
+  std::ostringstream lines;
+  for(std::size_t v = 0; v < source.points.size(); ++v)
+  {
+    const Point p = source.points[v] == Point{1, 1, 1} ? Point{3, 3, 3} : source.points[v] == Point{3, 3, 3} ? Point{1, 1, 1}
+                  : source.points[v];
+    lines << v << " " << p[0] << " " << p[1] << " " << p[2] << "\n";
+  }
+  folder.write("target.txt", lines.str());
+  CHECK(folder.run("source.mesh target.txt --inside met -o map.mesh --report report.json") == 1);
+  const std::vector<Point> map = folder.soup("map.mesh").points;
+  std::size_t number_met = 0;
+  for(std::size_t v = 0; v < map.size(); ++v)
+  {
+    const Point p = source.points[v] == Point{1, 1, 1} ? Point{3, 3, 3} : source.points[v] == Point{3, 3, 3} ? Point{1, 1, 1}
+                  : source.points[v];
+    number_met += !is_on_boundary(source.points[v], 4) && map[v] == p;
+  }
+  CHECK(number_met < 27);
+  CHECK(number(folder.text("report.json"), "targets_inside") == number_met);
+  CHECK(number(folder.text("report.json"), "missed_targets") == 27 - number_met);
+  CHECK(folder.text("stdout").find(std::to_string(27 - number_met) + " targets of vertices inside are missed\n")
+        != std::string::npos);
 }
 
 TEST_CASE("Of a copy of the mesh, vertices at interfaces are met if they have moved")
@@ -1922,8 +2127,184 @@ TEST_CASE("The target may be a surface with the triangles of the boundary")
     off << "3 " << number[a] << " " << number[b] << " " << number[c] << "\n";
   folder.write("cube.mesh", source);
   folder.write("cube.off", off.str());
-  CHECK(sentence("cube.mesh cube.off")
-        .find("cube.off: the triangles of the surface are those of the boundary of the source in several ways") == 0);
+  REQUIRE(folder.run("cube.mesh cube.off -o map.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: cube.off: the triangles match the boundary of the source in several ways; the one with "
+                                   "the least displacement is used: 0 in the quadratic mean") == 0);
+  CHECK(folder.soup("map.mesh").points == source.points);
+
+  // an octahedron, and turned by an eighth of a turn, as far from itself either way
+  Soup octahedron;
+  octahedron.points = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  std::string triangles;
+  for(std::size_t i = 0; i < 4; ++i)
+  {
+    octahedron.cells.push_back({0, 1, 2 + i, 2 + (i + 1) % 4});
+    const std::string v = std::to_string(i), w = std::to_string((i + 1) % 4);
+    triangles += "3 " + v + " " + w + " 5\n3 4 " + w + " " + v + "\n";
+  }
+  octahedron.cell_references.assign(4, 1);
+  folder.write("octahedron.mesh", octahedron);
+  folder.write("turned.off", "OFF\n6 8 0\n0.7 0.7 0\n-0.7 0.7 0\n-0.7 -0.7 0\n0.7 -0.7 0\n0 0 -1\n0 0 1\n" + triangles);
+  CHECK(sentence("octahedron.mesh turned.off").find("turned.off: the triangles of the surface match the boundary of the source in "
+                                                    "several ways with the least displacement") == 0);
+}
+
+namespace {
+
+// Triangles of a boundary as a surface of its own, with vertices in an order.
+std::string part_of_boundary_as_OFF(const Soup& soup, const std::vector<std::array<std::size_t, 3> >& triangles,
+                                    const std::vector<std::size_t>& order, const Point& translation)
+{
+  std::ostringstream os;
+  os.precision(17);
+  os << "OFF\n" << order.size() << " " << triangles.size() << " 0\n";
+  for(const std::size_t v : order)
+    os << soup.points[v][0] + translation[0] << " " << soup.points[v][1] + translation[1] << " "
+       << soup.points[v][2] + translation[2] << "\n";
+  for(const auto& triangle : triangles)
+  {
+    os << "3";
+    for(const std::size_t v : triangle)
+      os << " " << std::find(order.begin(), order.end(), v) - order.begin();
+    os << "\n";
+  }
+  return os.str();
+}
+
+} // namespace
+
+TEST_CASE("A surface may be a part of the boundary, such as the wall of a cavity, in any order")
+{
+  const Folder folder;
+  Soup source = cube(5);
+  const auto is_of_cavity = [](const Point& p)
+  { return std::all_of(p.begin(), p.end(), [](const double x) { return x >= 2 && x <= 3; }); };
+  const Soup full = source;
+  source.cells.clear();
+  for(const auto& cell : full.cells)
+    if(!std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) { return is_of_cavity(full.points[v]); }))
+      source.cells.push_back(cell);
+  source.cell_references.resize(source.cells.size());
+  REQUIRE(source.cells.size() + 6 == full.cells.size());
+  folder.write("source.mesh", source);
+  std::vector<std::array<std::size_t, 3> > inner, outer, top;
+  for(const auto& facet : VMP::internal::boundary_facets_3(source.cells))
+    (is_of_cavity(source.points[facet[0]]) ? inner : outer).push_back(facet);
+  for(const auto& facet : outer)
+    if(std::all_of(facet.begin(), facet.end(), [&](const std::size_t v) { return source.points[v][2] == 5; }))
+      top.push_back(facet);
+  const auto vertices_of = [](const auto& triangles)
+  {
+    std::set<std::size_t> vertices;
+    for(const auto& triangle : triangles)
+      vertices.insert(triangle.begin(), triangle.end());
+    std::vector<std::size_t> result(vertices.begin(), vertices.end());
+    std::shuffle(result.begin(), result.end(), std::mt19937());
+    return result;
+  };
+  const auto moved = [&](const std::string& arguments)
+  {
+    CAPTURE(arguments);
+    REQUIRE(folder.run("source.mesh " + arguments + " -o map.mesh") == 0);
+    return folder.soup("map.mesh").points;
+  };
+  const auto check = [&](const std::vector<Point>& map, const std::vector<std::size_t>& vertices, const Point& translation)
+  {
+    const std::set<std::size_t> those(vertices.begin(), vertices.end());
+    for(const std::size_t v : VMP::boundary_vertices(source.points, source.cells))
+      for(std::size_t i = 0; i < 3; ++i)
+        CHECK(map[v][i] == source.points[v][i] + (those.count(v) > 0 ? translation[i] : 0));
+  };
+  const Point move = {0.25, -0.125, 0.25};
+  folder.write("inner.off", part_of_boundary_as_OFF(source, inner, vertices_of(inner), move));
+  check(moved("inner.off --others stay"), vertices_of(inner), move);
+  CHECK(folder.run("source.mesh inner.off") == 2);
+  CHECK(folder.text("stderr").find("--others stay") != std::string::npos);
+  folder.write("top.off", part_of_boundary_as_OFF(source, top, vertices_of(top), {0.125, 0, 0.25}));
+  check(moved("top.off --others stay"), vertices_of(top), {0.125, 0, 0.25});
+
+  // all of it, the cavity first, and oriented as a body of its own
+  auto all = inner;
+  for(auto& triangle : all)
+    std::swap(triangle[0], triangle[1]);
+  all.insert(all.end(), outer.begin(), outer.end());
+  const std::vector<std::size_t> vertices = vertices_of(all);
+  folder.write("all.off", part_of_boundary_as_OFF(source, all, vertices, move));
+  check(moved("all.off"), vertices, move);
+  // not of this boundary
+  inner[0] = {inner[0][0], inner[0][1], inner[1][2] == inner[0][0] ? inner[1][1] : inner[1][2]};
+  folder.write("other.off", part_of_boundary_as_OFF(source, inner, vertices_of(inner), move));
+  CHECK(folder.run("source.mesh other.off --others stay") == 2);
+}
+
+TEST_CASE("Targets are read as ParaView writes them: tables with names of columns, and surfaces of VTK")
+{
+  const Folder folder;
+  const Soup source = cube(2);
+  folder.write("source.mesh", source);
+  const auto check = [&](const std::string& name, const std::string& content)
+  {
+    CAPTURE(name);
+    folder.write(name, content);
+    REQUIRE(folder.run("source.mesh " + name + " -o map.mesh") == 0);
+    const std::vector<Point> map = folder.soup("map.mesh").points;
+    for(std::size_t v = 0; v < map.size(); ++v)
+      for(std::size_t i = 0; i < 3 && is_on_boundary(source.points[v], 2); ++i)
+        CHECK(map[v][i] == Approx(affine(source.points[v])[i]).margin(1e-12));
+  };
+  std::istringstream lines(boundary_lines(source, 2, affine));
+  std::string rows, rows_of_selection, numbered;
+  int row = 0;
+  for(std::string v, x, y, z; lines >> v >> x >> y >> z; ++row)
+  {
+    rows += "7.5," + x + "," + y + "," + z + "," + v + "\r\n";
+    rows_of_selection += std::to_string(row) + ";" + v + ";" + x + ";" + y + ";" + z + "\n";
+    numbered += v + ", " + x + ", " + y + ", " + z + "\n";
+  }
+  check("table.csv", "\"T\",\"Points:0\",\"Points:1\",\"Points:2\",\"Point ID\"\r\n" + rows);
+  check("selection.csv", "Point ID;vtkOriginalPointIds;Points_0;Points_1;Points_2\n" + rows_of_selection);
+  check("numbered.csv", numbered);
+  std::ostringstream whole;
+  whole.precision(17);
+  whole << "x,y,z\n";
+  for(const Point& p : source.points)
+    whole << affine(p)[0] << "," << affine(p)[1] << "," << affine(p)[2] << "\n";
+  check("whole.csv", whole.str());
+
+  const auto facets = VMP::internal::boundary_facets_3(source.cells);
+  std::ostringstream points, vertices, ends;
+  points.precision(17);
+  std::vector<std::size_t> order(source.points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::shuffle(order.begin(), order.end(), std::mt19937());
+  for(const std::size_t v : order)
+    points << affine(source.points[v])[0] << " " << affine(source.points[v])[1] << " " << affine(source.points[v])[2] << "\n";
+  for(std::size_t f = 0; f < facets.size(); ++f)
+  {
+    for(const std::size_t v : facets[f])
+      vertices << std::find(order.begin(), order.end(), v) - order.begin() << " ";
+    ends << 3 * (f + 1) << " ";
+  }
+  check("surface.vtp", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n<Piece>\n"
+    "<Points>\n<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">\n" + points.str()
+    + "</DataArray>\n</Points>\n<Verts>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n</DataArray>\n"
+      "</Verts>\n<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" + vertices.str()
+    + "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n" + ends.str()
+    + "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n");
+
+  const auto sentence = [&](const std::string& content)
+  {
+    folder.write("bad.csv", content);
+    CHECK(folder.run("source.mesh bad.csv") == 2);
+    return folder.text("stderr");
+  };
+  CHECK(sentence("Point ID,a,b,c\n0,0,0,0\n").find("bad.csv: line 1: there are no columns 'Points:0'") == 0);
+  CHECK(sentence("Point ID,x,y,z\n0,0,0,0\n0,0,0,0\n") == "bad.csv: line 3: vertex 0 has a second line\n");
+  CHECK(sentence("Point ID,x,y,z\n27,0,0,0\n").find("bad.csv: line 2: vertex 27 does not exist") == 0);
+  CHECK(sentence("Point ID,x,y,z\n2,0,,0\n").find("bad.csv: line 2: ") == 0);
+  CHECK(sentence("x,y,z\n0,0,0\n").find("bad.csv: there is no column with the indices of vertices") == 0);
+  CHECK(folder.run("surface.vtp --to ball") == 2);
+  CHECK(folder.text("stderr").find("this is a surface, which a volume mesher fills") != std::string::npos);
 }
 
 TEST_CASE("Only the part that moves needs targets, which may be displacements")
@@ -1941,7 +2322,8 @@ TEST_CASE("Only the part that moves needs targets, which may be displacements")
   folder.write("target.txt", targets.str());
   folder.write("displacements.txt", displacements.str());
   CHECK(folder.run("source.mesh target.txt -o map.mesh") == 2);
-  CHECK(folder.text("stderr").find("has no target; if others stay where they are, --others stay tells this") != std::string::npos);
+  CHECK(folder.text("stderr").find("has no target; --others stay keeps the place of such vertices, --others slide")
+        != std::string::npos);
   REQUIRE(folder.run("source.mesh target.txt --others stay -o map.mesh") == 0);
   const std::vector<Point> stayed = folder.soup("map.mesh").points;
   REQUIRE(folder.run("source.mesh displacements.txt --displacements --others stay -o map.mesh") == 0);

@@ -17,7 +17,7 @@
 
 struct Options
 {
-  std::string source, target, domain, polycube_axes, features, landmarks, others, inside, initial;
+  std::string source, target, domain, polycube_axes, features, regions, landmarks, others, inside, initial;
   std::string output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
@@ -48,8 +48,8 @@ SOURCE.mesh may have inverted and flat cells.
                *.msh, *.unv or *.bdf; if it was built with VTK, also *.vtk. Of other formats,
                meshio makes a file *.vtu: meshio convert a.inp a.vtu
   TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
-               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates; or a surface
-               with the triangles of its boundary (*.mesh, *.off, *.ply, *.obj or *.stl).
+               the first vertex has the index 0; or a table *.csv of ParaView; or a copy of SOURCE.mesh with other
+               coordinates; or a surface with triangles of its boundary (*.mesh, *.off, *.ply, *.obj, *.stl or *.vtp).
                Vertices inside may be told as well: see --inside
 Each file may be a pipe, or - for the standard input or output; then the summary goes to the standard error.
 )";
@@ -133,6 +133,8 @@ inline Command_line command_line(Options& options)
     ("features", po::value(&options.features)->value_name("FILE"),
      "the sharp edges of the source: lines with two vertices, counted from 0, in place of the edges that SOURCE.mesh marks. "
      "If none are marked, edges with more than 60 degrees between the normals are sharp")
+    ("regions", po::value(&options.regions)->value_name("NAME"),
+     "cell data that are the subdomains, in place of those with a known name, such as material or RegionId")
     ("separate", po::bool_switch(&options.do_separate),
      "where the body touches itself at a vertex or an edge, give each of its parts there vertices of its own");
 

@@ -109,17 +109,11 @@ private:
     }
   }
 
-  // The groups of an entity, or else no group; of a cell only one is kept.
-  std::vector<int> groups_of(const int dimension, const int tag)
+  // The groups of an entity, or else no group.
+  static std::vector<int> groups_of(const int dimension, const int tag)
   {
     std::vector<int> result;
     gmsh::model::getPhysicalGroupsForEntity(dimension, tag, result);
-    if(dimension == 3 && result.size() > 1)
-    {
-      m_soup.notes.push_back("the volume " + std::to_string(tag) + " is in " + std::to_string(result.size())
-                             + " physical groups, of which the first one is kept");
-      result.resize(1);
-    }
     if(result.empty())
       result.push_back(0);
     return result;
@@ -142,7 +136,7 @@ private:
       if(dimension == 0 || number_of_corners != dimension + 1)
         continue;
       m_has_higher_order = m_has_higher_order || order > 1;
-      for(const int reference : references) // a facet or edge has an entry for each of its groups
+      for(const int reference : references) // an element has an entry for each of its groups
         for(std::size_t i = 0; i < tags[t].size(); ++i)
           add(dimension, tags[t][i], &nodes[t][i * static_cast<std::size_t>(number_of_nodes)], reference);
     }

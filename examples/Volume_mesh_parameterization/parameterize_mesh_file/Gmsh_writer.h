@@ -3,6 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H
 
 #include "Gmsh_reader.h"
+#include "merge_repeated_cells.h"
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
@@ -13,6 +14,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -34,31 +36,48 @@ public:
     : m_points(points), m_names(names)
   {}
 
-  // `type` is that of Gmsh. Returns the tags.
+  // `type` is that of Gmsh. Elements may be in further groups. Returns the tags.
   template <std::size_t N>
   std::vector<std::size_t> add(const int dimension, const int type, const std::vector<std::array<std::size_t, N> >& elements,
-                               const std::vector<int>& references)
+                               const std::vector<int>& references,
+                               const std::vector<std::vector<double> >& further_groups = {})
   {
-    std::map<int, std::array<std::vector<std::size_t>, 2> > of_references; // tags, and nodes
+    std::map<std::vector<int>, std::array<std::vector<std::size_t>, 2> > of_references; // tags, and nodes
     std::vector<std::size_t> result;
     for(std::size_t i = 0; i < elements.size(); ++i)
     {
-      auto& [tags, nodes] = of_references[references[i]];
+      std::vector<int> groups = { references[i] };
+      for(const std::vector<double>& further : further_groups)
+        groups.push_back(static_cast<int>(further[i]));
+      auto& [tags, nodes] = of_references[groups];
       result.push_back(++m_number_of_elements);
       tags.push_back(result.back());
       for(const std::size_t v : elements[i])
         nodes.push_back(v + 1);
     }
-    for(const auto& [reference, elements_of_reference] : of_references)
+    std::map<int, std::vector<int> > entities; // of groups
+    const auto add_entity = [&](const std::vector<int>& groups, const auto& tags_and_nodes, const int tag)
     {
-      const int entity = gmsh::model::addDiscreteEntity(dimension, reference > 0 ? reference : -1);
+      const int entity = gmsh::model::addDiscreteEntity(dimension, tag);
       if(m_number_of_entities++ == 0)
         add_nodes(dimension, entity);
-      gmsh::model::mesh::addElementsByType(entity, type, elements_of_reference[0], elements_of_reference[1]);
-      if(reference > 0)
-        gmsh::model::addPhysicalGroup(dimension, { entity }, reference);
-      else
+      gmsh::model::mesh::addElementsByType(entity, type, tags_and_nodes[0], tags_and_nodes[1]);
+      if(*std::max_element(groups.begin(), groups.end()) <= 0)
         gmsh::option::setNumber("Mesh.SaveAll", 1);
+      for(const int reference : groups)
+        if(reference > 0)
+          entities[reference].push_back(entity);
+    };
+    const auto has_number = [](const std::vector<int>& groups) { return groups.size() == 1 && groups[0] > 0; };
+    for(const auto& [groups, tags_and_nodes] : of_references)
+      if(has_number(groups))
+        add_entity(groups, tags_and_nodes, groups[0]);
+    for(const auto& [groups, tags_and_nodes] : of_references) // which get tags that are free
+      if(!has_number(groups))
+        add_entity(groups, tags_and_nodes, -1);
+    for(const auto& [reference, entities_of_reference] : entities)
+    {
+      gmsh::model::addPhysicalGroup(dimension, entities_of_reference, reference);
       if(const auto name = m_names.find({ dimension, reference }); name != m_names.end())
         gmsh::model::setPhysicalName(dimension, reference, name->second);
     }
@@ -127,15 +146,32 @@ private:
   std::size_t m_number_of_elements = 0, m_number_of_entities = 0;
 };
 
+// Takes the further references of cells in several groups, as merge_repeated_cells() makes them, out of the cell data.
+inline std::vector<std::vector<double> > take_further_references(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  std::vector<std::vector<double> > result;
+  for(auto it = soup.cell_data.begin(); it != soup.cell_data.end();)
+    if(it->name == name_of_reference(result.size() + 2) && it->has_integers && it->number_of_components == 1)
+    {
+      result.push_back(std::move(it->values));
+      it = soup.cell_data.erase(it);
+    }
+    else
+      ++it;
+  return result;
+}
+
 // Writes a mesh in the format 4.1, binary, or 2.2, as text of 16 digits.
-inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const bool is_old)
+inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, const bool is_old)
 {
   with_Gmsh([&]
   {
+    auto soup = mesh;
+    const std::vector<std::vector<double> > further_references = take_further_references(soup);
     Gmsh_writer writer(soup.points, soup.group_names);
     std::vector<std::size_t> points(soup.points.size());
     std::iota(points.begin(), points.end(), std::size_t(1));
-    const auto cells = writer.add(3, 4, soup.cells, soup.cell_references);
+    const auto cells = writer.add(3, 4, soup.cells, soup.cell_references, further_references);
     const auto facets = writer.add(2, 2, soup.facets, soup.facet_references);
     const auto edges = writer.add(1, 1, soup.edges, soup.edge_references);
     writer.add_data("NodeData", soup.point_data, points);

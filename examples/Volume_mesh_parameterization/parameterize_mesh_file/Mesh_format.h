@@ -9,6 +9,8 @@
 #  include "VTK_file.h"
 #endif
 
+#include "shell_quoted.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
@@ -28,7 +30,7 @@ inline Mesh_format format_of(const std::string& filename)
     return Mesh_format::GMSH;
   if(is_one_of({ ".vtk" }))
     return Mesh_format::VTK;
-  if(is_one_of({ ".off", ".stl", ".ply", ".obj" }))
+  if(is_one_of({ ".off", ".stl", ".ply", ".obj", ".vtp" }))
     return Mesh_format::SURFACE;
   return is_one_of({ ".mesh", ".meshb", ".vtu" }) ? Mesh_format::LIBRARY : Mesh_format::OTHER;
 }
@@ -39,16 +41,31 @@ inline std::string advice_for(const std::string& filename)
   const std::filesystem::path path(filename);
   if(format_of(filename) == Mesh_format::LIBRARY || !std::filesystem::is_regular_file(path))
     return "";
-  const auto renamed = [&](const char* extension) { return std::filesystem::path(path).replace_extension(extension).string(); };
+  const std::string file = shell_quoted(filename);
+  const auto renamed = [&](const char* extension)
+  { return shell_quoted(std::filesystem::path(path).replace_extension(extension).string()); };
   if(extension_of(filename) == ".obj")
-    return "; this is a surface, which a volume mesher fills: meshio convert " + filename + " " + renamed(".stl")
+    return "; this is a surface, which a volume mesher fills: meshio convert " + file + " " + renamed(".stl")
       + ", and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
+  if(extension_of(filename) == ".vtp")
+    return "; this is a surface, which a volume mesher fills: save it as " + renamed(".stl")
+      + " in ParaView, and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::SURFACE)
-    return "; this is a surface, which a volume mesher fills: tetgen -pqg " + filename + " writes " + renamed(".1.mesh");
+    return "; this is a surface, which a volume mesher fills: tetgen -pqg " + file + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::GMSH) // meshio 5.0 fails where parts of a mesh are in no group
-    return "; other formats can be converted: gmsh " + filename + " -save -setnumber Mesh.SaveElementTagType 2 -o "
+    return "; other formats can be converted: gmsh " + file + " -save -setnumber Mesh.SaveElementTagType 2 -o "
       + renamed(".mesh");
-  return "; other formats can be converted: meshio convert " + filename + " " + renamed(".vtu");
+  return "; other formats can be converted: meshio convert " + file + " " + renamed(".vtu");
+}
+
+// Returns the advice for a source whose boundary is too coarse.
+inline std::string advice_to_refine(const std::string& filename)
+{
+  const bool is_of_Gmsh = format_of(filename) == Mesh_format::GMSH || extension_of(filename) == ".mesh";
+  const std::string name = is_of_Gmsh ? filename : "SOURCE.mesh";
+  const std::string finer = std::filesystem::path(name).replace_extension(".finer" + extension_of(name)).string();
+  return " --refine does not split its edges here. A finer mesh helps: gmsh " + shell_quoted(name) + " -refine -o "
+    + shell_quoted(finer) + " splits each cell into eight, and can be repeated.";
 }
 
 // The formats that are written: MEDIT, VTU and, with Gmsh, its own, of the versions 4.1 and 2.2.

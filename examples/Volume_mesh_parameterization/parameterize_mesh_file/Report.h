@@ -33,7 +33,7 @@ struct Outcome
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
   std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0;
   std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0;
-  std::size_t number_of_targets_inside = 0, number_of_free_targets = 0;
+  std::size_t number_of_targets_inside = 0, number_of_missed_targets = 0, number_of_free_targets = 0;
   std::optional<CGAL::Volume_mesh_parameterization::Polycube_result> polycube = {};
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
@@ -72,7 +72,8 @@ inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
                       .add("polycube_axes", options.polycube_axes).add("improve", options.do_improve)
-                      .add("features", options.features).add("landmarks", options.landmarks)
+                      .add("features", options.features).add("regions", options.regions)
+                      .add("landmarks", options.landmarks)
                       .add("merge_points", options.do_merge_points)
                       .add("separate", options.do_separate).add("displacements", options.are_displacements)
                       .add("staircases", options.are_staircases).add("others", options.others).add("inside", options.inside)
@@ -197,6 +198,7 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
           .add("tangled_cells", outcome.number_of_tangled_cells)
           .add("separated_vertices", outcome.number_of_separated_vertices)
           .add("targets_inside", outcome.number_of_targets_inside)
+          .add("missed_targets", outcome.number_of_missed_targets)
           .add("free_targets", outcome.number_of_free_targets)
           .add("seconds_reading", outcome.seconds_reading)
           .add("seconds_boundary", outcome.seconds_boundary)

@@ -36,7 +36,7 @@ struct Target_points
 {
   Points points;                    // not numbers for a vertex without a target
   std::vector<char> is_constrained; // vertices inside that meet theirs, and those of the boundary that must not slide
-  std::size_t number_inside = 0;    // number of targets inside that are met
+  std::vector<std::size_t> inside = {}; // vertices inside that are to meet theirs
 };
 
 inline bool has_target(const Points& points, const std::size_t v) { return !std::isnan(points[v][0]); }
@@ -126,7 +126,7 @@ inline Target_points target_points(const Source& source, Points points, const Op
     if(is_met[v])
     {
       result.is_constrained[v] = true;
-      ++result.number_inside;
+      result.inside.push_back(v);
     }
   return result;
 }
@@ -141,6 +141,13 @@ inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization
   for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
     result.is_constrained[v] = false; // it may slide
   return result;
+}
+
+// Counts the targets inside that a map meets of those it is to meet.
+inline std::size_t number_of_met_targets(const Target_points& target, const Points& images)
+{
+  return static_cast<std::size_t>(std::count_if(target.inside.begin(), target.inside.end(), [&](const std::size_t v)
+  { return target.points[v] == images[v]; }));
 }
 
 // Counts the targets that a map meets nowhere: those inside that are not asked for, if it meets the boundary.

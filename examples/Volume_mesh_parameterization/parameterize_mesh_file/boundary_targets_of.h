@@ -1,21 +1,17 @@
-// Targets of the boundary of a mesh: read from a file, or on a domain with a name.
+// Targets of the boundary of a mesh on a domain with a name.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 
 #include "Progress_line.h"
 #include "find_name.h"
-#include "match_surface.h"
-#include "read_source.h"
+#include "targets_of_file.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
 
 #include <array>
 #include <cmath>
@@ -116,82 +112,6 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     {"polycube", polycube_parameterizer(polycube, do_refine)}});
 }
 
-// Reads the triangles of a surface.
-inline Points targets_of_surface_file(const std::string& filename,
-                                      const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
-{
-  using CGAL::Volume_mesh_parameterization::Input_error;
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> read_points;
-  std::vector<std::vector<std::size_t> > polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, read_points, polygons))
-    throw Input_error("the surface cannot be read");
-  Points points;
-  for(const auto& p : read_points)
-    points.push_back({ p.x(), p.y(), p.z() });
-  Triangles triangles;
-  for(const std::vector<std::size_t>& polygon : polygons)
-  {
-    if(polygon.size() != 3)
-      throw Input_error("the surface has a face with " + std::to_string(polygon.size()) + " vertices");
-    triangles.push_back({ polygon[0], polygon[1], polygon[2] });
-  }
-  return targets_of_surface(points, triangles, mesh);
-}
-
-// Reads a file *.mesh, which may be a surface if it is MEDIT's as text.
-inline Points targets_of_MEDIT_file(const std::string& filename,
-                                    const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
-{
-  namespace internal = CGAL::Volume_mesh_parameterization::internal;
-  Points targets;
-  const bool is_read = internal::read_within_limits(
-    CGAL::parameters::visitor(std::ref(progress)), filename, [&](const internal::Budget& budget)
-  {
-    const std::string text = internal::read_file(filename, budget);
-    const bool is_text = !internal::Binary_MEDIT_reader::is_binary(text) && !internal::VTK_arrays::is_VTU(text);
-    auto target = is_text
-      ? internal::MEDIT_reader(internal::single_process(), internal::Text_scanner(text, budget), false).read(true)
-      : internal::read_soup(text, budget);
-    targets = target.cells.empty() ? targets_of_surface(target.points, target.facets, mesh)
-                                   : internal::targets_of_mesh(std::move(target), mesh);
-  });
-  if(!is_read)
-    throw Interruption();
-  return targets;
-}
-
-// Reads the target of each point of the mesh; not numbers for points without one.
-inline Points targets_of_file(const std::string& filename,
-                              const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, Progress_line& progress)
-{
-  namespace VMP = CGAL::Volume_mesh_parameterization;
-  if(format_of(filename) == Mesh_format::GMSH || format_of(filename) == Mesh_format::VTK)
-  {
-    VMP::Tetrahedron_soup_3 target = read_mesh(filename, progress);
-    return naming(filename, [&] { return VMP::internal::targets_of_mesh(std::move(target), mesh); });
-  }
-  if(format_of(filename) == Mesh_format::SURFACE)
-    return naming(filename, [&] { return targets_of_surface_file(filename, mesh); });
-  if(extension_of(filename) == ".mesh")
-    return targets_of_MEDIT_file(filename, mesh, progress);
-  Points targets;
-  if(!VMP::IO::read_boundary_targets(filename, mesh, targets, CGAL::parameters::visitor(std::ref(progress))))
-    throw Interruption();
-  return targets;
-}
-
-// The library names a boundary vertex without a target by its place; with a file, it has a number.
-inline void name_missing_target(const std::string& filename,
-                                const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, const Points& targets)
-{
-  namespace VMP = CGAL::Volume_mesh_parameterization;
-  for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
-    if(std::isnan(targets[v][0]))
-      throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
-                             + " (counted from 0) is on the boundary of the source, but has no target; if others stay where "
-                             "they are, --others stay tells this");
-}
-
 // None if the name of the file is empty.
 inline Landmarks landmarks_of_file(const std::string& filename,
                                    const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
@@ -200,11 +120,31 @@ inline Landmarks landmarks_of_file(const std::string& filename,
   Landmarks landmarks;
   if(filename.empty())
     return landmarks;
-  const Points points = targets_of_file(filename, mesh, progress);
+  const Points points = targets_of_file(filename, mesh, progress).points;
   for(std::size_t v = 0; v < points.size(); ++v)
     if(!std::isnan(points[v][0]))
       landmarks.emplace_back(v, points[v]);
   return landmarks;
+}
+
+// Returns the place where the boundary is no manifold, and the remedy: copies of vertices, unless facets join all cells around
+// each vertex.
+inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 mesh)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
+  if(vertices.empty())
+    return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY);
+  const std::string first = std::to_string(vertices.front()), sentence = "It is no manifold at " + std::to_string(vertices.size())
+    + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ") + first + " (counted from 0).";
+  if(!VMP::separate_pinched_vertices(mesh).empty())
+    return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY) + (" " + sentence)
+      + " Where only vertices or edges join cells there, --separate parts them.";
+  const std::string location = vertices.size() != 2 ? "vertex " + first
+    : "the edge between the vertices " + first + " and " + std::to_string(vertices[1]);
+  return sentence + " Gaps between cells touch each other there. Facets join all cells around each of these vertices; therefore, "
+    "--separate parts nothing. Close a gap by cells at " + location + ", or remove the cells between the gaps. In a labeled "
+    "image, change the label of a voxel there.";
 }
 
 inline Points targets_on_domain(const std::string& domain, const Polycube& polycube, const bool do_refine,
@@ -219,15 +159,8 @@ inline Points targets_on_domain(const std::string& domain, const Polycube& polyc
   if(status == VMP::ERROR_INTERRUPTED)
     throw Interruption();
 
-  std::string message = VMP::get_error_message(status);
-  std::vector<std::size_t> vertices;
-  if(status == VMP::ERROR_NON_MANIFOLD_BOUNDARY)
-    vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
-  if(!vertices.empty())
-    message += " It is no manifold at " + std::to_string(vertices.size())
-      + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ")
-      + std::to_string(vertices.front())
-      + " (counted from 0). Where only vertices or edges join cells there, --separate parts them.";
+  const std::string message = status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh)
+                                                                         : VMP::get_error_message(status);
   throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
 }
 

@@ -113,7 +113,7 @@ inline Result parameterize(VMP::Tetrahedron_soup_3& mesh, const Target_points& t
   if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !refinement.do_refine
      && result.message.find("No refinement helps") == std::string::npos)
     result.message += " With --refine, such cells are split.";
-  if(!result.has_valid_map && target.number_inside > 0 && result.status != VMP::ERROR_INTERRUPTED)
+  if(!result.has_valid_map && !target.inside.empty() && result.status != VMP::ERROR_INTERRUPTED)
     result.message += " Targets of vertices inside are asked for, too; --inside free does without.";
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(progress.reason()) + (result.has_valid_map

@@ -1,189 +1,207 @@
-// Matches a surface with the boundary of a mesh, by their triangles alone.
+// Matches a surface with the boundary of a mesh, or a part of it, by their triangles.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MATCH_SURFACE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MATCH_SURFACE_H
 
-#include "mend_source.h"
+#include "Progress_line.h"
+#include "Triangulated_surface.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
-using Triangles = std::vector<std::array<std::size_t, 3> >;
-
-// Triangles with one orientation, and the third vertex of the one at each directed edge.
-class Triangulated_surface
+// Targets of vertices, and a note on the way in which the file is understood, if there are several.
+struct Read_targets
 {
-public:
-  using Edge = std::array<std::size_t, 2>;
-
-  explicit Triangulated_surface(const Triangles& triangles, const std::size_t number_of_vertices)
-    : m_triangles(triangles), m_degrees(number_of_vertices)
-  {
-    for(const auto& [u, v, w] : triangles)
-    {
-      m_third_vertices[{ u, v }] = w;
-      m_third_vertices[{ v, w }] = u;
-      m_third_vertices[{ w, u }] = v;
-      for(const std::size_t x : { u, v, w })
-        ++m_degrees[x];
-    }
-  }
-
-  // Tells whether each edge has a triangle on either side, as on a closed surface that does not touch itself in an edge.
-  bool is_closed() const
-  {
-    return m_third_vertices.size() == 3 * m_triangles.size()
-        && std::all_of(m_third_vertices.begin(), m_third_vertices.end(), [&](const auto& entry)
-           { return m_third_vertices.count({ entry.first[1], entry.first[0] }) > 0; });
-  }
-
-  const std::map<Edge, std::size_t>& third_vertices() const { return m_third_vertices; }
-  std::size_t number_of_triangles() const { return m_triangles.size(); }
-  Edge degrees(const Edge& edge) const { return { m_degrees[edge[0]], m_degrees[edge[1]] }; }
-
-  std::vector<std::size_t> vertices() const
-  {
-    std::vector<std::size_t> result;
-    for(std::size_t v = 0; v < m_degrees.size(); ++v)
-      if(m_degrees[v] > 0)
-        result.push_back(v);
-    return result;
-  }
-
-private:
-  const Triangles& m_triangles;
-  std::map<Edge, std::size_t> m_third_vertices;
-  std::vector<std::size_t> m_degrees;
+  Points points;
+  std::string note = {};
 };
 
-constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
-
-// Vertex of another surface for each vertex.
-using Matching = std::vector<std::size_t>;
-
-inline bool is_matching(const Triangulated_surface& a, const Triangulated_surface& b, const Matching& matching)
+// The way with the least displacement in which a part of a surface matches a boundary, and the displacement of the next one.
+struct Best_matching
 {
-  return a.number_of_triangles() == b.number_of_triangles()
-      && std::all_of(a.third_vertices().begin(), a.third_vertices().end(), [&](const auto& entry)
+  std::optional<Matching> matching = {};
+  double next_displacement = std::numeric_limits<double>::infinity();
+};
+
+// The boundary of a mesh with both orientations, and the triangles that parts of a surface have taken.
+struct Boundary_to_match
+{
+  const Points& points;
+  std::array<Triangulated_surface, 2> surfaces;
+  std::set<std::array<std::size_t, 3> > taken = {};
+
+  bool is_free(const Matching& matching) const
   {
-    const auto found = b.third_vertices().find({ matching[entry.first[0]], matching[entry.first[1]] });
-    return found != b.third_vertices().end() && found->second == matching[entry.second];
-  });
+    return std::none_of(matching.triangles.begin(), matching.triangles.end(), [&](const auto& triangle)
+                        { return taken.count(triangle) != 0; });
+  }
+};
+
+// Chooses an edge of a part whose numbers of triangles are rare, if possible one with triangles all around both ends.
+inline Triangulated_surface::Edge rare_edge(const Triangulated_surface& part)
+{
+  using Edge = Triangulated_surface::Edge;
+  std::map<std::pair<bool, Edge>, std::vector<Edge> > edges; // by whether an end is on a border, and the numbers of triangles
+  for(const auto& [edge, third] : part.third_vertices())
+    edges[{ !part.is_inner(edge[0]) || !part.is_inner(edge[1]), { part.degree(edge[0]), part.degree(edge[1]) } }].push_back(edge);
+  return std::min_element(edges.begin(), edges.end(), [](const auto& a, const auto& b)
+    { return std::make_pair(a.first.first, a.second.size()) < std::make_pair(b.first.first, b.second.size()); })->second.front();
 }
 
-// Continues from an edge of each surface over all triangles. Returns nothing where they differ.
-inline std::optional<Matching> matching_from(const Triangulated_surface& a, const Triangulated_surface& b,
-                                             const Triangulated_surface::Edge& first, const Triangulated_surface::Edge& image,
-                                             const std::size_t number_of_vertices)
+// Finds the best way by walks that begin at edges of the boundary, near ones first: few walks after those go far.
+inline Best_matching best_matching(const Triangulated_surface& part, const Points& points, const Boundary_to_match& boundary,
+                                   const Progress_line& progress)
 {
-  Matching matching(number_of_vertices, no_vertex);
-  matching[first[0]] = image[0];
-  matching[first[1]] = image[1];
-  std::vector<Triangulated_surface::Edge> edges = { first };
-  std::size_t number_of_triangles = 0;
-  std::map<Triangulated_surface::Edge, bool> is_done;
-  while(!edges.empty())
-  {
-    const auto [u, v] = edges.back();
-    edges.pop_back();
-    if(is_done[{ u, v }])
-      continue;
-    const std::size_t w = a.third_vertices().at({ u, v });
-    const auto found = b.third_vertices().find({ matching[u], matching[v] });
-    if(found == b.third_vertices().end() || (matching[w] != no_vertex && matching[w] != found->second))
-      return std::nullopt;
-    matching[w] = found->second;
-    ++number_of_triangles;
-    for(const Triangulated_surface::Edge& edge : { Triangulated_surface::Edge{ u, v }, { v, w }, { w, u } })
+  using Edge = Triangulated_surface::Edge;
+  const Edge first = rare_edge(part);
+  std::vector<std::pair<double, std::pair<std::size_t, Edge> > > starts; // displacements, orientations and edges
+  for(std::size_t o = 0; o < 2; ++o)
+    for(const auto& [edge, third] : boundary.surfaces[o].third_vertices())
     {
-      is_done[edge] = true;
-      edges.push_back({ edge[1], edge[0] });
+      double displacement = 0;
+      bool can_match = true;
+      for(std::size_t i = 0; i < 2; ++i)
+      {
+        const std::size_t degree = boundary.surfaces[o].degree(edge[i]), degree_in_part = part.degree(first[i]);
+        can_match = can_match && (part.is_inner(first[i]) ? degree == degree_in_part : degree > degree_in_part);
+        displacement += squared_distance(points[first[i]], boundary.points[edge[i]]);
+      }
+      if(can_match)
+        starts.push_back({ displacement, { o, edge } });
+    }
+  std::sort(starts.begin(), starts.end());
+
+  Best_matching best;
+  for(const auto& [displacement, start] : starts)
+  {
+    if(!progress.goes_on())
+      throw Interruption();
+    auto matching = matching_from(part, boundary.surfaces[start.first], first, start.second, points, boundary.points,
+                                  best.next_displacement);
+    if(!matching || !boundary.is_free(*matching))
+      continue;
+    if(best.matching && best.matching->displacement <= matching->displacement)
+    {
+      best.next_displacement = matching->displacement; // which is the bound of the walk
+      continue;
+    }
+    if(best.matching)
+      best.next_displacement = best.matching->displacement;
+    best.matching = std::move(matching);
+  }
+  return best;
+}
+
+// Finds the vertices of the boundary by triangles alone, for one part of the surface after the other: first the one with the least
+// displacement.
+inline Read_targets targets_by_triangles(const Points& points, const Triangles& triangles, Boundary_to_match& boundary,
+                                         const Progress_line& progress)
+{
+  using CGAL::Volume_mesh_parameterization::Input_error;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Read_targets result = { Points(boundary.points.size(), { nan, nan, nan }) };
+  std::vector<Triangulated_surface> parts;
+  for(const Triangles& part : components(triangles))
+    parts.emplace_back(part, points.size());
+  std::vector<Best_matching> matchings(parts.size());
+  std::vector<char> is_placed(parts.size(), false);
+  double displacement = 0, least_increase = std::numeric_limits<double>::infinity();
+  std::size_t number_of_vertices = 0;
+  for(std::size_t k = 0; k < parts.size(); ++k)
+  {
+    const Best_matching* best = nullptr;
+    for(std::size_t i = 0; i < parts.size(); ++i)
+    {
+      if(is_placed[i])
+        continue;
+      if(!matchings[i].matching || !boundary.is_free(*matchings[i].matching))
+        matchings[i] = best_matching(parts[i], points, boundary, progress);
+      if(!matchings[i].matching)
+        throw Input_error("the surface has " + std::to_string(parts[i].number_of_triangles()) + " triangles that match no part of "
+                          "the boundary of the source, which has " + std::to_string(boundary.surfaces[0].number_of_triangles())
+                          + " triangles");
+      if(best == nullptr || matchings[i].matching->displacement < best->matching->displacement)
+        best = &matchings[i];
+    }
+    is_placed[static_cast<std::size_t>(best - matchings.data())] = true;
+    displacement += best->matching->displacement;
+    number_of_vertices += best->matching->vertices.size();
+    least_increase = (std::min)(least_increase, best->next_displacement - best->matching->displacement);
+    boundary.taken.insert(best->matching->triangles.begin(), best->matching->triangles.end());
+    for(const auto& [v, w] : best->matching->vertices)
+    {
+      if(!std::isnan(result.points[w][0]) && result.points[w] != points[v])
+        throw Input_error("two parts of the surface have different points for the vertex " + std::to_string(w)
+                          + " (counted from 0) of the source");
+      result.points[w] = points[v];
     }
   }
-  if(number_of_triangles < a.number_of_triangles() || !is_matching(a, b, matching))
-    return std::nullopt;
-  return matching;
-}
-
-// Finds the ways, at most two, in which triangles match. They begin at an edge whose numbers of triangles are rare.
-inline std::vector<Matching> matchings(const Triangulated_surface& a, const Triangulated_surface& b,
-                                       const std::size_t number_of_vertices)
-{
-  std::map<Triangulated_surface::Edge, std::vector<Triangulated_surface::Edge> > edges_of_degrees;
-  for(const auto& [edge, third] : a.third_vertices())
-    edges_of_degrees[a.degrees(edge)].push_back(edge);
-  const auto& rarest = *std::min_element(edges_of_degrees.begin(), edges_of_degrees.end(), [](const auto& x, const auto& y)
-                                         { return x.second.size() < y.second.size(); });
-  std::vector<Matching> result;
-  for(const auto& [edge, third] : b.third_vertices())
-    if(result.size() < 2 && b.degrees(edge) == rarest.first)
-      if(auto matching = matching_from(a, b, rarest.second.front(), edge, number_of_vertices))
-        result.push_back(std::move(*matching));
+  constexpr double relative_difference = 1e-9; // of ways that differ by rounding alone
+  const auto mean = [&](const double sum)
+  { return CGAL::Volume_mesh_parameterization::internal::sentence(std::sqrt(sum / static_cast<double>(number_of_vertices))); };
+  if(least_increase <= relative_difference * displacement)
+    throw Input_error("the triangles of the surface match the boundary of the source in several ways with the least displacement; "
+                      "write it with the vertices in the order of the source");
+  if(std::isfinite(least_increase))
+    result.note = "the triangles match the boundary of the source in several ways; the one with the least displacement is used: "
+      + mean(displacement) + " in the quadratic mean, and " + mean(displacement + least_increase) + " for the next one";
   return result;
 }
 
-inline Triangles reversed(Triangles triangles)
+// Finds the point of a surface for each vertex on the boundary of a mesh, or on a part of it, and none for the others. The
+// vertices of the surface are those of the mesh, or those of the boundary in the order of the mesh; or triangles identify them.
+inline Read_targets targets_of_surface(const Points& points, const Triangles& triangles,
+                                       const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+                                       const Progress_line& progress)
 {
-  for(auto& triangle : triangles)
-    std::swap(triangle[1], triangle[2]);
-  return triangles;
-}
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const Triangles facets = VMP::internal::boundary_facets_3(mesh.cells);
+  std::set<std::array<std::size_t, 3> > set_of_facets;
+  for(const auto& facet : facets)
+    set_of_facets.insert(VMP::internal::sorted(facet));
+  Boundary_to_match boundary = { mesh.points, { Triangulated_surface(facets, mesh.points.size()),
+                                                Triangulated_surface(reversed(facets), mesh.points.size()) } };
+  const Triangulated_surface surface(triangles, points.size());
+  const std::vector<std::size_t> vertices = surface.vertices(), boundary_vertices = boundary.surfaces[0].vertices();
+  const bool is_whole = triangles.size() == facets.size() && vertices.size() == boundary_vertices.size();
 
-// Finds the point of a surface for each vertex on the boundary of a mesh, and none for the others. The vertices of the surface
-// are those of the mesh, or those of the boundary in the order of the mesh; or, where the triangles fit together in one way
-// only, in any order.
-inline Points targets_of_surface(const Points& points, const Triangles& triangles,
-                                 const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
-{
-  using CGAL::Volume_mesh_parameterization::Input_error;
-  const Triangles facets = CGAL::Volume_mesh_parameterization::internal::boundary_facets_3(mesh.cells);
-  if(facets.size() != triangles.size())
-    throw Input_error("the surface has " + std::to_string(triangles.size()) + " triangles and the boundary of the source has "
-                      + std::to_string(facets.size()));
-  const Triangulated_surface boundary(facets, mesh.points.size());
-  const Triangles turned = reversed(triangles);
-  const Triangulated_surface surfaces[] = { Triangulated_surface(triangles, points.size()),
-                                            Triangulated_surface(turned, points.size()) };
-  const std::vector<std::size_t> boundary_vertices = boundary.vertices(), vertices = surfaces[0].vertices();
-
-  const auto targets = [&](const Matching& matching)
-  {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    Points result(mesh.points.size(), { nan, nan, nan });
-    for(const std::size_t v : boundary_vertices)
-      result[v] = points[matching[v]];
-    return result;
-  };
-  Matching same(mesh.points.size()), in_order(mesh.points.size(), no_vertex);
+  std::vector<std::size_t> same(points.size()), in_order(points.size(), no_vertex);
   std::iota(same.begin(), same.end(), std::size_t(0));
-  if(boundary_vertices.size() == vertices.size())
-    for(std::size_t i = 0; i < vertices.size(); ++i)
-      in_order[boundary_vertices[i]] = vertices[i];
-  for(const Triangulated_surface& surface : surfaces)
-    for(const Matching& matching : { same, in_order })
-      if(is_matching(boundary, surface, matching))
-        return targets(matching);
-  if(boundary_vertices.size() == vertices.size() && boundary.is_closed() && surfaces[0].is_closed())
-    for(const Triangulated_surface& surface : surfaces)
+  for(std::size_t i = 0; i < vertices.size() && is_whole; ++i)
+    in_order[vertices[i]] = boundary_vertices[i];
+  const auto are_facets = [&](const std::vector<std::size_t>& vertex)
+  {
+    return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t)
+    { return set_of_facets.count(VMP::internal::sorted(std::array{ vertex[t[0]], vertex[t[1]], vertex[t[2]] })) != 0; });
+  };
+  for(const auto& [vertex, can_be] : { std::make_pair(same, is_whole || points.size() == mesh.points.size()),
+                                       std::make_pair(in_order, is_whole) })
+    if(can_be && are_facets(vertex))
     {
-      const std::vector<Matching> all = matchings(boundary, surface, mesh.points.size());
-      if(all.size() == 1)
-        return targets(all.front());
-      if(all.size() > 1)
-        throw Input_error("the triangles of the surface are those of the boundary of the source in several ways; write it with "
-                          "the vertices in the order of the source");
+      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+      Read_targets result = { Points(mesh.points.size(), { nan, nan, nan }) };
+      for(const std::size_t v : vertices)
+        result.points[vertex[v]] = points[v];
+      return result;
     }
-  throw Input_error("the triangles of the surface join other vertices than those of the boundary of the source");
+  if(triangles.empty() || !surface.is_oriented() || !boundary.surfaces[0].is_oriented())
+    throw VMP::Input_error("the triangles of the surface do not identify the vertices of the source, because they are no oriented "
+                           "manifold; write the surface with the vertices in the order of the source");
+  return targets_by_triangles(points, triangles, boundary, progress);
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MATCH_SURFACE_H

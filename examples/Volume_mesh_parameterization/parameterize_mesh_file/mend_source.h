@@ -4,6 +4,7 @@
 
 #include "Command_line.h"
 #include "Named_choices.h"
+#include "merge_repeated_cells.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
@@ -22,7 +23,7 @@
 
 using Points = std::vector<std::array<double, 3> >;
 
-// Mesh of a file, in its order, with positive cells.
+// Mesh of a file, with positive cells, each once.
 struct Source
 {
   CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
@@ -30,11 +31,10 @@ struct Source
   std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {};
   std::vector<std::size_t> first_points = {}; // for each point the one with the same coordinates that has its cells now; or empty
   std::vector<std::size_t> origins = {};      // origin of each point that was appended
-  bool is_turned = false;                     // whether the cells are negative in the file, and in files that are written
   std::size_t number_of_coinciding_points = 0; // coinciding points on the boundary
   std::size_t number_of_merged_points = 0;
   std::size_t number_of_tangled_cells = 0; // cells that are inverted or flat
-  std::size_t number_of_turned_cells = 0; // cells turned alone, not all together
+  std::size_t number_of_turned_cells = 0;
   std::vector<std::string> notes = {};
 
   // Returns the mesh that other files refer to, with the vertices and cells of its file.
@@ -57,25 +57,15 @@ struct Source
     for(std::size_t v = 0; v < first_points.size(); ++v)
       images[v] = images[first_points[v]];
   }
-
-  // Returns the mesh with the orientation that cells have in the file.
-  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 oriented_as_in_file() const
-  {
-    auto result = soup;
-    for(std::array<std::size_t, 4>& cell : result.cells)
-      if(is_turned)
-        std::swap(cell[2], cell[3]);
-    return result;
-  }
 };
 
-// Returns the points that have the place of one before them.
-inline std::vector<std::size_t> repeated_points(const std::vector<std::size_t>& first_points)
+// Returns the points or cells that equal one before them.
+inline std::vector<std::size_t> repeated(const std::vector<std::size_t>& first)
 {
   std::vector<std::size_t> result;
-  for(std::size_t v = 0; v < first_points.size(); ++v)
-    if(first_points[v] != v)
-      result.push_back(v);
+  for(std::size_t i = 0; i < first.size(); ++i)
+    if(first[i] != i)
+      result.push_back(i);
   return result;
 }
 
@@ -84,57 +74,58 @@ inline void merge_points(Source& source)
   namespace VMP = CGAL::Volume_mesh_parameterization;
   source.unmended = source.soup;
   source.first_points = VMP::merge_coinciding_points(source.soup);
-  source.number_of_merged_points = repeated_points(source.first_points).size();
+  source.number_of_merged_points = repeated(source.first_points).size();
   source.notes.push_back(std::to_string(source.number_of_merged_points)
                          + " points have the place of another one, and are merged with it");
 }
 
-// Turns all cells if their volumes have a negative sum, and counts those that are inverted or flat then.
-inline void turn_tangled_cells(Source& source)
-{
-  double volume = 0;
-  for(std::size_t c = 0; c < source.soup.cells.size(); ++c)
-  {
-    const auto [p, q, r, s] = CGAL::Volume_mesh_parameterization::internal::cell_points(source.soup, c);
-    volume += CGAL::volume(p, q, r, s);
-  }
-  source.is_turned = volume < 0;
-  source.soup = source.oriented_as_in_file();
-  for(std::size_t c = 0; c < source.soup.cells.size(); ++c)
-  {
-    const auto [p, q, r, s] = CGAL::Volume_mesh_parameterization::internal::cell_points(source.soup, c);
-    source.number_of_tangled_cells += CGAL::orientation(p, q, r, s) != CGAL::POSITIVE;
-  }
-}
-
-// Advises where cells are inverted or flat, behind the reason.
+// Advice for cells that are inverted or flat, behind the reason.
 const std::string advice_to_improve = "--improve -o FILE moves vertices inside such that no cell is inverted or flat, and with "
   "--refine also splits cells whose vertices are all on the boundary";
 
-// Orients the cells. A cell that is turned alone stays so; if all are turned, files are written with the orientation of the
-// file.
+inline void note_turned_cells(Source& source)
+{
+  const std::size_t n = source.number_of_turned_cells, all = source.soup.cells.size();
+  if(n == 0)
+    return;
+  source.notes.push_back(n == all ? "all " + std::to_string(n) + " cells are negative, and are turned: the written files have "
+                                    "positive cells"
+                                  : std::to_string(n) + " of " + std::to_string(all) + " cells were reversed, and are turned");
+}
+
+inline std::size_t number_of_tangled_cells(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  std::size_t result = 0;
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+  {
+    const auto [p, q, r, s] = CGAL::Volume_mesh_parameterization::internal::cell_points(soup, c);
+    result += CGAL::orientation(p, q, r, s) != CGAL::POSITIVE;
+  }
+  return result;
+}
+
+// Turns reversed cells. Those that are flat or inverted then are counted, or refused.
 inline void turn_cells(Source& source, const bool may_be_tangled)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  VMP::internal::check_points(source.soup);
-  VMP::internal::check_simplices(source.soup);
-  std::size_t number;
   try
   {
-    number = VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
+    source.number_of_turned_cells = VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
   }
+  catch(const VMP::Input_error&)
+  {
+    source.number_of_turned_cells = VMP::internal::orient_by_facets(source.soup);
+    source.number_of_tangled_cells = number_of_tangled_cells(source.soup);
+  }
+  note_turned_cells(source);
+  if(source.number_of_tangled_cells == 0 || may_be_tangled)
+    return;
+  try { VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup); }
   catch(const VMP::Input_error& error)
   {
-    if(!may_be_tangled)
-      throw VMP::Input_error(error.what() + ("; " + advice_to_improve));
-    turn_tangled_cells(source);
-    return;
+    throw VMP::Input_error((source.number_of_turned_cells == 0 ? "" : source.notes.back() + "; ") + error.what() + "; "
+                           + advice_to_improve);
   }
-  source.is_turned = number > 0 && number == source.soup.cells.size();
-  source.number_of_turned_cells = source.is_turned ? 0 : number;
-  if(source.number_of_turned_cells > 0)
-    source.notes.push_back(std::to_string(number) + " of " + std::to_string(source.soup.cells.size())
-                           + " cells were reversed, and are turned");
 }
 
 inline void separate(Source& source)
@@ -142,8 +133,20 @@ inline void separate(Source& source)
   if(!source.unmended)
     source.unmended = source.soup;
   source.origins = CGAL::Volume_mesh_parameterization::separate_pinched_vertices(source.soup);
-  source.notes.push_back(std::to_string(source.origins.size())
-                         + " vertices are added where the body touches itself, so that it does no more");
+  source.notes.push_back(source.origins.empty() ? "there are no parts to separate: facets join the cells around each vertex"
+    : std::to_string(source.origins.size()) + " vertices are added to separate parts of the body");
+}
+
+// Leaves out cells with the vertices of one before them. Numbers of cells in messages do not count them.
+inline void merge_cells(Source& source)
+{
+  constexpr bool is_parallel = CGAL::Volume_mesh_parameterization::internal::is_parallel<Concurrency_tag>();
+  const std::vector<std::size_t> first = first_equal_cells(source.soup.cells, is_parallel);
+  if(repeated(first).empty())
+    return;
+  if(!source.unmended)
+    source.unmended = source.soup;
+  source.notes.push_back(merge_repeated_cells(first, source.soup));
 }
 
 // Counts boundary vertices with the same coordinates: perhaps the body should be one there. Facets are matched only where any
@@ -151,17 +154,17 @@ inline void separate(Source& source)
 inline void count_coinciding_points(Source& source)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  if(repeated_points(VMP::first_coinciding_points(source.soup.points)).empty())
+  if(repeated(VMP::first_coinciding_points(source.soup.points)).empty())
     return;
   const std::vector<std::size_t> vertices = VMP::boundary_vertices(source.soup.points, source.soup.cells);
   Points points;
   for(const std::size_t v : vertices)
     points.push_back(source.soup.points[v]);
-  const std::vector<std::size_t> first = VMP::first_coinciding_points(points), repeated = repeated_points(first);
-  source.number_of_coinciding_points = repeated.size();
-  if(!repeated.empty())
-    source.notes.push_back(std::to_string(repeated.size()) + " vertices of the boundary have the place of another one, as vertex "
-      + std::to_string(vertices[repeated.back()]) + " has that of vertex " + std::to_string(vertices[first[repeated.back()]])
+  const std::vector<std::size_t> first = VMP::first_coinciding_points(points), others = repeated(first);
+  source.number_of_coinciding_points = others.size();
+  if(!others.empty())
+    source.notes.push_back(std::to_string(others.size()) + " vertices of the boundary have the place of another one, as vertex "
+      + std::to_string(vertices[others.back()]) + " has that of vertex " + std::to_string(vertices[first[others.back()]])
       + " (counted from 0): the body is torn there, unless --merge-points joins it");
 }
 
@@ -169,8 +172,11 @@ inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup
 {
   Source source = { std::move(soup) };
   source.notes = source.soup.notes;
+  CGAL::Volume_mesh_parameterization::internal::check_points(source.soup);
+  CGAL::Volume_mesh_parameterization::internal::check_simplices(source.soup);
   if(options.do_merge_points)
     merge_points(source);
+  merge_cells(source);
   turn_cells(source, options.do_improve);
   if(options.do_separate)
     separate(source);

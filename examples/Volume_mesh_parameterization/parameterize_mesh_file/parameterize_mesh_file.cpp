@@ -100,12 +100,12 @@ void write_files(const Options& options, const Source& source, const Points& uvw
   {
     if(!options.output.empty())
     {
-      write_map(options.output, source.oriented_as_in_file(), uvw, options.do_improve, progress);
+      write_map(options.output, source.soup, uvw, options.do_improve, progress);
       outcome.files.push_back(options.output);
     }
     if(!options.refined_source.empty())
     {
-      write_mesh(options.refined_source, source.oriented_as_in_file(), progress);
+      write_mesh(options.refined_source, source.soup, progress);
       outcome.files.push_back(options.refined_source);
     }
     if(!options.hexahedra.empty())
@@ -137,15 +137,25 @@ Outcome run(const Options& options, Progress_line& progress)
   Source source = read_source(options, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;
   progress.show("");
-  if(!options.is_quiet)
-    for(const std::string& note : source.notes)
-      std::cerr << "note: " << options.source << ": " << note << std::endl;
+  const auto print_note = [&](const std::string& name, const std::string& note)
+  {
+    if(options.is_quiet || note.empty())
+      return;
+    progress.show("");
+    std::cerr << "note: " << name << ": " << note << std::endl;
+  };
+  for(const std::string& note : source.notes)
+    print_note(options.source, note);
 
   const bool has_file = !options.target.empty();
   if(has_file)
     progress.begin("reading " + options.target);
   const auto read_points = [&](const std::string& name)
-  { return source.carried(targets_of_file(name, source.in_file(), progress)); };
+  {
+    const Read_targets targets = targets_of_file(name, source.in_file(), progress);
+    print_note(name, targets.note);
+    return source.carried(targets.points);
+  };
   Target_points target;
   if(has_file)
   {
@@ -173,9 +183,10 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.number_of_turned_cells = source.number_of_turned_cells;
   outcome.number_of_tangled_cells = source.number_of_tangled_cells;
   outcome.number_of_separated_vertices = source.origins.size();
-  outcome.number_of_targets_inside = target.number_inside;
   if(!result.has_valid_map)
     return outcome;
+  outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
+  outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
   if(has_file && outcome.exit_code == SUCCESS && !options.do_slide && named_others(options.others) != Others::SLIDE)
     outcome.number_of_free_targets = number_of_free_targets(target, mapped.uvw);
   source.complete_images(mapped.uvw);
@@ -205,6 +216,8 @@ Outcome run_and_catch(const Options& options, Progress_line& progress)
   catch(const Boundary_error& error)
   {
     result.message = error.what();
+    if(error.status == VMP::ERROR_BOUNDARY_TOO_COARSE)
+      result.message += advice_to_refine(options.source);
     return { BAD_INPUT, error_code_name(error.status), result };
   }
   catch(const std::exception& error)
@@ -240,6 +253,8 @@ int main(int argc, char* argv[])
         std::cout << outcome.number_of_tangled_cells << " cells were inverted or flat\n";
       if(outcome.number_of_targets_inside > 0)
         std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
+      if(outcome.number_of_missed_targets > 0)
+        std::cout << outcome.number_of_missed_targets << " targets of vertices inside are missed\n";
       if(outcome.number_of_free_targets > 0)
         std::cout << outcome.number_of_free_targets
                   << " targets of vertices inside are not asked for; --inside met asks for them\n";

@@ -5,6 +5,7 @@
 #include "Progress_line.h"
 #include "mend_source.h"
 #include "read_features.h"
+#include "regions_of_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
@@ -56,9 +57,13 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
 inline Source read_source(const Options& options, Progress_line& progress)
 {
   auto soup = read_mesh(options.source, progress);
+  if(!options.regions.empty())
+    naming(options.source, [&] { take_regions(options.regions, soup); });
   if(!options.features.empty())
     naming(options.features, [&] { mark_features(options.features, soup); });
   Source source = naming(options.source, [&] { return mended_source(std::move(soup), options); });
+  for(std::string& note : notes_of_unused_regions(source.soup))
+    source.notes.push_back(std::move(note));
   if(options.domain == "polycube" || !options.hexahedra.empty())
     if(const std::string note = note_of_unmarked_edges(source.soup); !note.empty())
       source.notes.push_back(note);

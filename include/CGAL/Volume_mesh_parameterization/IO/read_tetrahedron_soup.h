@@ -33,8 +33,12 @@ namespace IO {
 ///
 /// Of a VTK file, triangles become marked facets and lines marked edges, other cells of lower dimension are skipped, and
 /// volume elements other than tetrahedra are an error. Of cells of a higher order the corners are read. References are
-/// the cell data `reference`, `medit:ref`, `gmsh:physical`, `material`, `attribute`, `mat_id` or `MaterialIDs`, the first of
-/// these that are integers, else 0. Arrays of the section `FieldData` with two integers, a reference and a dimension from 1
+/// the cell data `reference`, `medit:ref`, `gmsh:physical`, `material`, `attribute`, `mat_id`, `MaterialIDs`, `su2:tag`,
+/// `tetgen:ref`, `nastran:ref`, `netgen:index`, `avsucd:material`, `ugrid:ref`, `cell_tags`, `ModelRegionID`, `RegionId`,
+/// `CellEntityIds`, `elemTag`, `elset`, `block_id`, `region`, `subdomain`, `label`, `grain_id`, `part_id` or `gmsh:geometrical`,
+/// the first of these that are integers: capitals and signs between letters do not count, and `material_id`, `regions`,
+/// `subdomains` and `labels` are known, too. Otherwise, they are the sets that meshio has joined to one array, numbered from 1
+/// on and with their names; or else 0. Arrays of the section `FieldData` with two integers, a reference and a dimension from 1
 /// to 3, are names of groups.
 ///
 /// \param filename the name of the file, which may be a pipe

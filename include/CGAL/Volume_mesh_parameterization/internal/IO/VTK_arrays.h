@@ -47,13 +47,15 @@ inline std::string decoded_base64(const std::string_view text, const std::size_t
   return result;
 }
 
-// The arrays of a VTK XML file of the type `UnstructuredGrid` (VTK User's Guide, "VTK XML Formats") in one piece, by the name
+// The arrays of a VTK XML file of a type (VTK User's Guide, "VTK XML Formats") in one piece, by the name
 // of their section and their own, as `CellData/reference`: as text, or binary, compressed or not, in their place or
 // appended. Tags are read one after the other, without a tree.
 class VTK_arrays
 {
 public:
-  VTK_arrays(const std::string_view text, const Budget& budget) : m_text(text), m_budget(budget) { find_arrays(); }
+  VTK_arrays(const std::string_view text, const Budget& budget, const std::string& type = "UnstructuredGrid")
+    : m_text(text), m_budget(budget)
+  { find_arrays(type); }
 
   static bool is_VTU(const std::string_view text)
   { return text.substr(0, 5) == "<?xml" || text.substr(0, 8) == "<VTKFile"; }
@@ -147,6 +149,13 @@ private:
       && (tag.size() == name.size() || std::strchr(" \t\r\n/", tag[name.size()]) != nullptr);
   }
 
+  static bool is_section(const std::string_view tag)
+  {
+    const char* const sections[]
+      = { "Points", "Cells", "CellData", "PointData", "FieldData", "Verts", "Lines", "Strips", "Polys" };
+    return std::any_of(std::begin(sections), std::end(sections), [&](const char* const name) { return begins(tag, name); });
+  }
+
   // A value of an attribute may have the sign that ends a tag.
   std::size_t end_of_tag(const std::size_t begin) const
   {
@@ -163,7 +172,7 @@ private:
     return end;
   }
 
-  void find_arrays()
+  void find_arrays(const std::string& type)
   {
     std::string section;
     std::size_t number_of_pieces = 0;
@@ -177,8 +186,7 @@ private:
         m_header = tag;
       else if(begins(tag, "Piece") && ++number_of_pieces > 1)
         throw Input_error("the mesh has several pieces; merge them into one");
-      else if(begins(tag, "Points") || begins(tag, "Cells") || begins(tag, "CellData") || begins(tag, "PointData")
-              || begins(tag, "FieldData"))
+      else if(is_section(tag))
         section = std::string(tag.substr(0, tag.find_first_of(" \t\r\n/")));
       else if(begins(tag, "DataArray"))
         m_arrays[section == "Points" ? section : section + "/" + without_entities(attribute(tag, "Name"))]
@@ -190,8 +198,8 @@ private:
         break;
       }
     }
-    if(attribute(m_header, "type") != "UnstructuredGrid")
-      throw Input_error("this is not a VTK XML file of the type UnstructuredGrid");
+    if(attribute(m_header, "type") != type)
+      throw Input_error("this is not a VTK XML file of the type " + type);
   }
 
   // The bytes of an array, without their number or, if they are compressed, the sizes of blocks in front of them.

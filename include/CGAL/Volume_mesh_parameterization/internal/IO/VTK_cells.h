@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
 
 #include <algorithm>
@@ -23,13 +24,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class VTK_cells_reader
 {
 public:
-  VTK_cells_reader(Tetrahedron_soup_3& soup, std::vector<Data_array_3> data) : m_soup(soup), m_data(std::move(data))
+  VTK_cells_reader(Tetrahedron_soup_3& soup, std::vector<Data_array_3> data)
+    : m_soup(soup), m_data(std::move(data)), m_references(references_among(m_data))
   {
-    // the names that this package, meshio, MFEM, SfePy and OpenGeoSys use
-    for(const char* name : { "reference", "medit:ref", "gmsh:physical", "material", "attribute", "mat_id", "MaterialIDs" })
-      for(const Data_array_3& array : m_data)
-        if(m_references.empty() && array.name == name && array.number_of_components == 1 && array.has_integers)
-          m_references = array.values;
     m_data.erase(std::remove_if(m_data.begin(), m_data.end(), [](const auto& array) { return array.name == "reference"; }),
                  m_data.end());
     for(std::vector<Data_array_3>* const copies : { &soup.cell_data, &soup.facet_data, &soup.edge_data })
@@ -63,6 +60,7 @@ public:
                        "meshio convert FILE.vtu FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
     if(m_has_higher_order)
       remove_nodes_of_higher_order(m_soup);
+    name_sets();
   }
 
 private:
@@ -77,15 +75,37 @@ private:
     simplices.emplace_back();
     for(std::size_t i = 0; i < N; ++i)
       simplices.back()[i] = checked_vertex(vertices[i], 0, m_soup.points.size());
-    references.push_back(m_references.empty() ? 0 : checked_reference(static_cast<std::int64_t>(m_references[c])));
+    references.push_back(m_references.values.empty() ? 0 : checked_reference(static_cast<std::int64_t>(m_references.values[c])));
     for(std::size_t a = 0; a < m_data.size(); ++a)
       for(std::size_t i = 0, n = m_data[a].number_of_components; i < n; ++i)
         copies[a].values.push_back(m_data[a].values[c * n + i]);
   }
 
+  // Makes sets groups of the simplices that are in them.
+  void name_sets()
+  {
+    for(std::size_t i = 0; i < m_references.sets.size(); ++i)
+    {
+      bool is_empty = true;
+      const auto name_in = [&](const int dimension, const std::vector<int>& references)
+      {
+        if(std::count(references.begin(), references.end(), static_cast<int>(i + 1)) == 0)
+          return;
+        m_soup.group_names[{ dimension, static_cast<int>(i + 1) }] = m_references.sets[i];
+        is_empty = false;
+      };
+      name_in(3, m_soup.cell_references);
+      name_in(2, m_soup.facet_references);
+      name_in(1, m_soup.edge_references);
+      if(is_empty)
+        m_soup.notes.push_back("the set '" + m_references.sets[i] + "' has no cell in the file, because meshio keeps only the "
+                               "last set of a cell; remove the larger sets before the conversion");
+    }
+  }
+
   Tetrahedron_soup_3& m_soup;
   std::vector<Data_array_3> m_data;
-  std::vector<double> m_references;
+  VTK_references m_references;
   bool m_has_higher_order = false;
 };
 

@@ -108,6 +108,14 @@ inline bool has_negative_cells(const Tetrahedron_soup_3& soup, const bool is_par
   return first_negative != none;
 }
 
+// Do the vertices of a facet, as they turn around its cell, become sorted by an odd permutation? Where two cells meet, they turn
+// the other way round.
+inline bool is_odd_facet(const std::array<std::size_t, 3>& facet)
+{
+  const auto [u, v, w] = facet;
+  return ((u > v) != (v > w)) != (u > w);
+}
+
 // Finds the two sides of each facet of a soup of cells of equal orientation.
 // The number `4 * c + i` stands for the facet of cell `c` that is opposite to its vertex `i`.
 class Facet_matching_3
@@ -197,13 +205,7 @@ private:
     m_mirrors[g] = f;
   }
 
-  // Do the vertices of a facet, as they turn around its cell, become sorted by an odd permutation? Where two cells meet,
-  // they turn the other way round.
-  bool is_odd(const std::size_t facet) const
-  {
-    const auto [u, v, w] = facet_of_cell(m_soup.cells[facet / 4], facet % 4);
-    return ((u > v) != (v > w)) != (u > w);
-  }
+  bool is_odd(const std::size_t facet) const { return is_odd_facet(facet_of_cell(m_soup.cells[facet / 4], facet % 4)); }
 
   std::string cell_name(std::size_t facet) const
   { return "cell " + std::to_string(m_numbers.empty() ? facet / 4 : m_numbers[facet / 4]); }

@@ -1,0 +1,113 @@
+// Targets in a table of comma-separated values, as ParaView exports the points of a mesh.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CSV_TARGETS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CSV_TARGETS_H
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Returns the cells of a line, without blanks and quotes around them.
+inline std::vector<std::string> cells_of_line(const std::string_view line, const char separator)
+{
+  std::vector<std::string> result;
+  for(std::size_t begin = 0, end; begin <= line.size(); begin = end + 1)
+  {
+    end = (std::min)(line.find(separator, begin), line.size());
+    const std::string_view cell = line.substr(begin, end - begin), around = " \t\r\"";
+    const std::size_t first = (std::min)(cell.find_first_not_of(around), cell.size());
+    result.emplace_back(cell.substr(first, cell.find_last_not_of(around) + 1 - first));
+  }
+  return result;
+}
+
+// The columns of a table: the index of a vertex, or none if each vertex has a row, and its three coordinates.
+struct Columns_of_targets
+{
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::size_t index = none;
+  std::array<std::size_t, 3> coordinates = { none, none, none };
+};
+
+// Finds the columns by the names in the first line.
+inline Columns_of_targets columns_of_header(const std::vector<std::string>& header)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  std::vector<std::string> names;
+  for(const std::string& name : header)
+    names.push_back(VMP::internal::letters_of_name(name));
+  const auto column = [&](const std::string& name)
+  {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? Columns_of_targets::none : static_cast<std::size_t>(std::distance(names.begin(), found));
+  };
+  Columns_of_targets result;
+  // a selection has numbers of its own, and those of the mesh that it is from
+  for(const char* name : { "vtkoriginalpointids", "pointid", "pointids", "vertexindex", "vertexid", "vertex", "nodeid", "node",
+                           "index", "id" })
+    if(result.index == Columns_of_targets::none)
+      result.index = column(name);
+  for(const auto& coordinates : { std::array{ "points0", "points1", "points2" }, std::array{ "pointsx", "pointsy", "pointsz" },
+                                  std::array{ "x", "y", "z" } })
+  {
+    result.coordinates = { column(coordinates[0]), column(coordinates[1]), column(coordinates[2]) };
+    if(std::count(result.coordinates.begin(), result.coordinates.end(), Columns_of_targets::none) == 0)
+      return result;
+  }
+  throw VMP::Input_error("line 1: there are no columns 'Points:0', 'Points:1' and 'Points:2', or 'x', 'y' and 'z'");
+}
+
+// Reads a table. Without a line of names, its columns are the index of a vertex and three coordinates, or the coordinates alone.
+inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view text, const std::size_t number_of_vertices,
+                                                          const CGAL::Volume_mesh_parameterization::internal::Budget& budget)
+{
+  namespace internal = CGAL::Volume_mesh_parameterization::internal;
+  using internal::Text_scanner;
+  const std::string_view first_line = text.substr(0, text.find('\n'));
+  const char separator = first_line.find(',') != first_line.npos ? ',' : first_line.find(';') != first_line.npos ? ';' : '\t';
+  const std::vector<std::string> header = cells_of_line(first_line, separator);
+  const bool has_names = header[0].find_first_of("+-.0123456789") != 0;
+  const Columns_of_targets columns = has_names ? columns_of_header(header)
+    : header.size() == 3 ? Columns_of_targets{ Columns_of_targets::none, { 0, 1, 2 } } : Columns_of_targets{ 0, { 1, 2, 3 } };
+  std::vector<internal::Target_of_vertex> targets;
+  std::size_t number = 0;
+  for(std::size_t begin = 0, end; begin < text.size(); begin = end + 1)
+  {
+    internal::go_on(budget);
+    end = (std::min)(text.find('\n', begin), text.size());
+    const std::vector<std::string> cells = cells_of_line(text.substr(begin, end - begin), separator);
+    if((++number == 1 && has_names) || (cells.size() == 1 && cells[0].empty()))
+      continue;
+    const auto cell = [&](const std::size_t column) -> std::string
+    { return column < cells.size() ? cells[column] : ""; };
+    const auto coordinate = [&](const std::size_t i)
+    {
+      const std::string text_of_coordinate = cell(columns.coordinates[i]);
+      return Text_scanner(text_of_coordinate, budget, number).next_number<double>("a finite coordinate");
+    };
+    std::size_t v = targets.size();
+    if(columns.index != Columns_of_targets::none)
+    {
+      const std::string index = cell(columns.index);
+      v = Text_scanner(index, budget, number).next_number<std::size_t>("the index of a vertex");
+    }
+    if(v >= number_of_vertices)
+      Text_scanner::fail(number, "vertex " + std::to_string(v) + " does not exist, the mesh has "
+                                 + std::to_string(number_of_vertices) + " vertices, counted from 0");
+    targets.push_back({ v, number, { coordinate(0), coordinate(1), coordinate(2) } });
+  }
+  if(columns.index == Columns_of_targets::none && targets.size() != number_of_vertices)
+    throw CGAL::Volume_mesh_parameterization::Input_error(
+      "there is no column with the indices of vertices, such as 'Point ID', and there are " + std::to_string(targets.size())
+      + " rows for " + std::to_string(number_of_vertices) + " vertices");
+  return internal::points_of_vertices(targets, 0, number_of_vertices);
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CSV_TARGETS_H

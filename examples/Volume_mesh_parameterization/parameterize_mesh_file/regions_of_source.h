@@ -1,0 +1,61 @@
+// The option --regions: cell data as the subdomains of the source. Notes list data that could be subdomains, but are not used.
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REGIONS_OF_SOURCE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REGIONS_OF_SOURCE_H
+
+#include "shell_quoted.h"
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Makes cell data the references of the cells. Names of groups of cells belong to other references, and are removed.
+inline void take_regions(const std::string& name, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  const auto found = std::find_if(soup.cell_data.begin(), soup.cell_data.end(), [&](const auto& array)
+  { return array.name == name; });
+  if(found == soup.cell_data.end())
+  {
+    std::string names;
+    for(const VMP::Data_array_3& array : soup.cell_data)
+      names += (names.empty() ? "" : ", ") + array.name;
+    throw VMP::Input_error("there are no cell data '" + name + "' for --regions; " + (names.empty() ? "there are none at all"
+                                                                                                    : "there are " + names));
+  }
+  if(!VMP::internal::has_one_integer(*found))
+    throw VMP::Input_error("the cell data '" + name + "' for --regions are not one integer for each cell");
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    soup.cell_references[c] = static_cast<int>(found->values[c]);
+  soup.group_names.erase(soup.group_names.lower_bound({ 3, (std::numeric_limits<int>::min)() }), soup.group_names.end());
+}
+
+// Returns notes on cell data that divide the subdomains further, by integers with few values.
+inline std::vector<std::string> notes_of_unused_regions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  std::vector<std::string> result;
+  const std::set<int> references(soup.cell_references.begin(), soup.cell_references.end());
+  for(const CGAL::Volume_mesh_parameterization::Data_array_3& array : soup.cell_data)
+  {
+    if(!CGAL::Volume_mesh_parameterization::internal::has_one_integer(array))
+      continue;
+    const std::set<double> values(array.values.begin(), array.values.end());
+    std::set<std::pair<int, double> > parts;
+    for(std::size_t c = 0; c < soup.cells.size(); ++c)
+      parts.insert({ soup.cell_references[c], array.values[c] });
+    if(2 * values.size() <= soup.cells.size() && parts.size() > references.size()) // there are as many numbers of cells as cells
+      result.push_back("the cell data '" + array.name + "' are integers with " + std::to_string(values.size())
+                       + " values, and are not used; if they are regions or materials, --regions " + shell_quoted(array.name)
+                       + " uses them");
+  }
+  return result;
+}
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REGIONS_OF_SOURCE_H
