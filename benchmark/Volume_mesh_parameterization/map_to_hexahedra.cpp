@@ -149,7 +149,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   std::cout << "status: " << (result.status == VMP::OK ? "OK" : result.message)
             << "\ntetrahedra: " << map.number_of_cells
             << "\nhexahedra: " << result.number_of_cells << "\npadding: " << result.has_padding
-            << "\ninverted_corners: " << result.number_of_inverted_corners
+            << "\ninverted_hexahedra: " << result.number_of_inverted_hexahedra
             << "\nminimal_scaled_jacobian: " << result.minimal_scaled_jacobian
             << "\nmean_scaled_jacobian: " << result.mean_scaled_jacobian
             << "\nseconds_map: " << map.seconds_total << "\nseconds_hexahedra: " << timer.time() << std::endl;

@@ -7,44 +7,24 @@ PROGRAM is map_to_hexahedra, MESHER is mesh_model, and DATA the folder data/mesh
 case: the numbers of tetrahedra and hexahedra, whether they have a layer of padding, the minimal and mean scaled
 Jacobian, the part of the sharp edges within a tenth of the spacing of edges of hexahedra, the Hausdorff distance of the
 surfaces in spacings, and the seconds for the map and for the hexahedra. The files that are written are read again, and the
-exit status is 1 if a corner in one of them is not positive.
+exit status is 1 if a hexahedron in one of them is not positive all over it.
 """
 import argparse
 import itertools
 import subprocess
 import sys
 import tempfile
-from fractions import Fraction
 from pathlib import Path
 
+from check_hexahedra import hexahedra_not_positive
 from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, make_mesh
 from tables import write_csv, write_json
 
-NEIGHBORS = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]  # neighbors of the corners in VTK's order
 LINE = [("case", "<24"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("padding", ">4"),
         ("minimal_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("sharp_edges", ">7.4f"),
         ("hausdorff_distance", ">9.3f"),
         ("seconds_map", ">7.2f"), ("seconds_hexahedra", ">7.2f"), ("status", "")]
 TITLES = ["case", "tets", "hexes", "pad", "min SJ", "mean SJ", "sharp", "Hausdorff", "s map", "s hexes", "status"]
-
-
-def determinant(a, b, c):
-    return sum(a[i] * (b[i - 2] * c[i - 1] - b[i - 1] * c[i - 2]) for i in range(3))
-
-
-def corners_not_positive(filename):
-    """In exact arithmetic on the numbers of the file."""
-    words = filename.read_text().split()
-    begin, cells = words.index("Vertices") + 2, words.index("Hexahedra") + 2
-    points = [[Fraction(float(x)) for x in words[i:i + 3]] for i in range(begin, cells - 2, 4)]
-    result = 0
-    for first in range(cells, cells + 9 * int(words[cells - 1]), 9):
-        cell = [int(v) - 1 for v in words[first:first + 8]]
-        for k, neighbors in enumerate(NEIGHBORS):
-            p = points[cell[k]]
-            edges = [[x - y for x, y in zip(points[cell[n]], p)] for n in neighbors]
-            result += determinant(*edges) <= 0
-    return result
 
 
 def domains_of(model):
@@ -72,7 +52,7 @@ def run_case(arguments, name, domain, number):
     row.update((key, value(word)) for key, word in said.items())
     row.setdefault("status", run.stdout.strip() or f"exit code {run.returncode}")
     if output.exists():
-        row["refuted_corners"] = corners_not_positive(output)
+        row["refuted_hexahedra"] = hexahedra_not_positive(output)
     return row
 
 
@@ -89,8 +69,8 @@ def add_options(parser):
 
 def conclude(rows, prefix):
     """Writes the rows, and exits."""
-    refuted = sum(row.get("refuted_corners", 0) for row in rows)
-    print(f"corners that are not positive in meshes that were written: {refuted}")
+    refuted = sum(row.get("refuted_hexahedra", 0) for row in rows)
+    print(f"hexahedra that are not positive in meshes that were written: {refuted}")
     if prefix:
         write_csv(prefix + ".csv", rows)
         write_json(prefix + ".json", rows)

@@ -5,7 +5,7 @@ run_interfaces.py DRIVER [--output PREFIX]
 
 A line is printed for each case: the numbers of tetrahedra and hexahedra, the minimal and mean scaled Jacobian, the largest
 distance between the interfaces of tetrahedra and of hexahedra in spacings, the largest relative error of a volume, and the
-seconds. The files that are written are read again, and the exit status is 1 if a corner in one of them is not positive.
+seconds. The files that are written are read again, and the exit status is 1 if a hexahedron in one of them is not positive all over it.
 """
 import argparse
 import itertools
@@ -14,7 +14,8 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from run_hexahedra import add_options, conclude, corners_not_positive, line
+from check_hexahedra import hexahedra_not_positive
+from run_hexahedra import add_options, conclude, line
 
 # The longest side of each body, and its two parts in the language of Gmsh: the body a(), and b(), which it is cut by.
 CUBE = "Box(1) = {0, 0, 0, 1, 1, 1}; a() = {1}; "
@@ -84,7 +85,7 @@ def run_case(arguments, mesh, length, number):
     volumes = zip(result["volumes_of_tetrahedra"], result["volumes_of_hexahedra"])
     row["volume_error"] = max(abs(after / before - 1) for before, after in volumes)
     if output.exists():
-        row["refuted_corners"] = corners_not_positive(output)
+        row["refuted_hexahedra"] = hexahedra_not_positive(output)
     return row
 
 

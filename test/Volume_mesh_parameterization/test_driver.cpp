@@ -250,6 +250,50 @@ Soup fan_in_prism(std::size_t length)
   return soup;
 }
 
+// The least determinant of the trilinear maps to the hexahedra of a .mesh file, at 9^3 points of each.
+double smallest_determinant_of_hexahedra(const std::string& file)
+{
+  std::istringstream mesh(file);
+  const auto numbers_behind = [&mesh](const std::string& keyword, const std::size_t row)
+  {
+    std::string word;
+    while(mesh >> word && word != keyword) {}
+    std::size_t size = 0;
+    mesh >> size;
+    std::vector<double> result(size * row);
+    for(double& x : result)
+      mesh >> x;
+    REQUIRE((mesh && size > 0));
+    return result;
+  };
+  const std::vector<double> points = numbers_behind("Vertices", 4), cells = numbers_behind("Hexahedra", 9);
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t c = 0; c < cells.size(); c += 9)
+    for(int l = 0; l < 9 * 9 * 9; ++l)
+    {
+      const double at[3] = { l / 81 / 8., l / 9 % 9 / 8., l % 9 / 8. };
+      double d[3][3] = {}; // derivatives
+      for(std::size_t i = 0; i < 8; ++i)
+      {
+        const int corner[3] = { i % 4 == 1 || i % 4 == 2, i % 4 > 1, i > 3 };
+        const std::size_t v = 4 * (static_cast<std::size_t>(cells[c + i]) - 1);
+        for(int axis = 0; axis < 3; ++axis)
+        {
+          double factor = 1;
+          for(int k = 0; k < 3; ++k)
+            factor *= k == axis ? 2 * corner[k] - 1 : corner[k] == 1 ? at[k] : 1 - at[k];
+          for(std::size_t k = 0; k < 3; ++k)
+            d[axis][k] += factor * points[v + k];
+        }
+      }
+      double determinant = 0;
+      for(int k = 0; k < 3; ++k)
+        determinant += d[0][k] * (d[1][(k + 1) % 3] * d[2][(k + 2) % 3] - d[1][(k + 2) % 3] * d[2][(k + 1) % 3]);
+      least = (std::min)(least, determinant);
+    }
+  return least;
+}
+
 double number(const std::string& json, const std::string& key)
 {
   std::smatch match;
@@ -285,7 +329,7 @@ const std::vector<std::string> report_keys = {
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
 const std::vector<std::string> hexahedra_keys = {
-  "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "padding",
+  "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "inverted_hexahedra", "padding",
   "minimal_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance", "subdomains", "volumes_of_tetrahedra",
   "volumes_of_hexahedra", "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals"};
 
@@ -926,6 +970,29 @@ TEST_CASE("Hexahedra that cannot be made leave the map, and say why there are no
   CHECK(folder.names() == Names{"source.mesh", "target.mesh", "map.mesh", "report.json"});
   CHECK(folder.text("report.json").find("\"has_valid_map\": true") != std::string::npos);
   CHECK(number(hexahedra_of(folder.text("report.json")), "inverted_corners") > 0);
+}
+
+TEST_CASE("Hexahedra are positive at all points, not only at their corners")
+{
+  // three cubes in the form of an L, and sheared: bent into a cube, hexahedra turn by more than a right angle
+  const Folder folder;
+  for(const double shear : { 0., 0.25 })
+  {
+    Soup source = cube(2);
+    const auto is_outside = [&](const std::array<std::size_t, 4>& cell)
+    {
+      const auto all = [&](const auto& f)
+      { return std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) { return f(source.points[v]); }); };
+      return all([](const Point& p) { return p[2] >= 1; }) || all([](const Point& p) { return p[0] >= 1 && p[1] >= 1; });
+    };
+    source.cells.erase(std::remove_if(source.cells.begin(), source.cells.end(), is_outside), source.cells.end());
+    for(Point& p : source.points)
+      p = { p[0], p[1] + shear * p[2], p[2] };
+    folder.write("source.mesh", source);
+    REQUIRE(folder.run("source.mesh --to cube --refine=all --hexahedra 0.25 hexahedra.mesh --report report.json") == 0);
+    CHECK(number(hexahedra_of(folder.text("report.json")), "inverted_hexahedra") == 0);
+    CHECK(smallest_determinant_of_hexahedra(folder.text("hexahedra.mesh")) > 0);
+  }
 }
 
 TEST_CASE("Vertices without a cell keep their place in the output")

@@ -12,6 +12,7 @@
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <stdexcept>
@@ -31,8 +32,8 @@ public:
     char* end;
     m_spacing = std::strtod(words[0].c_str(), &end);
     m_name = words[1];
-    if(*end != '\0' || !(m_spacing > 0))
-      throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a positive number");
+    if(*end != '\0' || !(m_spacing > 0) || !std::isfinite(m_spacing))
+      throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a finite positive number");
     if(!is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
       throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with " + mesh_extensions + " nor with .inp");
   }

@@ -137,6 +137,7 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
                       .add("boundary_vertices", result.number_of_boundary_vertices)
                       .add("cells", result.number_of_cells)
                       .add("inverted_corners", result.number_of_inverted_corners)
+                      .add("inverted_hexahedra", result.number_of_inverted_hexahedra)
                       .add("padding", result.has_padding)
                       .add("minimal_scaled_jacobian", result.minimal_scaled_jacobian)
                       .add("mean_scaled_jacobian", result.mean_scaled_jacobian)

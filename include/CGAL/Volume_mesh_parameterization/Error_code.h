@@ -56,7 +56,7 @@ enum Error_code
   ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
-  ERROR_INVERTED_HEXAHEDRON,         ///< a hexahedron has a corner that is flat or inverted
+  ERROR_INVERTED_HEXAHEDRON,         ///< the Jacobian determinant of a hexahedron is not positive all over it
   ERROR_POOR_HEXAHEDRON              ///< the hexahedra are valid, but a scaled Jacobian is below the bound
 };
 
@@ -114,7 +114,7 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_DOMAIN_NOT_AXIS_PARALLEL:
       return "A boundary facet of the domain is not orthogonal to an axis; map the body to a box or a polycube.";
     case ERROR_INVERTED_HEXAHEDRON:
-      return "A hexahedron has a corner that is flat or inverted; make the spacing smaller, or map the body with less "
+      return "A hexahedron is flat or inverted at a corner or inside; make the spacing smaller, or map the body with less "
              "distortion.";
     case ERROR_POOR_HEXAHEDRON:
       return "The hexahedra are valid, but the scaled Jacobian of one is below the bound; make the spacing smaller, or map the "

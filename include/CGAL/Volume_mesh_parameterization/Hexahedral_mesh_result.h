@@ -54,17 +54,19 @@ The result of `hexahedral_mesh()`.
 
 The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges divided by their lengths: 1 if
 they are orthogonal, and positive if and only if the corner is neither flat nor inverted. A hexahedron has the smallest
-scaled Jacobian of its eight corners.
+scaled Jacobian of its eight corners. A hexahedron is inverted if the Jacobian determinant of its trilinear map is not positive
+all over it. This may happen although all corners are positive.
 */
 struct Hexahedral_mesh_result
 {
   Error_code status = OK;                ///< how the computation ended
   std::string message;                   ///< sentences about the status, and where it arises
-  bool has_valid_mesh = false;           ///< whether all corners are positive: then the mesh is written
+  bool has_valid_mesh = false;           ///< whether no hexahedron is inverted: then the mesh is written
   std::size_t number_of_vertices = 0;          ///< all vertices of the mesh
   std::size_t number_of_boundary_vertices = 0; ///< vertices on the boundary of the body
   std::size_t number_of_cells = 0;             ///< hexahedra
   std::size_t number_of_inverted_corners = 0;  ///< inverted or flat corners, by exact predicates
+  std::size_t number_of_inverted_hexahedra = 0; ///< hexahedra that are not positive all over, in exact arithmetic
   bool has_padding = false;                    ///< whether a layer of hexahedra has been added along faces of the domain
   bool is_interrupted = false;                 ///< whether a limit of time or a visitor ended the search for better hexahedra
   /// the least one of all hexahedra; not a number if there is none

@@ -121,7 +121,8 @@ with 8 to 48 voxels along the body; bodies with finer handles are not found.
 `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, against which
 `refine_and_parameterize()` may help,
 `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
-`ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or `ERROR_INTERRUPTED`. The
+`ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or if the spacing is above 1e60, or
+`ERROR_INTERRUPTED`. The
 running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights and each rotation, with \f$ n \f$ boundary vertices of
 bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse
 linear systems for each chart of the polycubes found.
@@ -147,7 +148,7 @@ public:
   explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
                                              Polycube_result* const result = nullptr)
     : m_spacing(spacing), m_axes(axes), m_result(result)
-  { internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is not negative."); }
+  { internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is finite and not negative."); }
 
   using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
 #ifdef DOXYGEN_RUNNING

@@ -63,7 +63,7 @@ Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const do
                                               const NamedParameters& np)
 {
   check_named_parameters<internal_np::minimal_scaled_jacobian_t, internal_np::do_keep_interfaces_t>(np);
-  require(spacing > 0, "The spacing of a grid is positive.");
+  require(spacing > 0 && std::isfinite(spacing), "The spacing of a grid is finite and positive.");
   constexpr double poor = 0.01; // a guess; solvers of finite elements want more, but take it
   const double bound = parameter_or(np, internal_np::minimal_scaled_jacobian, poor);
   require(bound <= 1, "A scaled Jacobian is at most 1.");
@@ -109,8 +109,8 @@ almost flat: then a layer of hexahedra is put along the faces on both sides, in 
 and Bommes, Selective padding for polycube-based hexahedral meshing (2019). The layer ends at other convex edges, on the faces
 behind: the wall of a cylinder gets a layer, and its ends a ring of quadrangles. If the minimal scaled Jacobian is below 0.2
 in the end, the search is made again with one layer along the whole boundary, or, if the layers were this one, without any. If
-corners are still inverted, both are tried again with vertices that may leave the boundary at first, where corners are
-untangled easily: a growing weight draws the vertices back, while Newton steps invert no corner again.
+hexahedra are inverted, or below 0.05, the search with the same layers is made again with vertices that may leave the boundary at
+first, where corners are untangled easily: a growing weight draws the vertices back, while Newton steps invert no corner again.
 
 Hexahedra follow the interfaces between subdomains. Each has at first the subdomain that its center is mapped to; some are given
 to a neighboring one, such that the surfaces between subdomains are manifolds. The vertices of quadrangles between subdomains
@@ -127,10 +127,12 @@ and the distance of the interfaces, and its message tells where this is more tha
 Quadrangles of the boundary and of interfaces have the references of the marked facets of the soup, or of the surface patches
 of the complex, that they lie on.
 
-The best of all meshes is returned: the one with the fewest inverted corners, or, among several, with the largest sum of the
-mean scaled Jacobian and the minimal one, which counts up to 0.4, less 0.3 for each edge by which the boundaries are farther
-apart than 0.4 edges, and at most 0.3. Exact predicates on the coordinates written check that all
-corners are positive.
+The best of all meshes is returned: the one with the fewest inverted corners and hexahedra, or, among several, with the largest sum of the
+mean scaled Jacobian and the minimal one, which counts up to 0.5, less 0.3 for each edge by which the boundaries are farther
+apart than 0.4 edges, and at most 0.3. Exact arithmetic on the coordinates written checks that all hexahedra are positive all over
+them: the Jacobian determinant of the trilinear map of a cube to a hexahedron has 27 Bernstein coefficients, and where these leave
+its sign open, the cube is halved (Johnen, Weill and Remacle, Robust and efficient validation of the linear hexahedral element,
+2017). A minimum below 1e-12 of the maximum may count as not positive.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are `Sequential_tag`,
         `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -142,7 +144,7 @@ corners are positive.
 \param images the image of each point under a map that inverts no cell, as
        `CGAL::stretch_minimizing_volume_parameterization()` writes it
 \param spacing the distance of planes of the grid, in the units of the images
-\param mesh receives the hexahedra if all corners are positive, and is left alone otherwise
+\param mesh receives the hexahedra if none is inverted, and is left alone otherwise
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -172,17 +174,17 @@ corners are positive.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the status and where it arises, and the scaled Jacobians: `OK`, also if the computation was ended with a mesh whose
-        corners are positive, as `Hexahedral_mesh_result::is_interrupted` tells; `ERROR_INTERRUPTED` if it was ended
+\return the status and where it arises, and the scaled Jacobians: `OK`, also if the computation was ended with a valid
+        mesh, as `Hexahedral_mesh_result::is_interrupted` tells; `ERROR_INTERRUPTED` if it was ended
         without one; `ERROR_EMPTY_COMPLEX`; `ERROR_NON_FINITE_COORDINATE`; `ERROR_SIZE_OUT_OF_RANGE` if the diagonal of the
         mesh or of its image is not between 1e-70 and 1e70, or the grid has more than 10^7 boxes, of which each that is
         inside takes 4 kB of memory; `ERROR_INVERTED_SOURCE_CELL` if all points coincide; `ERROR_DOMAIN_NOT_AXIS_PARALLEL`;
-        `ERROR_INVERTED_TARGET_BOUNDARY` if the domain has no box; `ERROR_INVERTED_HEXAHEDRON` if a corner is not
-        positive; or `ERROR_POOR_HEXAHEDRON`, with the hexahedra, if a scaled Jacobian is below the bound
+        `ERROR_INVERTED_TARGET_BOUNDARY` if the domain has no box; `ERROR_INVERTED_HEXAHEDRON` if a hexahedron is
+        not positive all over it; or `ERROR_POOR_HEXAHEDRON`, with the hexahedra, if a scaled Jacobian is below the bound
 
 \exception Input_error names a cell with an index that does not exist, or tells that a reference is missing.
 
-\pre The spacing is positive, and there are as many images as points; otherwise `CGAL::Precondition_exception` is
+\pre The spacing is finite and positive, and there are as many images as points; otherwise `CGAL::Precondition_exception` is
      thrown, in every build.
 
 The search takes time O((m + n) log n) for n tetrahedra and m boxes of the box around the domain. A Newton step takes

@@ -22,12 +22,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
-// tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
-constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
-                 bad_scaled_jacobian = 0.05;
-constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
-
 // Corners that vertices move for: all alike, the poor ones first, or the worst ones, whose edges may have any lengths.
 enum class Corners_to_improve { ALL, POOR, WORST_ANGLES };
 
@@ -75,6 +69,11 @@ public:
     }
     constexpr double tolerance_of_boundary = 0.2, tolerance_of_interface = 0.05; // guesses
     const std::vector<int> index = inverse_order(m_order);
+    for(const std::array<std::size_t, 8>& cell : mesh.cells)
+    {
+      m_hexahedra.emplace_back();
+      std::transform(cell.begin(), cell.end(), m_hexahedra.back().begin(), [&](const std::size_t v) { return index[v]; });
+    }
     m_covered.push_back(covered_surface_3(surface, mesh.facets, index, tolerance_of_boundary));
     for(const auto& [interface, quadrangles] : positions.covered)
       m_covered.push_back(covered_surface_3(*interface, quadrangles, index, tolerance_of_interface));
@@ -89,7 +88,7 @@ public:
   // move in its tangent planes, or along lines, are put back, and are pulled to cover the boundary; once all corners are
   // positive, also to approach it, which hinders untangling; more with a larger weight. Vertices that slide are pulled to where
   // they were at first, which helps to untangle corners, or later to where they are, without which steps along a curved surface
-  // are too long. Hexahedra whose corners are all positive keep them so.
+  // are too long. If all corners are positive, they remain so, and so do hexahedra that are positive all over.
   void improve(const std::size_t number_of_steps, const bool do_slide, const Corners_to_improve which, const double weight = 1)
   {
     const bool are_for_angles = which == Corners_to_improve::WORST_ANGLES;
@@ -143,7 +142,7 @@ public:
   // the other. Uncovered points have a price.
   void smooth(const double target, const double price)
   {
-    smooth_hexahedra_3(m_numbered.cells, m_freedom, m_surfaces, m_covered, target, price, m_budget, m_numbered.target);
+    smooth_hexahedra_3(m_numbered.cells, m_hexahedra, m_freedom, m_surfaces, m_covered, target, price, m_budget, m_numbered.target);
     write_points();
   }
 
@@ -228,8 +227,11 @@ private:
     }
   }
 
-  // Takes positions, put back onto the boundary. Where a corner would be inverted, or so flat that the next steps would serve
-  // it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
+  bool is_positive_all_over(const Matrix3Xd& positions, const std::size_t h) const
+  { return is_positive_hexahedron_3(points_of_hexahedron(positions, m_hexahedra[h])); }
+
+  // Takes positions, put back onto the boundary. Where a hexahedron would be inverted, or a corner so flat that the next steps
+  // would serve it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
   // steps are left to mend them.
   void put_back(const Matrix3Xd& moved, const bool was_valid, const double mean_edge)
   {
@@ -244,6 +246,9 @@ private:
     std::vector<double> least(m_numbered.cells.size(), 0), part(m_order.size(), 1);
     for(std::size_t c = 0; c < least.size() && was_valid; ++c)
       least[c] = (std::min)({ flat_scaled_jacobian, (1 - largest_loss) * quality(before, c), quality(before, c) });
+    std::vector<bool> was_positive(m_hexahedra.size(), false);
+    for(std::size_t h = 0; h < m_hexahedra.size() && was_valid; ++h)
+      was_positive[h] = is_positive_all_over(before, h);
     for(int attempt = 1; ; ++attempt)
     {
       for(std::size_t i = 0; i < m_order.size(); ++i)
@@ -256,6 +261,13 @@ private:
         {
           is_valid = false;
           for(const int v : m_numbered.cells[c])
+            is_at_bad[v] = true;
+        }
+      for(std::size_t h = 0; h < m_hexahedra.size(); ++h)
+        if(was_positive[h] && !is_positive_all_over(m_numbered.target, h))
+        {
+          is_valid = false;
+          for(const int v : m_hexahedra[h])
             is_at_bad[v] = true;
         }
       if(is_valid || !may_shorten || (attempt >= number_of_attempts && !was_valid))
@@ -275,6 +287,7 @@ private:
   Hexahedron_soup_3 m_mesh;
   Numbered_mesh_3 m_numbered; // corners as cells; the source has the first positions of vertices, the target the present ones
   std::vector<std::size_t> m_order;
+  std::vector<std::array<int, 8> > m_hexahedra; // in the order of the mesh
   std::vector<Freedom_3> m_freedom; // freedom of the vertices in `m_order`
   std::vector<const Body_surface_3*> m_surfaces; // on which they move
   std::vector<bool> m_is_on_boundary;

@@ -52,7 +52,7 @@ inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedron_soup_
     is_final = true;
     const std::vector<double> next = scaled_jacobians(mesh);
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-      if(next[c] < (1 - largest_loss) * quality[c])
+      if(next[c] < (1 - largest_loss) * quality[c] || !is_positive_hexahedron(mesh, c))
         for(const std::size_t v : mesh.cells[c])
           if(mesh.points[v] != before[v])
           {

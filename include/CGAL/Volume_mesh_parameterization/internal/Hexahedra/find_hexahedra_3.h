@@ -23,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Finds hexahedra by a map to a domain whose boundary facets are orthogonal to the axes, with the layers that the mesh needs or
 // with one along the whole boundary; on request they keep the interfaces between subdomains. The mesh is written if and only if
-// all corners are positive.
+// no hexahedron is inverted.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
                                         bool is_parallel, const Budget& budget, double minimal_scaled_jacobian,

@@ -130,7 +130,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
   const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
   for(const std::vector<Layer_3>& layers : { chosen, other })
   {
-    if(budget.is_exhausted() || best.result.minimal_scaled_jacobian >= poor_scaled_jacobian)
+    if(budget.is_exhausted() || is_at_least(best.result, poor_scaled_jacobian))
       break;
     Hexahedron_soup_3 candidate = boxes;
     for(const Layer_3& layer : layers)
@@ -142,7 +142,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
     move_to_corners_3(soup, surface, spacing, positions, candidate);
     for(const bool may_leave_surface : { false, true })
     {
-      if(budget.is_exhausted() || (may_leave_surface && best.result.has_valid_mesh))
+      if(budget.is_exhausted() || (may_leave_surface && is_at_least(best.result, bad_scaled_jacobian)))
         break;
       Sliding_hexahedra_3 hexahedra(candidate, freedoms_3(candidate, surface), surface, solver, is_parallel, budget, positions);
       Hexahedra_improvement_3(hexahedra, !layers.empty(), budget, best).run(may_leave_surface);
@@ -202,7 +202,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     result.patches = patches_of(best.mesh);
     check_quality(best.mesh, minimal_scaled_jacobian, result);
     if(may_keep_interfaces && are_staircases)
-      result.message += " Interfaces between subdomains are staircases, as corners were inverted where they were kept.";
+      result.message += " Interfaces between subdomains are staircases, as hexahedra were inverted where they were kept.";
     evaluate_interfaces(soup, best.mesh, interfaces, are_staircases, result);
     result.corners_given_up = corners_given_up_3(soup, surface, best.mesh);
     if(!result.corners_given_up.empty())
@@ -214,8 +214,8 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     result.status = ERROR_INTERRUPTED;
   if(result.is_interrupted)
     result.message = get_error_message(ERROR_INTERRUPTED)
-      + std::string(result.has_valid_mesh ? " The hexahedra have positive corners, but better ones might have been found."
-                                        : " There are no hexahedra with positive corners yet.");
+      + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."
+                                        : " There are no valid hexahedra yet.");
   return result;
 }
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/is_positive_hexahedron_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
@@ -43,13 +44,37 @@ constexpr std::array<std::array<std::size_t, 4>, 6> quadrangles_of_hexahedron
 constexpr std::array<std::array<std::size_t, 2>, 6> axes_of_quadrangle
   = {{ {1, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 0}, {2, 1} }};
 
+// Calls `f` with the four points of each corner of a hexahedron.
+template <typename Function>
+void for_each_corner(const std::array<std::size_t, 8>& cell, const Function& f)
+{
+  for(const std::array<std::size_t, 4>& corner : corners_of_hexahedron)
+    f(std::array<std::size_t, 4>{ cell[corner[0]], cell[corner[1]], cell[corner[2]], cell[corner[3]] });
+}
+
 // Calls `f` with the four points of each corner, eight times for each hexahedron.
 template <typename Function>
 void for_each_corner(const Hexahedron_soup_3& mesh, const Function& f)
 {
   for(const std::array<std::size_t, 8>& cell : mesh.cells)
-    for(const std::array<std::size_t, 4>& corner : corners_of_hexahedron)
-      f(std::array<std::size_t, 4>{ cell[corner[0]], cell[corner[1]], cell[corner[2]], cell[corner[3]] });
+    for_each_corner(cell, f);
+}
+
+// Tells whether a hexahedron is positive all over it, in exact arithmetic on the coordinates as they are.
+inline bool is_positive_hexahedron(const Hexahedron_soup_3& mesh, const std::size_t c)
+{
+  Hexahedron_points_3<double> points;
+  for(std::size_t i = 0; i < 8; ++i)
+    points[i] = mesh.points[mesh.cells[c][i]];
+  return is_positive_hexahedron_3(points);
+}
+
+inline Hexahedron_points_3<double> points_of_hexahedron(const Matrix3Xd& positions, const std::array<int, 8>& hexahedron)
+{
+  Hexahedron_points_3<double> result;
+  for(std::size_t i = 0; i < 8; ++i)
+    result[i] = coordinates(positions.col(hexahedron[i]));
+  return result;
 }
 
 // Tells whether a corner is neither flat nor inverted, by exact predicates on the coordinates as they are.

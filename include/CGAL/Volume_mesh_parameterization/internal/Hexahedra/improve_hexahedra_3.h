@@ -28,22 +28,36 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh,
   result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
 
   std::string where;
-  for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
+  const auto name = [&](const std::size_t v)
   {
-    if(!is_positive_corner(mesh, corner) && result.number_of_inverted_corners++ == 0)
-      where = " The first one is at " + describe(to_vector(mesh.points[corner[0]]))
-              + (is_outer[corner[0]] ? ", on the boundary." : ", inside.");
-  });
+    if(where.empty())
+      where = sentence(" The first one has a vertex at ", describe(to_vector(mesh.points[v])),
+                       is_outer[v] ? ", on the boundary." : ", inside.");
+  };
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    if(is_positive_hexahedron(mesh, c))
+      continue;
+    ++result.number_of_inverted_hexahedra;
+    for_each_corner(mesh.cells[c], [&](const std::array<std::size_t, 4>& corner)
+    {
+      if(is_positive_corner(mesh, corner))
+        return;
+      ++result.number_of_inverted_corners;
+      name(corner[0]);
+    });
+    name(mesh.cells[c][0]); // if all corners are positive
+  }
   const std::vector<double> quality = scaled_jacobians(mesh);
   result.minimal_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
-  result.has_valid_mesh = result.number_of_inverted_corners == 0;
+  result.has_valid_mesh = result.number_of_inverted_hexahedra == 0;
   result.status = result.has_valid_mesh ? OK : ERROR_INVERTED_HEXAHEDRON;
   result.message = get_error_message(result.status) + where;
   return result;
 }
 
-// Tells whether a mesh has fewer inverted corners than another one, or a larger least scaled Jacobian where this is bad, or the
+// Tells whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian where this is bad, or the
 // larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of the other.
 // Boundaries that are far apart, in edges, have a price.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
@@ -56,10 +70,16 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
   };
   if(a.number_of_inverted_corners != b.number_of_inverted_corners)
     return a.number_of_inverted_corners < b.number_of_inverted_corners;
+  if(a.number_of_inverted_hexahedra != b.number_of_inverted_hexahedra)
+    return a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra;
   const double least_of_a = (std::min)(a.minimal_scaled_jacobian, bad_scaled_jacobian);
   const double least_of_b = (std::min)(b.minimal_scaled_jacobian, bad_scaled_jacobian);
   return least_of_a != least_of_b ? least_of_a > least_of_b : quality(a) > quality(b);
 }
+
+// Tells whether a mesh is valid, and no scaled Jacobian is below a bound.
+inline bool is_at_least(const Hexahedral_mesh_result& result, const double bound)
+{ return result.has_valid_mesh && result.minimal_scaled_jacobian >= bound; }
 
 // Best hexahedra so far.
 struct Best_hexahedra_3
@@ -151,24 +171,28 @@ private:
     }
   }
 
-  // Improves the worst corners as long as they gain, one vertex after the other and all at once in turn. While they are poor but
-  // positive and gain nothing, far points count less, and the vertices of flat ones leave the lines.
+  // Improves the worst corners and hexahedra that are inverted inside as long as they gain, one vertex after the other and all at
+  // once in turn. While corners are poor but positive and gain nothing, far points count less, and the vertices of flat ones leave
+  // the lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
     double price_of_uncovered = price;
     for(int round = 0, in_vain = 0;
-        round < number_of_rounds && in_vain < patience && m_result.minimal_scaled_jacobian < sufficient_scaled_jacobian
+        round < number_of_rounds && in_vain < patience
+        && (m_result.minimal_scaled_jacobian < sufficient_scaled_jacobian || m_result.number_of_inverted_hexahedra > 0)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
-      const double least = m_result.minimal_scaled_jacobian;
+      const Hexahedral_mesh_result before = m_result;
       if(round > 0)
       {
         m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
         evaluate();
       }
       smooth(price_of_uncovered);
-      in_vain = m_result.minimal_scaled_jacobian > least + least_gain ? 0 : in_vain + 1;
+      const bool is_gain = m_result.minimal_scaled_jacobian > before.minimal_scaled_jacobian + least_gain
+                           || m_result.number_of_inverted_hexahedra < before.number_of_inverted_hexahedra;
+      in_vain = is_gain ? 0 : in_vain + 1;
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
       {
         m_hexahedra.leave_lines(flat_scaled_jacobian);
@@ -184,7 +208,7 @@ private:
     constexpr double growth = 4; // a guess; of the weight
     double weight = 1;
     for(int round = 0, in_vain = 0;
-        round < number_of_rounds && in_vain < patience && m_result.number_of_inverted_corners == 0
+        round < number_of_rounds && in_vain < patience && m_result.number_of_inverted_hexahedra == 0
         && m_best.result.boundary_distance > sufficient_distance * m_best.edge
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "far points"); ++round)
     {

@@ -225,6 +225,9 @@ inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const
                                         const double spacing, const bool do_find_axes, Splits_of_edges* const splits,
                                         std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
 {
+  constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
+  if(spacing > largest_spacing)
+    return ERROR_SPACING_TOO_COARSE;
   Boundary_mesh_3 mesh;
   if(const Error_code status = build_boundary_mesh_3(surface, mesh); status != OK)
     return status;
