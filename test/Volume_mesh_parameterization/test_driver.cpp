@@ -986,6 +986,7 @@ TEST_CASE("Hexahedra are positive at all points, not only at their corners")
       return all([](const Point& p) { return p[2] >= 1; }) || all([](const Point& p) { return p[0] >= 1 && p[1] >= 1; });
     };
     source.cells.erase(std::remove_if(source.cells.begin(), source.cells.end(), is_outside), source.cells.end());
+    source.cell_references.resize(source.cells.size());
     for(Point& p : source.points)
       p = { p[0], p[1] + shear * p[2], p[2] };
     folder.write("source.mesh", source);

@@ -1025,7 +1025,7 @@ TEST_CASE("A facet of the boundary that the target flattens is named, and nothin
 TEST_CASE("Each status has a sentence")
 {
   std::unordered_set<std::string> sentences;
-  for(int code = VMP::OK; code <= VMP::ERROR_POOR_HEXAHEDRON; ++code)
+  for(int code = VMP::OK; code <= VMP::ERROR_INCOMPLETE_HEXAHEDRA; ++code)
   {
     const std::string sentence = VMP::get_error_message(static_cast<VMP::Error_code>(code));
     CHECK(sentences.insert(sentence).second);

@@ -67,6 +67,7 @@ inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Err
     case VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL: return "ERROR_DOMAIN_NOT_AXIS_PARALLEL";
     case VMP::ERROR_INVERTED_HEXAHEDRON: return "ERROR_INVERTED_HEXAHEDRON";
     case VMP::ERROR_POOR_HEXAHEDRON: return "ERROR_POOR_HEXAHEDRON";
+    case VMP::ERROR_INCOMPLETE_HEXAHEDRA: return "ERROR_INCOMPLETE_HEXAHEDRA";
   }
   return "";
 }

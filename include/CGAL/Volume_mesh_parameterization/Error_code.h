@@ -57,7 +57,8 @@ enum Error_code
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
   ERROR_INVERTED_HEXAHEDRON,         ///< the Jacobian determinant of a hexahedron is not positive all over it
-  ERROR_POOR_HEXAHEDRON              ///< the hexahedra are valid, but a scaled Jacobian is below the bound
+  ERROR_POOR_HEXAHEDRON,             ///< the hexahedra are valid, but a scaled Jacobian is below the bound
+  ERROR_INCOMPLETE_HEXAHEDRA         ///< the hexahedra are valid, but leave out a subdomain or a part of the body
 };
 
 /*!
@@ -119,6 +120,9 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_POOR_HEXAHEDRON:
       return "The hexahedra are valid, but the scaled Jacobian of one is below the bound; make the spacing smaller, or map the "
              "body with less distortion, for instance with refinement.";
+    case ERROR_INCOMPLETE_HEXAHEDRA:
+      return "The hexahedra are valid, but leave out a part of the body; map the body with less distortion there, or to a "
+             "domain that has this part. If the part is thinner than the spacing, make the spacing smaller.";
   }
   return "Unknown error code.";
 }

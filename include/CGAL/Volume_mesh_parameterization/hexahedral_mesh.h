@@ -120,8 +120,11 @@ likewise where more than two subdomains meet. If a hexahedron has two quadrangle
 layer of hexahedra along all interfaces that are joined to this patch. If a quadrangle has two edges in one smooth line between
 patches, a further layer encloses the hexahedra on both sides of its patch. Then these vertices slide, too, and in the end those
 inside of curved patches move off the interface by a part of the distances of the quadrangles around them, such that both
-subdomains keep their volumes. Where the smallest scaled Jacobian would be below 0.02, vertices leave the interface. If corners
-remain inverted, interfaces become staircases, as with `do_keep_interfaces(false)`. The result has the volumes of the subdomains
+subdomains keep their volumes. Where the smallest scaled Jacobian would be below 0.02, vertices leave the interface. If hexahedra
+remain inverted, or a scaled Jacobian is below 0.05, or interfaces are more than a tenth of the edges away, or not nearer than
+those of the grid, then interfaces are tried as staircases, too, as with `do_keep_interfaces(false)`. These are taken if neither
+the minimal scaled Jacobian nor the distance of the interfaces gets worse, or if the others are inverted or below 0.05 and these
+are better. The result has the volumes of the subdomains
 and the distance of the interfaces, and its message tells where this is more than a tenth of the edges.
 
 Quadrangles of the boundary and of interfaces have the references of the marked facets of the soup, or of the surface patches
@@ -180,7 +183,9 @@ its sign open, the cube is halved (Johnen, Weill and Remacle, Robust and efficie
         mesh or of its image is not between 1e-70 and 1e70, or the grid has more than 10^7 boxes, of which each that is
         inside takes 4 kB of memory; `ERROR_INVERTED_SOURCE_CELL` if all points coincide; `ERROR_DOMAIN_NOT_AXIS_PARALLEL`;
         `ERROR_INVERTED_TARGET_BOUNDARY` if the domain has no box; `ERROR_INVERTED_HEXAHEDRON` if a hexahedron is
-        not positive all over it; or `ERROR_POOR_HEXAHEDRON`, with the hexahedra, if a scaled Jacobian is below the bound
+        not positive all over it; or `ERROR_POOR_HEXAHEDRON`, with the hexahedra, if a scaled Jacobian is below the bound;
+        or `ERROR_INCOMPLETE_HEXAHEDRA`, with the hexahedra, if the boundaries are farther apart than edges of hexahedra are long,
+        or a subdomain has no hexahedron
 
 \exception Input_error names a cell with an index that does not exist, or tells that a reference is missing.
 

@@ -780,7 +780,7 @@ TEST_CASE("The distance of boundaries is that of tips and of middles of quadrang
         const K::Point_3 middle = CGAL::midpoint(facet[i], facet[i + 1]);
         farthest = (std::max)(farthest, distance({ middle.x(), middle.y(), middle.z() }, facets));
       }
-    CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start) == Approx(farthest));
+    CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(farthest));
   }
   Hexahedral_mesh_result near, far;
   near.minimal_scaled_jacobian = far.minimal_scaled_jacobian = 0.2;

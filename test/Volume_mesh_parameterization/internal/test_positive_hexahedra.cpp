@@ -139,7 +139,7 @@ TEST_CASE("Random hexahedra are positive where all of many values are")
 {
   std::mt19937 engine;
   int numbers[2] = { 0, 0 };
-  for(int round = 0; round < 500; ++round)
+  for(int round = 0; round < 200; ++round)
   {
     const Hexahedron_points_3<double> points = random_hexahedron(engine, 0.45);
     double least = std::numeric_limits<double>::infinity();
@@ -150,6 +150,6 @@ TEST_CASE("Random hexahedra are positive where all of many values are")
     CHECK((least > 0 || !is_positive));
     CHECK((least < 0.03 || is_positive)); // a second derivative below 8 moves a minimum by 8 / 2 / 16^2 along each axis
   }
-  CHECK(numbers[0] > 50);
-  CHECK(numbers[1] > 50);
+  CHECK(numbers[0] > 20);
+  CHECK(numbers[1] > 20);
 }

@@ -82,7 +82,7 @@ public:
   const Hexahedron_soup_3& mesh() const { return m_mesh; }
 
   // Returns the largest distance between the boundaries of the body and of the hexahedra.
-  double boundary_distance() const { return distance_of_cover_3(m_covered.front(), m_numbered.target); }
+  double boundary_distance() const { return distance_of_cover_3(m_covered.front(), m_numbered.target).distance; }
 
   // Makes steps of Newton's method for all vertices at once, or, unless `do_slide`, for those inside. Vertices on the boundary
   // move in its tangent planes, or along lines, are put back, and are pulled to cover the boundary; once all corners are

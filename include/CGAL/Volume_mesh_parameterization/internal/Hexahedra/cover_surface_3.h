@@ -106,20 +106,35 @@ void for_each_middle(const Covered_surface_3& covered, const Matrix3Xd& position
     }
 }
 
-// Returns the largest distance between a surface and the quadrangles that cover it.
-inline double distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
+// The largest one of distances, and where it is.
+struct Largest_distance_3
 {
-  double result = 0;
+  double distance = 0;
+  Eigen::Vector3d point;
+
+  void take(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+  {
+    if((p - q).norm() > distance)
+    {
+      distance = (p - q).norm();
+      point = p;
+    }
+  }
+};
+
+// Returns the largest distance between a surface and the quadrangles that cover it.
+inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
+{
+  Largest_distance_3 result;
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
-                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&)
-                   { result = (std::max)(result, (p - q).norm()); });
+                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&) { result.take(p, q); });
   for_each_middle(covered, positions, [&](const std::array<int, 2>&, const Middle_3& middle, const std::array<int, 3>&)
-                  { result = (std::max)(result, middle.distance()); });
+                  { result.take(middle.point, middle.nearest); });
   return result;
 }
 
 // Returns the largest distance between the surface of a body and the boundary of hexahedra.
-inline double boundary_distance_3(const Body_surface_3& surface, const Hexahedron_soup_3& mesh)
+inline Largest_distance_3 boundary_distance_3(const Body_surface_3& surface, const Hexahedron_soup_3& mesh)
 {
   std::vector<int> numbers(mesh.points.size());
   std::iota(numbers.begin(), numbers.end(), 0);

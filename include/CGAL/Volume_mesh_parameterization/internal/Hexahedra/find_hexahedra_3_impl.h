@@ -46,25 +46,52 @@ inline void set_facet_references(const Tetrahedron_soup_3& soup, const Body_surf
   }
 }
 
-// Tells how well interfaces and subdomains are kept, in numbers, and in sentences if they are not.
-inline void evaluate_interfaces(const Tetrahedron_soup_3& soup, const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
-                                const bool may_be_staircases, Hexahedral_mesh_result& result)
+// Whether interfaces are staircases: no, as asked, or since hexahedra that follow the interfaces are worse.
+enum class Staircases { NONE, ASKED, BETTER };
+
+// Distances of interfaces, relative to the edges of hexahedra: the largest one that is not told, a guess, and of rounding.
+constexpr double tolerance_of_interfaces = 0.1, rounding_of_interfaces = 1e-6;
+
+// Tells how well interfaces are kept, in numbers, and in sentences if they are not.
+inline void evaluate_interfaces(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
+                                const Staircases staircases, Hexahedral_mesh_result& result)
 {
-  constexpr double tolerance = 0.1; // a guess; relative to the edges of quadrangles at interfaces
-  result.volumes = volumes_of_subdomains(soup, mesh);
-  for(const Subdomain_volumes& volumes : result.volumes)
-    if(volumes.of_hexahedra == 0)
-      result.message += sentence(" Subdomain ", volumes.reference, " has no hexahedron; make the spacing smaller.");
-  const Interface_distance_3 farthest = interface_distance_3(mesh, interfaces);
+  const Largest_distance_3 farthest = interface_distance_3(mesh, interfaces);
   result.interface_distance = farthest.distance;
   double area = 0;
   for(const std::array<std::size_t, 4>& q : mesh.interface_facets)
     area += (to_vector(mesh.points[q[2]]) - to_vector(mesh.points[q[0]]))
             .cross(to_vector(mesh.points[q[3]]) - to_vector(mesh.points[q[1]])).norm() / 2;
   const double edge = std::sqrt(area / static_cast<double>(mesh.interface_facets.size()));
-  if(!may_be_staircases && farthest.distance > tolerance * edge)
-    result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
-                               " of the edges there; it is the largest at ", describe(farthest.point), ".");
+  if(staircases == Staircases::ASKED || !(farthest.distance > tolerance_of_interfaces * edge))
+    return;
+  if(staircases == Staircases::BETTER)
+    result.message += " Interfaces between subdomains are staircases, as hexahedra that follow them would be inverted or worse.";
+  result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
+                             " of the edges there; it is the largest at ", describe(farthest.point), ".");
+}
+
+// Names the place if a part of the body is left out: a subdomain, or what is farther from the hexahedra than their edges are long.
+inline void check_completeness(const Tetrahedron_soup_3& soup, const Largest_distance_3& farthest, const double edge,
+                               Hexahedral_mesh_result& result)
+{
+  std::string missing;
+  if(farthest.distance > edge)
+    missing = sentence(" The boundaries are ", farthest.distance, " apart at ", describe(farthest.point),
+                       ", where an edge of a hexahedron is about ", edge, " long.");
+  for(const Subdomain_volumes& volumes : result.volumes)
+    if(volumes.of_hexahedra == 0)
+    {
+      const auto first = std::find(soup.cell_references.begin(), soup.cell_references.end(), volumes.reference);
+      const std::size_t v = soup.cells[first - soup.cell_references.begin()][0];
+      missing += sentence(" Subdomain ", volumes.reference, ", which is at ", describe(to_vector(soup.points[v])),
+                          ", has no hexahedron.");
+    }
+  if(missing.empty())
+    return;
+  result.message = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA) + missing
+                   + (result.status == OK ? "" : " " + result.message);
+  result.status = ERROR_INCOMPLETE_HEXAHEDRA;
 }
 
 // Returns the area, center and normal of the quadrangles with each reference.
@@ -151,6 +178,31 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
   return best;
 }
 
+// Tells whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
+// interfaces are far from them, or no nearer than the grid is.
+inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const Hexahedron_soup_3& grid,
+                                         Body_interfaces_3& interfaces)
+{
+  if(!is_at_least(fitted.result, bad_scaled_jacobian))
+    return true;
+  const double distance = interface_distance_3(fitted.mesh, interfaces).distance;
+  if(is_at_least(fitted.result, sufficient_scaled_jacobian) && distance <= rounding_of_interfaces * fitted.edge)
+    return false;
+  return distance > tolerance_of_interfaces * fitted.edge || interface_distance_3(grid, interfaces).distance <= distance;
+}
+
+// Tells whether staircases are to be taken: if neither the worst hexahedra nor interfaces get worse, or if hexahedra that were
+// fitted to interfaces are bad, and staircases are better.
+inline bool is_better_as_staircases(const Best_hexahedra_3& staircases, const Best_hexahedra_3& fitted,
+                                    Body_interfaces_3& interfaces)
+{
+  if(!is_at_least(fitted.result, bad_scaled_jacobian))
+    return is_better(staircases.result, fitted.result, fitted.edge);
+  return is_at_least(staircases.result, fitted.result.minimal_scaled_jacobian)
+    && interface_distance_3(staircases.mesh, interfaces).distance
+       <= interface_distance_3(fitted.mesh, interfaces).distance + rounding_of_interfaces * fitted.edge;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing, Linear_solver_3& solver,
                                         const bool is_parallel, const Budget& budget, const double minimal_scaled_jacobian,
@@ -179,18 +231,31 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
 
   Body_interfaces_3 interfaces(soup, surface);
   Best_hexahedra_3 best;
-  const bool may_keep_interfaces = do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted();
-  if(may_keep_interfaces)
+  Staircases staircases = Staircases::NONE;
+  const auto without_interfaces = [&]
+  { return best_hexahedra_3(soup, map, boxes, spacing, surface, nullptr, solver, is_parallel, budget); };
+  if(do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted())
   {
     Hexahedron_soup_3 separated = boxes;
     Subdomain_separation_3(separated).run(budget);
     best = best_hexahedra_3(soup, map, separated, spacing, surface, &interfaces, solver, is_parallel, budget);
     if(best.result.has_valid_mesh)
+    {
       balance_interfaces_3(interfaces, best.mesh);
+      best.result.minimal_scaled_jacobian = evaluated_hexahedra(best.mesh, best.result.has_padding).minimal_scaled_jacobian;
+    }
+    if(may_be_worse_than_staircases(best, pulled_back(map, boxes, is_parallel, budget), interfaces) && !budget.is_exhausted())
+      if(Best_hexahedra_3 other = without_interfaces(); is_better_as_staircases(other, best, interfaces))
+      {
+        best = std::move(other);
+        staircases = Staircases::BETTER;
+      }
   }
-  const bool are_staircases = !may_keep_interfaces || (!best.result.has_valid_mesh && !budget.is_exhausted());
-  if(are_staircases)
-    best = best_hexahedra_3(soup, map, boxes, spacing, surface, nullptr, solver, is_parallel, budget);
+  else
+  {
+    staircases = Staircases::ASKED;
+    best = without_interfaces();
+  }
   Hexahedral_mesh_result result
     = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted();
@@ -198,12 +263,13 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   {
     set_images(map, is_parallel, best.mesh);
     set_facet_references(soup, surface, interfaces, best.mesh);
-    result.boundary_distance = boundary_distance_3(surface, best.mesh);
+    const Largest_distance_3 farthest = boundary_distance_3(surface, best.mesh);
+    result.boundary_distance = farthest.distance;
     result.patches = patches_of(best.mesh);
+    result.volumes = volumes_of_subdomains(soup, best.mesh);
     check_quality(best.mesh, minimal_scaled_jacobian, result);
-    if(may_keep_interfaces && are_staircases)
-      result.message += " Interfaces between subdomains are staircases, as hexahedra were inverted where they were kept.";
-    evaluate_interfaces(soup, best.mesh, interfaces, are_staircases, result);
+    check_completeness(soup, farthest, best.edge, result);
+    evaluate_interfaces(best.mesh, interfaces, staircases, result);
     result.corners_given_up = corners_given_up_3(soup, surface, best.mesh);
     if(!result.corners_given_up.empty())
       result.message += sentence(" Of ", surface.corners().size(), " marked corners, ", result.corners_given_up.size(),

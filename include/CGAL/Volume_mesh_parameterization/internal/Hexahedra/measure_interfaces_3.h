@@ -57,27 +57,11 @@ inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Tetrahedron_so
   return result;
 }
 
-// The largest distance between interfaces and quadrangles, and where it is.
-struct Interface_distance_3
-{
-  double distance = 0;
-  Eigen::Vector3d point;
-
-  void take(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-  {
-    if((p - q).norm() > distance)
-    {
-      distance = (p - q).norm();
-      point = p;
-    }
-  }
-};
-
 // Measures the distances of the vertices, the middles of edges and the centers of quadrangles from the interface of their
 // subdomains, and those of the vertices of interfaces from the quadrangles.
-inline Interface_distance_3 interface_distance_3(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces)
+inline Largest_distance_3 interface_distance_3(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces)
 {
-  Interface_distance_3 result;
+  Largest_distance_3 result;
   Matrix3Xd positions(3, mesh.points.size());
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     positions.col(v) = to_vector(mesh.points[v]);
