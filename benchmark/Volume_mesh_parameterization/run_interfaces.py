@@ -66,18 +66,20 @@ def make_mesh(body, size, name):
     return mesh
 
 
-def run_case(arguments, mesh, length, number):
+def run_case(arguments, mesh, length, number, options=("--to", "polycube")):
+    """One row of the table; the hexahedra are in CASE_hexahedra.mesh beside the mesh."""
     row = {"case": f"{mesh.stem}_{number}"}
     output, report = (mesh.with_name(row["case"] + ending) for ending in ("_hexahedra.mesh", ".json"))
     for file in (output, report):
         file.unlink(missing_ok=True)
     spacing = length / number
-    command = [arguments.driver, mesh, "--to", "polycube", "--refine", "--threads", "1", "--quiet",
+    command = [arguments.driver, mesh, *options, "--refine", "--threads", "1", "--quiet",
                "--time-limit", str(arguments.time_limit), "--hexahedra", str(spacing), output, "--report", report]
     run = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    row["exit_code"] = run.returncode
     said = json.loads(report.read_text()) if report.exists() else {}
     result = said.get("hexahedra")
-    if not result:
+    if not result or result["interface_distance"] is None:
         return {**row, "status": run.stderr.strip() or said.get("status", f"exit code {run.returncode}")}
     row.update(tetrahedra=said["cells"], hexahedra=result["cells"], seconds=said["seconds_hexahedra"],
                interface_distance=result["interface_distance"] / spacing, status=result["status_code"])

@@ -130,7 +130,8 @@ and the distance of the interfaces, and its message tells where this is more tha
 Quadrangles of the boundary and of interfaces have the references of the marked facets of the soup, or of the surface patches
 of the complex, that they lie on.
 
-The best of all meshes is returned: the one with the fewest inverted corners and hexahedra, or, among several, with the largest sum of the
+The best of all meshes is returned: the one with the fewest inverted corners and hexahedra, or, among several, with the largest
+sum of the
 mean scaled Jacobian and the minimal one, which counts up to 0.5, less 0.3 for each edge by which the boundaries are farther
 apart than 0.4 edges, and at most 0.3. Exact arithmetic on the coordinates written checks that all hexahedra are positive all over
 them: the Jacobian determinant of the trilinear map of a cube to a hexahedron has 27 Bernstein coefficients, and where these leave

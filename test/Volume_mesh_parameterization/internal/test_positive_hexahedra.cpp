@@ -23,7 +23,7 @@ namespace {
 
 constexpr int corners[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
 
-// The cube [-1, 1]^2 x [0, 1], with the square at the top mapped by a matrix: its determinant at height z is 4 det((1 - z) I + z A).
+// The box [-1, 1]^2 x [0, 1], with the square at the top mapped by a matrix A: the determinant is 4 det((1 - z) I + z A).
 Hexahedron_points_3<double> cube_with_top(const Eigen::Matrix2d& A)
 {
   Hexahedron_points_3<double> result;

@@ -142,7 +142,8 @@ public:
   // the other. Uncovered points have a price.
   void smooth(const double target, const double price)
   {
-    smooth_hexahedra_3(m_numbered.cells, m_hexahedra, m_freedom, m_surfaces, m_covered, target, price, m_budget, m_numbered.target);
+    smooth_hexahedra_3(m_numbered.cells, m_hexahedra, m_freedom, m_surfaces, m_covered, target, price, m_budget,
+                       m_numbered.target);
     write_points();
   }
 
@@ -230,8 +231,8 @@ private:
   bool is_positive_all_over(const Matrix3Xd& positions, const std::size_t h) const
   { return is_positive_hexahedron_3(points_of_hexahedron(positions, m_hexahedra[h])); }
 
-  // Takes positions, put back onto the boundary. Where a hexahedron would be inverted, or a corner so flat that the next steps
-  // would serve it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
+  // Takes positions, put back onto the boundary. If a hexahedron would be inverted, or a corner so flat that the next steps would
+  // serve it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
   // steps are left to mend them.
   void put_back(const Matrix3Xd& moved, const bool was_valid, const double mean_edge)
   {

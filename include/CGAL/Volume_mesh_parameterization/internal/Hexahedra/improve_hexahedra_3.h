@@ -57,9 +57,9 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh,
   return result;
 }
 
-// Tells whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian where this is bad, or the
-// larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of the other.
-// Boundaries that are far apart, in edges, have a price.
+// Tells whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian where this is
+// bad, or the larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of
+// the other. Boundaries that are far apart, in edges, have a price.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge

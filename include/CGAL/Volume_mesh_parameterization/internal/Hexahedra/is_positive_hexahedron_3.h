@@ -25,7 +25,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <typename FT>
 using Hexahedron_points_3 = std::array<std::array<FT, 3>, 8>; // in the order of VTK
 
-// Bernstein coefficients of a polynomial on the unit cube whose degree is 2 in each variable: that of (i, j, k) is at 9 i + 3 j + k.
+// Bernstein coefficients of a polynomial on the unit cube whose degree in each variable is 2: that of (i, j, k) is at 9i + 3j + k.
 template <typename FT>
 using Bernstein_coefficients_3 = std::array<FT, 27>;
 
