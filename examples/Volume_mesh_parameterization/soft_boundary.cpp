@@ -33,5 +33,5 @@ int main()
 
   std::cout << result.message << "\n"
             << "boundary residual " << result.boundary_residual << ", energy " << result.energy << std::endl;
-  return result.has_valid_map ? EXIT_SUCCESS : EXIT_FAILURE;
+  return result.status == VMP::OK_WITHIN_TOLERANCE ? EXIT_SUCCESS : EXIT_FAILURE;
 }

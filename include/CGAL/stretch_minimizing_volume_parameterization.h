@@ -202,8 +202,10 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDescription{further linear equations between the images of vertices, for `Boundary_mode::SOFT`}
     \cgalParamType{`std::vector<Volume_mesh_parameterization::Linear_constraint_3<C3t3::Vertex_handle> >`}
     \cgalParamDefault{none}
-    \cgalParamExtra{With constraints, prescribed vertices come near their targets, but are never put on them. So the status is
-                    `ERROR_BOUNDARY_NOT_REACHED`, and `boundary_residual` tells how near they are.}
+    \cgalParamExtra{With constraints, prescribed vertices come near their targets, but are never put on them. If the norm
+                    of all residuals is at most `Soft_boundary_parameters::residual_tolerance`, the status is
+                    `OK_WITHIN_TOLERANCE`, and otherwise `ERROR_BOUNDARY_NOT_REACHED`; `boundary_residual` tells how near
+                    the vertices are.}
     \cgalParamPrecondition{The vertices belong to cells of the complex; otherwise `std::out_of_range` is thrown.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}

@@ -791,6 +791,40 @@ TEST_CASE("A shifted target has the shifted map")
   }
 }
 
+TEST_CASE("A soft boundary with constraints that ends within its tolerance is a success, and nothing is refined")
+{
+  Complex complex(mapped_cube(4, 0, [](const Vector3d& p) -> Vector3d
+  { return p - (p == Vector3d(2, 2, 4) ? 1 : 0) * Vector3d::UnitZ(); }));
+  std::vector<VMP::Linear_constraint_3<Vertex_handle> > constraints; // the plane of symmetry keeps its place
+  for(std::size_t v = 0; v < complex.vertices.size(); ++v)
+    if(complex.mesh.source(0, v) == 2)
+      constraints.push_back({ { { complex.vertices[v], Vector3d::UnitX() } }, 2. });
+  VMP::Soft_boundary_parameters parameters;
+  const auto run = [&](const bool may_refine)
+  {
+    return CGAL::stretch_minimizing_volume_parameterization(
+      complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()).boundary_mode(VMP::Boundary_mode::SOFT)
+                                              .positional_constraints(constraints).soft_boundary_parameters(parameters)
+                                              .do_refine(may_refine));
+  };
+  const Parameterization_result result = run(true);
+  INFO(result.message);
+  CHECK(result.status == VMP::OK_WITHIN_TOLERANCE);
+  CHECK(result.has_valid_map);
+  CHECK(result.number_of_added_vertices == 0);
+  CHECK(result.message.find("the tolerance is 1e-06") != std::string::npos);
+  CHECK(result.message.find("efine") == std::string::npos);
+  double distance = 0;
+  for(const auto& [v, p] : complex.target)
+    distance = (std::max)(distance, std::sqrt(CGAL::squared_distance(p, complex.uvw.at(v))));
+  CHECK(distance > 0);
+  CHECK(distance < 1e-6 * 4); // where the target has volume 1, lengths are a fourth
+
+  parameters.residual_tolerance = 1e-20;
+  parameters.maximal_number_of_raises = 1;
+  CHECK(run(false).status == VMP::ERROR_BOUNDARY_NOT_REACHED);
+}
+
 TEST_CASE("A boundary that is missed is told with the place, and whether it intersects itself")
 {
   // the middle of the upper face is drawn through the lower one

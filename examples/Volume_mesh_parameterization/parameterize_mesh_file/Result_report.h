@@ -39,6 +39,7 @@ inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Err
   switch(code)
   {
     case VMP::OK: return "OK";
+    case VMP::OK_WITHIN_TOLERANCE: return "OK_WITHIN_TOLERANCE";
     case VMP::ERROR_NOT_CONVERGED: return "ERROR_NOT_CONVERGED";
     case VMP::ERROR_INTERRUPTED: return "ERROR_INTERRUPTED";
     case VMP::ERROR_ANGLE_BOUND_NOT_REACHED: return "ERROR_ANGLE_BOUND_NOT_REACHED";

@@ -21,8 +21,8 @@ namespace CGAL::Volume_mesh_parameterization {
 
 The ways in which a parameterization can end.
 
-With `OK`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there is a map
-without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
+With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there
+is a map without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
 `Parameterization_result::has_valid_map`. With the other values there is none. The values from
 `ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last three from
 `Volume_mesh_parameterization::hexahedral_mesh()`.
@@ -30,6 +30,7 @@ without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED
 enum Error_code
 {
   OK = 0,                        ///< the map has no inverted cell, meets the boundary exactly, and is a minimizer
+  OK_WITHIN_TOLERANCE,           ///< the same with a soft boundary that is met up to `residual_tolerance`, as in the paper
   ERROR_NOT_CONVERGED,           ///< the map is valid, but the minimization of the energy did not come to its end
   ERROR_INTERRUPTED,             ///< the visitor or the time limit ended the computation
   ERROR_ANGLE_BOUND_NOT_REACHED, ///< the map is valid, but the distortion of angles exceeds the bound in some cell
@@ -71,6 +72,7 @@ inline const char* get_error_message(const Error_code code)
   switch(code)
   {
     case OK: return "Success.";
+    case OK_WITHIN_TOLERANCE: return "Success: the soft boundary meets its targets within its tolerance.";
     case ERROR_NOT_CONVERGED: return "The map is valid, but the minimization ended before its energy was minimal.";
     case ERROR_INTERRUPTED: return "The visitor or the time limit ended the computation.";
     case ERROR_ANGLE_BOUND_NOT_REACHED:

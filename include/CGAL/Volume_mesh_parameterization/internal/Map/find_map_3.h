@@ -56,6 +56,12 @@ inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, co
     found.reason = search.reason();
     found.untangling_method = "soft boundary";
     found.number_of_raises = search.number_of_raises();
+    if(found.status == OK && !found.map.meets_boundary)
+    {
+      found.status = OK_WITHIN_TOLERANCE;
+      found.reason = sentence("If the target has volume 1, the norm of all residuals is ", search.residual(),
+                              ", and the tolerance is ", problem.options.soft.residual_tolerance, ".");
+    }
     if(search.can_snap() && !progress.is_interrupted())
       at_targets = { Search_start_3::Stage::UNTANGLING, search.snapped_positions(), "soft boundary" };
   }

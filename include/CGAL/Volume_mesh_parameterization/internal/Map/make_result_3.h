@@ -27,7 +27,7 @@ inline Error_code final_status(const Found_map_3& found)
   if(found.status == ERROR_INTERRUPTED)
     return found.status;
   if(found.map.is_valid())
-    return found.map.meets_boundary ? found.status : ERROR_BOUNDARY_NOT_REACHED;
+    return found.map.meets_boundary || found.status == OK_WITHIN_TOLERANCE ? found.status : ERROR_BOUNDARY_NOT_REACHED;
   return found.status == ERROR_LINEAR_SOLVER_FAILED || found.status == ERROR_INVERTED_BY_ROUNDING ? found.status
                                                                                                    : ERROR_NOT_FLIP_FREE;
 }
