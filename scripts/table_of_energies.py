@@ -42,7 +42,10 @@ def main():
             continue
         name = f"{row[1]}_energy"
         missing.discard(name)
-        new = measured(line, arguments.folder.resolve() / name)
+        program = arguments.folder.resolve() / name
+        if row[1] == "dirichlet" and not program.exists(): # it is built only with CHOLMOD
+            continue
+        new = measured(line, program)
         if not is_same(line, new):
             differences.append(f"in the manual: {line}\nof the program: {new}")
         lines[i] = new

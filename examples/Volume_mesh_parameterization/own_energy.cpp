@@ -1,9 +1,14 @@
 // Bends a ball, with an energy of one's own: stretch, and the third power of what singular values exceed a limit by.
-#include "mesh_body.h"
-
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Labeled_mesh_domain_3.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_criteria_3.h>
+#include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/make_mesh_3.h>
 
 #include <Eigen/Dense>
 
@@ -12,6 +17,13 @@
 #include <cstdlib>
 #include <iostream>
 #include <unordered_map>
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = K::Point_3;
+using Domain = CGAL::Labeled_mesh_domain_3<K>;
+using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
+using Vertex_handle = C3t3::Vertex_handle;
 
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -53,11 +65,12 @@ struct Limited_stretch_energy_3
 int main()
 {
   const auto ball = [](const Point_3& p) { return CGAL::squared_distance(p, Point_3(0, 0, 0)) - 1; };
-  Domain domain = Domain::create_implicit_mesh_domain(ball, K::Sphere_3(CGAL::ORIGIN, 2.));
+  const Domain domain = Domain::create_implicit_mesh_domain(ball, K::Sphere_3(CGAL::ORIGIN, 2.));
   const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.2,
                                            params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2,
                                            params::cell_size = 0.2);
-  const C3t3 c3t3 = mesh_body(domain, criteria);
+  // limits of time, as by default, would give another mesh in each run
+  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::exude(params::time_limit = 0));
 
   const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();
   const auto bend = [&point](const Vertex_handle v)
