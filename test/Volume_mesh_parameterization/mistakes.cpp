@@ -80,6 +80,10 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   Eigen::Matrix3Xd points, images;
   Eigen::Matrix4Xi cells;
   CGAL::stretch_minimizing_volume_parameterization(points, cells, images);
+#elif defined IMAGES_ARE_INTEGERS
+  const Eigen::MatrixXd points;
+  Eigen::MatrixXi cells, images;
+  CGAL::stretch_minimizing_volume_parameterization(points, cells, images);
 #elif defined BOUNDARY_IS_GIVEN_TWICE
   CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map, params::boundary_map(uvw_map).boundary_parameterizer(VMP::Ball_boundary_parameterizer_3()));
