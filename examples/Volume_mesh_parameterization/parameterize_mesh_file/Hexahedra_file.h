@@ -56,7 +56,7 @@ public:
       if(extension() == ".vtu")
         VMP::IO::write_VTU(file.stream(), mesh);
       else if(extension() == ".inp")
-        VMP::IO::write_INP(file.stream(), mesh);
+        VMP::IO::write_INP(file.stream(), mesh, "C3D8", source.group_names);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
       else if(is_Gmsh_name(m_name))
         gmsh_module().write_hexahedra(file.stream(), mesh, source.group_names, is_old_Gmsh_name(m_name));

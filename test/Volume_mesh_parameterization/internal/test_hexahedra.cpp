@@ -1302,6 +1302,19 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   CHECK_FALSE(std::ifstream(name));
   CHECK_FALSE(VMP::IO::write_INP("no/such/folder.inp", mesh));
 
+  // groups are sets, too, each by a name of its own that these programs take
+  Hexahedron_soup_3 marked = mesh;
+  marked.facet_references.front() = 5;
+  std::ostringstream with_groups;
+  VMP::IO::write_INP(with_groups, marked, "C3D8",
+                     { { { 2, 5 }, "2nd face" }, { { 3, 0 }, "STEEL_1" }, { { 3, 9 }, "Steel 1" }, { { 3, 77 }, "of no cell" } });
+  auto named = sections_of_inp(with_groups.str());
+  CHECK(named.at("*ELSET, ELSET=STEEL_1") == sections.at("*ELSET, ELSET=SUBDOMAIN_0"));
+  CHECK(named.at("*ELSET, ELSET=Steel_1_2") == sections.at("*ELSET, ELSET=SUBDOMAIN_9"));
+  CHECK(named.at("*NSET, NSET=GROUP_2nd_face") == named.at("*NSET, NSET=SURFACE_5"));
+  CHECK(named.at("*SURFACE, TYPE=ELEMENT, NAME=GROUP_2nd_face") == named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_5"));
+  CHECK(named.size() == sections.size() + 6); // these, and two of SURFACE_5
+
   const std::vector<std::string>& nodes = sections.at("*NODE, NSET=NALL");
   REQUIRE(nodes.size() == 4 * mesh.points.size());
   for(std::size_t i = 0; i < nodes.size(); ++i)
