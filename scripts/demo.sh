@@ -25,4 +25,4 @@ done
 
 step "Open in ParaView: $root/build/elephant_to_{ball,cube}.vtu"
 echo "(vectors uvw: the map; filter Calculator with Coordinate Results: uvw shows the image)"
-echo "For meshes of your own: $programs/parameterize_mesh_file SOURCE.mesh --to ball --refine -o OUT.vtu"
+printf 'For meshes of your own: %q SOURCE.mesh --to ball --refine -o OUT.vtu\n' "$programs/parameterize_mesh_file"

@@ -11,6 +11,7 @@ a LINE, but for a comment behind, are left out.
 """
 import argparse
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -25,7 +26,7 @@ def run(commands, folder):
     """What they print, and the folder where they end."""
     with tempfile.NamedTemporaryFile("r") as end:
         output = []
-        with subprocess.Popen(["bash", "-e", "-c", f"{commands}\npwd > {end.name}"], cwd=folder, text=True,
+        with subprocess.Popen(["bash", "-e", "-c", f"{commands}\npwd > {shlex.quote(end.name)}"], cwd=folder, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
             for line in process.stdout:
                 print(line, end="", flush=True)
