@@ -77,10 +77,16 @@ public:
 
   std::size_t number_of_components(const std::string& name) const
   {
-    const std::string digits = attribute(m_arrays.at(name).tag, "NumberOfComponents", "1");
-    std::size_t result = 1;
-    std::from_chars(digits.data(), digits.data() + digits.size(), result);
-    return (std::max)(result, std::size_t(1));
+    return (std::max)(number(m_arrays.at(name).tag, "NumberOfComponents", "1"), std::size_t(1));
+  }
+
+  // Throws unless the piece has as many points, or cells, as it says.
+  void check_number(const char* what, const std::size_t number_of_elements) const
+  {
+    const std::size_t told = number(m_piece, what, std::to_string(number_of_elements));
+    if(told != number_of_elements)
+      throw Input_error(std::string(what) + " is " + std::to_string(told) + ", but the arrays have "
+                        + std::to_string(number_of_elements));
   }
 
   template <typename Number>
@@ -131,6 +137,16 @@ private:
           return std::string(tag.substr(i + begin.size(), tag.find(quote, i + begin.size()) - i - begin.size()));
     }
     return otherwise;
+  }
+
+  static std::size_t number(const std::string_view tag, const std::string& name, const std::string& otherwise = "")
+  {
+    const std::string digits = attribute(tag, name, otherwise);
+    std::size_t result = 0;
+    const std::from_chars_result end = std::from_chars(digits.data(), digits.data() + digits.size(), result);
+    if(end.ec != std::errc() || end.ptr != digits.data() + digits.size())
+      throw Input_error("the attribute " + name + " is " + Text_scanner::quote(digits) + " instead of a number");
+    return result;
   }
 
   static std::string without_entities(std::string text)
@@ -184,8 +200,12 @@ private:
       const std::string_view tag = m_text.substr(begin + 1, end - begin - 1);
       if(begins(tag, "VTKFile"))
         m_header = tag;
-      else if(begins(tag, "Piece") && ++number_of_pieces > 1)
-        throw Input_error("the mesh has several pieces; merge them into one");
+      else if(begins(tag, "Piece"))
+      {
+        if(++number_of_pieces > 1)
+          throw Input_error("the mesh has several pieces; ParaView saves them as one, for --merge-points");
+        m_piece = tag;
+      }
       else if(is_section(tag))
         section = std::string(tag.substr(0, tag.find_first_of(" \t\r\n/")));
       else if(begins(tag, "DataArray"))
@@ -208,11 +228,9 @@ private:
     std::string_view data = content;
     if(format == "appended")
     {
-      std::size_t offset = 0;
-      const std::string digits = attribute(tag, "offset");
-      std::from_chars(digits.data(), digits.data() + digits.size(), offset);
+      const std::size_t offset = number(tag, "offset");
       if(offset > m_appended.size())
-        throw Input_error("the file ends too early, before the offset " + digits);
+        throw Input_error("the file ends too early, before the offset " + std::to_string(offset));
       data = m_appended.substr(offset);
     }
     const auto decoded = [&](const std::size_t n) // bytes from the first one on
@@ -279,7 +297,7 @@ private:
     return result;
   }
 
-  std::string_view m_text, m_header, m_appended;
+  std::string_view m_text, m_header, m_piece, m_appended;
   const Budget& m_budget;
   bool m_is_appended_raw = false;
   std::map<std::string, Array> m_arrays;

@@ -63,6 +63,8 @@ inline Tetrahedron_soup_3 read_VTU(const std::string_view text, const Budget& bu
     soup.points.push_back({ checked_coordinate(coordinates[i]), checked_coordinate(coordinates[i + 1]),
                             checked_coordinate(coordinates[i + 2]) });
   const std::vector<std::int64_t> types = arrays.numbers<std::int64_t>("Cells/types");
+  arrays.check_number("NumberOfPoints", soup.points.size());
+  arrays.check_number("NumberOfCells", types.size());
   soup.point_data = read_VTU_data(arrays, "PointData", soup.points.size(), soup.notes);
   soup.group_names = read_VTU_names(arrays);
   add_VTK_cells(soup, arrays.numbers<std::int64_t>("Cells/connectivity"), arrays.numbers<std::int64_t>("Cells/offsets"), types,
