@@ -240,9 +240,9 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
 
   // not tetrahedral
   CHECK(reading_error(replaced(tetrahedron, "End", "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nEnd"))
-        == "line 13: the mesh is not tetrahedral, it has Hexahedra");
+        == "line 13: " + VMP::internal::sentence_on_other_cells("Hexahedra"));
   CHECK(reading_error(replaced(tetrahedron, "End", "Prisms 1\n"))
-        == "line 12: the mesh is not tetrahedral, it has Prisms");
+        == "line 12: " + VMP::internal::sentence_on_other_cells("Prisms"));
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n1 2 3 4 7", "Tetrahedra\n0"))
         == "the mesh is not tetrahedral, there is no tetrahedron in the file");
 
@@ -839,7 +839,7 @@ TEST_CASE("Each fault in a binary MEDIT file has a sentence")
   CHECK(reading_error(with(28, -1)) == "the file ends too early, it has not -1 elements of a section");
   CHECK(reading_error(with(32, 5)) == "vertex 5 does not exist, there are 4, counted from 1");
   CHECK(reading_error(with(32, 0)).find("vertex 0 does not exist") == 0);
-  CHECK(reading_error(with(20, 10)) == "the mesh is not tetrahedral, it has prisms, hexahedra or pyramids");
+  CHECK(reading_error(with(20, 10)) == VMP::internal::sentence_on_other_cells("prisms, hexahedra or pyramids"));
   CHECK(reading_error(with(20, 12)).find("the mesh is a surface, there are 1 triangles and no tetrahedron") == 0);
   std::string infinite = file;
   const double infinity = std::numeric_limits<double>::infinity();
@@ -983,6 +983,7 @@ TEST_CASE("Of second-order cells in a VTU file the corners are read, with their 
   };
   std::string file = VTU("", array_as_text);
   file = replaced(replaced(file, "3 0 1 2 0 1 2 3", "3 0 1 2 0 0 0 0 1 2 3 0 0 0 0 0 0"), "1 4 8", "1 7 17");
+  file = replaced(file, "NumberOfPoints='4'", "NumberOfPoints='5'");
   file = replaced(replaced(file, "1 5 10", "1 22 24"), "0.25 0 0 0 0.25 0 0 0 0.25", "0.25 0 0 0 0.25 0 0 0 0.25 9 9 9");
   const std::string temperatures = array_as_text("Float32", "T", std::vector<double>{ 1, 2, 3, 4, 5 });
   file = replaced(file, "<Cells>", "<PointData>" + temperatures + "</PointData><Cells>");
@@ -1018,7 +1019,9 @@ TEST_CASE("Each fault in a VTU file has a sentence")
   CHECK(error("Points' Num", "Points' Num") == "");
   CHECK(error("UnstructuredGrid\" version", "PolyData\" version")
         == "this is not a VTK XML file of the type UnstructuredGrid");
-  CHECK(error("1 5 10", "1 5 12") == "the mesh is not tetrahedral, it has a cell of VTK's type 12");
+  CHECK(error("1 5 10", "1 5 12") == "the mesh is not tetrahedral, it has hexahedra, such as cell 2 (counted from 0); ParaView's "
+                                     "filter Tetrahedralize cuts the cells of a file .vtu into tetrahedra");
+  CHECK(error("1 5 10", "1 5 99").find("it has cells of VTK's type 99, such as cell 2") != std::string::npos);
   CHECK(error("1 5 10", "1 5 5").find("the mesh is a surface, there are 2 triangles") == 0);
   CHECK(error("1 4 8", "1 4 80") == "the offset 80 of cell 2 (counted from 0) is wrong");
   CHECK(error("1 4 8", "1 4 2") == "the offset 2 of cell 2 (counted from 0) is wrong");
@@ -1029,7 +1032,13 @@ TEST_CASE("Each fault in a VTU file has a sentence")
   CHECK(error("0.25 0 0", "0.25 0 nan").find("'nan' is not a number of an array") != std::string::npos);
   CHECK(error("0.25 0 0", "0.25 0") == "the array Points is not complete");
   CHECK(error("connectivity", "connections") == "there is no array Cells/connectivity");
-  CHECK(error("<Points>", "<Piece NumberOfPoints='0'><Points>") == "the mesh has several pieces; merge them into one");
+  CHECK(error("Points='4'", "Points='5'") == "NumberOfPoints is 5, but the arrays have 4");
+  CHECK(error("Cells='3'", "Cells='2'") == "NumberOfCells is 2, but the arrays have 3");
+  CHECK(error("Cells='3'", "Cells='-3'") == "the attribute NumberOfCells is '-3' instead of a number");
+  CHECK(error("Points' NumberOfComponents='3'", "Points' format='appended' offset='-1'")
+        == "the attribute offset is '-1' instead of a number");
+  CHECK(error("<Points>", "<Piece NumberOfPoints='0'><Points>")
+        == "the mesh has several pieces; ParaView saves them as one, for --merge-points");
   CHECK(sentence([&]() { read_any("<?xml version=\"1.0\"?><VTKFile"); }) == "the file ends within a tag");
   std::string deep = "<?xml version=\"1.0\"?>";
   for(int i = 0; i < 100000; ++i)

@@ -132,7 +132,8 @@ private:
       gmsh::model::mesh::getElementProperties(types[t], name, type_dimension, order, number_of_nodes, coordinates,
                                               number_of_corners);
       if(dimension == 3 && number_of_corners != 4)
-        throw Input_error("the mesh is not tetrahedral, it has elements of Gmsh's type '" + name + "'");
+        throw Input_error(CGAL::Volume_mesh_parameterization::internal::sentence_on_other_cells(
+          "elements of Gmsh's type '" + name + "'"));
       if(dimension == 0 || number_of_corners != dimension + 1)
         continue;
       m_has_higher_order = m_has_higher_order || order > 1;

@@ -159,7 +159,7 @@ private:
       case TETRAHEDRA_P2: read_simplices(10, soup.cells, soup.cell_references); break;
       case PRISMS: case HEXAHEDRA: case PYRAMIDS:
         if(next_integer() != 0)
-          throw Input_error("the mesh is not tetrahedral, it has prisms, hexahedra or pyramids");
+          throw Input_error(sentence_on_other_cells("prisms, hexahedra or pyramids"));
     }
     if(end != 0)
       m_scanner.go_to(static_cast<std::size_t>(end));

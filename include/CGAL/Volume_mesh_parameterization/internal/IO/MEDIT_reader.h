@@ -128,7 +128,7 @@ private:
       if(m_last == DIMENSION && count != 3)
         scanner.fail("the dimension is not 3");
       if(m_last > TETRAHEDRA_P2 && count != 0)
-        scanner.fail("the mesh is not tetrahedral, it has " + std::string(word));
+        scanner.fail(sentence_on_other_cells(std::string(word)));
       m_sections[m_last].count += static_cast<double>(count);
       m_sections[m_last].begins.push_back(scanner);
     }

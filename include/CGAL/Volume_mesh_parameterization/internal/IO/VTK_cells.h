@@ -17,8 +17,20 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
 
 #include <algorithm>
+#include <map>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The name of cells of a type of VTK, in the plural.
+inline std::string name_of_VTK_cells(const std::int64_t type)
+{
+  static const std::map<std::int64_t, const char*> names = {
+    { 11, "voxels" }, { 12, "hexahedra" }, { 13, "prisms" }, { 14, "pyramids" }, { 25, "quadratic hexahedra" },
+    { 26, "quadratic prisms" }, { 27, "quadratic pyramids" }, { 29, "quadratic hexahedra" }, { 42, "polyhedra" },
+    { 72, "hexahedra of higher order" }, { 73, "prisms of higher order" }, { 74, "pyramids of higher order" } };
+  const auto name = names.find(type);
+  return name == names.end() ? "cells of VTK's type " + std::to_string(type) : name->second;
+}
 
 // Adds cells of an unstructured grid of VTK to a soup that has its points, with their data. References are among these.
 class VTK_cells_reader
@@ -49,7 +61,8 @@ public:
       default:
         constexpr std::int64_t last_of_surfaces = 9;
         if(type < 1 || type > last_of_surfaces)
-          throw Input_error("the mesh is not tetrahedral, it has a cell of VTK's type " + std::to_string(type));
+          throw Input_error(sentence_on_other_cells(name_of_VTK_cells(type) + ", such as cell " + std::to_string(c)
+                                                    + " (counted from 0)"));
     }
   }
 

@@ -31,6 +31,13 @@ inline void require_tetrahedra(const std::size_t number_of_cells, const std::siz
                     "the file; a volume mesher fills it: " + command);
 }
 
+// The sentence on a mesh with cells that are named in the plural.
+inline std::string sentence_on_other_cells(const std::string& cells)
+{
+  return "the mesh is not tetrahedral, it has " + cells + "; ParaView's filter Tetrahedralize cuts the cells of a file .vtu into "
+         "tetrahedra";
+}
+
 // Removes the points that are no corner of a cell, facet or edge, as those on the edges of second-order cells are not, and no
 // marked one, and notes it.
 inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
