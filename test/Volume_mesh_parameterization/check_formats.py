@@ -279,6 +279,69 @@ def check_abaqus(driver, folder):
     assert "2 cells" in run(driver, "sets.mesh", "--to", "ball", folder=folder).stdout
 
 
+def check_meshio(driver, folder):
+    """Each format that meshio converts, as far as its libraries are installed, and formats for which there is no command."""
+    points = numpy.array([[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
+    mesh = meshio.Mesh(points, [("tetra", numpy.array([[0, 1, 2, 3], [1, 4, 2, 3]]))])
+    for extension in ("inp avs cgns e ex2 exo f3grid fem h5m mdpa med nas vol post dato su2 dat tec ele ugrid xml xdmf xmf "
+                      "hmf").split():
+        name = f"cells.{extension}"
+        try:
+            meshio.write(folder / name, mesh)
+        except ModuleNotFoundError:
+            continue
+        command, = advice(refused(driver, name, "--to", "ball", folder=folder), "can be converted: ", name)
+        run(*command, folder=folder)
+        assert "2 cells" in run(driver, "cells.vtu", "--to", "ball", folder=folder).stdout, name
+        (folder / "cells.vtu").unlink()
+    for extension in ("tet", "veg", "neu"):
+        (folder / f"cells.{extension}").write_text("cells\n")
+        assert "meshio convert" not in refused(driver, f"cells.{extension}", "--to", "ball", folder=folder)
+
+
+PIECE = """<Piece NumberOfPoints="4" NumberOfCells="1"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 0 1 0 0 0 1 0 0 0 %d</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">4</DataArray><DataArray type="UInt8" Name="types" format="ascii">10</DataArray>
+</Cells></Piece>"""
+GRID = """<?xml version="1.0"?>
+<VTKFile type="%sUnstructuredGrid" version="0.1" byte_order="LittleEndian"><%sUnstructuredGrid>%s</%sUnstructuredGrid></VTKFile>"""
+
+
+def check_paraview(driver, folder):
+    """What is advised to be done in ParaView helps, here by VTK's classes, if they are installed."""
+    try:
+        import vtk
+    except ImportError:
+        return
+
+    def saved(reader, name, filters=()):
+        reader.SetFileName(str(folder / name))
+        for of_vtk in (*filters, vtk.vtkXMLUnstructuredGridWriter()):
+            of_vtk.SetInputConnection(reader.GetOutputPort())
+            reader = of_vtk
+        reader.SetFileName(str(folder / "saved.vtu"))
+        reader.Write()
+        return "saved.vtu"
+
+    for i, z in enumerate((1, -1)):
+        (folder / f"piece_{i}.vtu").write_text(GRID % ("", "", PIECE % z, ""))
+    (folder / "pieces.vtu").write_text(GRID % ("", "", PIECE % 1 + PIECE % -1, ""))
+    (folder / "pieces.pvtu").write_text(GRID % ("P", "P", '<PPoints><PDataArray type="Float64" NumberOfComponents="3"/>'
+                                               '</PPoints><Piece Source="piece_0.vtu"/><Piece Source="piece_1.vtu"/>', "P"))
+    readers = {"pieces.vtu": vtk.vtkXMLUnstructuredGridReader, "pieces.pvtu": vtk.vtkXMLPUnstructuredGridReader}
+    for name, reader in readers.items():
+        assert "--merge-points" in refused(driver, name, "--to", "ball", folder=folder), name
+        file = saved(reader(), name)
+        assert "2 cells, 5 vertices" in run(driver, file, "--merge-points", "--to", "ball", folder=folder).stdout
+
+    points = numpy.array([[x, y, z] for z in (0., 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))] + [[.5, .5, 2.]])
+    meshio.write(folder / "mixed.vtu", meshio.Mesh(points, [("hexahedron", numpy.array([range(8)])),
+                                                            ("pyramid", numpy.array([[4, 5, 6, 7, 8]]))]))
+    assert "hexahedra, such as cell 0" in refused(driver, "mixed.vtu", "--to", "ball", folder=folder)
+    file = saved(vtk.vtkXMLUnstructuredGridReader(), "mixed.vtu", [vtk.vtkDataSetTriangleFilter()])
+    assert "0 inverted cells" in run(driver, file, "--to", "ball", "--refine", folder=folder).stdout
+
+
 def check_vtk(driver, folder):
     """Legacy files of VTK, as MFEM writes them, with data of cells and points."""
     run("tetgen", "-pqga0.1", "surface.off", folder=folder)
@@ -310,6 +373,8 @@ def main(driver, mesh_labels, options):
         check_labeled_image(driver, mesh_labels, folder)
         check_tetgen(driver, folder)
         check_abaqus(driver, folder)
+        check_meshio(driver, folder)
+        check_paraview(driver, folder)
         if "--vtk" in options:
             check_vtk(driver, folder)
     print("Groups and data go through.")

@@ -1,5 +1,6 @@
 // The program parameterize_mesh_file: its exit codes, its files and its sentences.
 #include "catch.h"
+#include "Soup_bytes.h"
 #include "array_of_vtu_file.h"
 #include "mapped_with_splits.h"
 
@@ -48,6 +49,9 @@ using Point = std::array<double, 3>;
 using Names = std::set<std::string>;
 
 namespace {
+
+// A word of a command of the shell.
+std::string quoted(const std::string& text) { return "'" + std::regex_replace(text, std::regex("'"), "'\\''") + "'"; }
 
 // A folder of its own for one test, with what the driver needs in it.
 class Folder
@@ -105,7 +109,7 @@ public:
   // Runs a command, in which "$driver" is the program.
   int shell(const std::string& command) const
   {
-    const std::string line = "driver='" PARAMETERIZE_MESH_FILE "'; cd '" + m_path.string() + "' && { " + command
+    const std::string line = "driver=" + quoted(PARAMETERIZE_MESH_FILE) + "; cd " + quoted(m_path.string()) + " && { " + command
       + "\n} > stdout 2> stderr";
     const int status = std::system(line.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -125,7 +129,7 @@ public:
     REQUIRE(m_process >= 0);
     if(m_process > 0)
       return;
-    const std::string command = "cd '" + folder.path("") + "' && exec '" PARAMETERIZE_MESH_FILE "' " + arguments;
+    const std::string command = "cd " + quoted(folder.path("")) + " && exec " + quoted(PARAMETERIZE_MESH_FILE) + " " + arguments;
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
@@ -900,6 +904,9 @@ TEST_CASE("Hexahedra follow a ridge that is in a list of features")
   CHECK(folder.text("stderr").find("sharp edges") == std::string::npos);
   CHECK(folder.run("source.mesh --to polycube --features triangles.sharp") == 2);
   CHECK(folder.text("stderr").find("triangles.sharp: line 2: '2' follows the two vertices of an edge") != std::string::npos);
+  folder.write("triangles.sharp", "2\n1,0,0\n1,0,1\n"); // as LoopyCuts has it
+  CHECK(folder.run("source.mesh --to polycube --features triangles.sharp") == 2);
+  CHECK(folder.text("stderr").find("triangles.sharp: line 2: a line must contain two vertices") == 0);
 }
 
 TEST_CASE("Sharp edges that a polycube gives up are counted, and their place is told")
@@ -1040,7 +1047,12 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
   CHECK(sentence("source.mesh none.txt") == "none.txt: the file cannot be opened\n");
   CHECK(sentence("target.txt target.txt").find("target.txt: line 1: this is not an ASCII MEDIT file") == 0);
   folder.write("mesh.xyz", "v 0 0 0\n");
-  CHECK(sentence("mesh.xyz --to ball").find("; other formats can be converted: meshio convert mesh.xyz mesh.vtu\n")
+  CHECK(sentence("mesh.xyz --to ball").find(
+    "neither this program (see --help) nor meshio reads files with the extension '.xyz'") != std::string::npos);
+  folder.write("mesh.pvtu", "<VTKFile type=\"PUnstructuredGrid\"><Piece Source='a.vtu'/><Piece Source='b.vtu'/></VTKFile>\n");
+  CHECK(sentence("mesh.pvtu --to ball").find("UnstructuredGrid; this file is a list of pieces") != std::string::npos);
+  folder.write("mesh.med", "HDF");
+  CHECK(sentence("mesh.med --to ball").find("; other formats can be converted: meshio convert mesh.med mesh.vtu\n")
         != std::string::npos);
   folder.write("mesh.off", "OFF\n");
   CHECK(sentence("mesh.off --to ball").find("; this is a surface, which a volume mesher fills: tetgen -pqg mesh.off writes "
@@ -1076,6 +1088,111 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
     return p == Point{2, 0, 0} ? Point{1.2, 0.8, 0} : p;
   }));
   CHECK(sentence("source.mesh bad.txt") != "");
+}
+
+// One tetrahedron in formats that Gmsh and VTK read, in which a test replaces numbers.
+const std::string msh_file = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n"
+  "0 1 0\n0 0 1\n$EndNodes\n$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n";
+const std::string unv_file = "    -1\n  2411\n         1         1         1        11\n  0 0 0\n"
+  "         2         1         1        11\n  1 0 0\n         3         1         1        11\n  0 1 0\n"
+  "         4         1         1        11\n  0 0 1\n    -1\n    -1\n  2412\n"
+  "         1       111         1         1         7         4\n         1         2         3         4\n    -1\n";
+const std::string vtk_file = "# vtk DataFile Version 5.1\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
+  "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\nCELL_TYPES 1\n10\n";
+
+TEST_CASE("A damaged file on which a library crashes, or takes all memory, is refused by a sentence with its name")
+{
+  const Folder folder;
+  const auto status = [&](const std::string& name, const std::string& text)
+  {
+    folder.write(name, text);
+    return folder.run(name + " --improve --quiet");
+  };
+  const auto is_refused = [&](const std::string& name, const std::string& text, const std::string& part, const std::string& other,
+                              const std::string& sentence)
+  {
+    REQUIRE(status(name, text) == 0);
+    CHECK(status(name, text.substr(0, text.rfind(part)) + other + text.substr(text.rfind(part) + part.size())) == 2);
+    CHECK(folder.text("stderr").find(name + ": " + sentence) == 0);
+  };
+  if(fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so"))
+  {
+    is_refused("cell.msh", msh_file, "3 4", "3 -1", "Gmsh crashed (Segmentation fault)");
+    is_refused("cell.msh", msh_file, "0 4\n", "0 100000000000\n",
+               "Gmsh ran out of memory on a file of " + std::to_string(msh_file.size() + 11) + " bytes; the file contains the "
+               "number 100000000000\n");
+    is_refused("cell.unv", unv_file, " 4", "-1", "Gmsh crashed (Segmentation fault)");
+  }
+  if(status("cell.vtk", vtk_file) == 0)
+  {
+    is_refused("cell.vtk", vtk_file, "POINTS 4", "POINTS 100000000000",
+               "VTK cannot read the file. Unable to allocate 300000000003 elements");
+    is_refused("cell.vtk", vtk_file, "0 4\nC", "0 400000000\nC", "VTK crashed (Segmentation fault)");
+    is_refused("cell.vtk", vtk_file, "0 1 0 0", "0 x 0 0", "VTK cannot read the file. Error reading ascii data");
+    REQUIRE(mkfifo(folder.path("pipe.vtk").c_str(), 0600) == 0); // nobody writes, and VTK waits
+    CHECK(folder.run("pipe.vtk --improve --time-limit 0.2") == 3);
+    CHECK(folder.text("stderr") == "The time limit was reached. There is no map yet.\n");
+  }
+}
+
+TEST_CASE("A mesh that another process reads keeps all that it has")
+{
+  Soup soup = cube(1);
+  soup.facets = { { 0, 1, 2 } };
+  soup.facet_references = { -3 };
+  soup.edges = { { 0, 1 }, { 1, 2 } };
+  soup.edge_references = { 4, 5 };
+  soup.corners = { 7 };
+  soup.group_names = { { { 3, 1 }, "bone" }, { { 2, -3 }, "" } };
+  soup.point_data = { { "T", 1, true, { 1, 2, 3, 4, 5, 6, 7, 8 } } };
+  soup.cell_data = { { "v", 3, false, std::vector<double>(18, 0.1) } };
+  soup.facet_data = { { "f", 1, false, { 0.5 } } };
+  soup.edge_data = { { "e", 1, false, { 2, 3 } } };
+  soup.notes = { "a note", "another" };
+  const std::string bytes = Soup_bytes(soup).bytes();
+  Soup other = Soup_bytes(bytes).restored();
+  CHECK(other.points == soup.points);
+  CHECK(other.cells == soup.cells);
+  CHECK(other.cell_references == soup.cell_references);
+  CHECK(other.facets == soup.facets);
+  CHECK(other.facet_references == soup.facet_references);
+  CHECK(other.edges == soup.edges);
+  CHECK(other.edge_references == soup.edge_references);
+  CHECK(other.corners == soup.corners);
+  CHECK(other.group_names == soup.group_names);
+  CHECK(other.notes == soup.notes);
+  CHECK(other.point_data.at(0).has_integers);
+  CHECK(other.cell_data.at(0).number_of_components == 3);
+  CHECK(other.cell_data.at(0).values == soup.cell_data[0].values);
+  CHECK(other.facet_data.at(0).name == "f");
+  CHECK(other.edge_data.at(0).values == soup.edge_data[0].values);
+  CHECK(Soup_bytes(other).bytes() == bytes);
+  for(const std::size_t size : { std::size_t(0), bytes.size() / 2, bytes.size() - 1 })
+    CHECK_THROWS_AS(Soup_bytes(bytes.substr(0, size)).restored(), VMP::Input_error);
+}
+
+TEST_CASE("Points of Nastran in a coordinate system of their own are refused")
+{
+  const Folder folder;
+  const auto status = [&](const std::string& first_point)
+  {
+    folder.write("cell.bdf", "BEGIN BULK\n" + first_point
+                 + "GRID    2               1.      0.      0.\nGRID    3       0       0.      1.      0.\n"
+                   "GRID    4               0.      0.      1.\nCTETRA  1       1       1       2       3       4\nENDDATA\n");
+    return folder.run("cell.bdf --improve");
+  };
+  const std::string free = "GRID    1               0.      0.      0.\n";
+  if(fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so"))
+    CHECK(status(free) == 0);
+  for(const std::string line : { "GRID    1       7       0.      0.      0.\n", "GRID,1,7,0.,0.,0.\n",
+                                 "GRID*   1               7               0.              0.\n*       0.\n" })
+  {
+    CAPTURE(line);
+    CHECK(status(line) == 2);
+    CHECK(folder.text("stderr").find("cell.bdf: line 2: the coordinate system (CP) is '7'") == 0);
+  }
+  CHECK(status(free + "GRDSET          12\n") == 2);
+  CHECK(folder.text("stderr").find("cell.bdf: line 3: the coordinate system (CP) is '12'") == 0);
 }
 
 TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
@@ -1329,10 +1446,8 @@ TEST_CASE("Each file may be a pipe, and - is the standard input or output")
 
   for(const std::string name : { "in", "out", "report" })
     REQUIRE(mkfifo(folder.path(name).c_str(), 0600) == 0);
-  CHECK(std::system(("cd '" + folder.path("") + "' && cat source.mesh > in & cd '" + folder.path("")
-                     + "' && cat out > copy.mesh & cd '" + folder.path("") + "' && cat report > report.json & cd '"
-                     + folder.path("") + "' && '"
-                     + PARAMETERIZE_MESH_FILE "' in target.txt --quiet -o out --report report && wait").c_str())
+  CHECK(folder.shell("cat source.mesh > in & cat out > copy.mesh & cat report > report.json & "
+                     "\"$driver\" in target.txt --quiet -o out --report report && wait")
         == 0);
   CHECK(folder.text("copy.mesh") == map);
   CHECK(keys(folder.text("report.json")) == report_keys);
@@ -1584,7 +1699,8 @@ TEST_CASE("A link in the place of a temporary file leads nowhere")
   const Soup source = cube(1);
   folder.write("source.mesh", source);
   folder.write("other.txt", "of somebody else");
-  CHECK(folder.shell("sh -c 'ln -s other.txt map.mesh.$$.tmp && exec \"'$driver'\" source.mesh source.mesh -o map.mesh'") == 0);
+  CHECK(folder.shell("sh -c 'ln -s other.txt map.mesh.$$.tmp && exec \"$0\" source.mesh source.mesh -o map.mesh' \"$driver\"")
+        == 0);
   CHECK(folder.text("other.txt") == "of somebody else");
   CHECK(folder.soup("map.mesh").cells == source.cells);
 }

@@ -1038,7 +1038,7 @@ TEST_CASE("Each fault in a VTU file has a sentence")
   CHECK(error("Points' NumberOfComponents='3'", "Points' format='appended' offset='-1'")
         == "the attribute offset is '-1' instead of a number");
   CHECK(error("<Points>", "<Piece NumberOfPoints='0'><Points>")
-        == "the mesh has several pieces; ParaView saves them as one, for --merge-points");
+        == "the mesh has several pieces: save it in ParaView as one piece, and use --merge-points");
   CHECK(sentence([&]() { read_any("<?xml version=\"1.0\"?><VTKFile"); }) == "the file ends within a tag");
   std::string deep = "<?xml version=\"1.0\"?>";
   for(int i = 0; i < 100000; ++i)

@@ -16,8 +16,8 @@
 #include <initializer_list>
 #include <string>
 
-// LIBRARY: the library reads it, whatever its name is; OTHER: meshio may convert it.
-enum class Mesh_format { LIBRARY, GMSH, VTK, SURFACE, OTHER };
+// LIBRARY: the library reads it, whatever its name is; MESHIO: meshio converts it.
+enum class Mesh_format { LIBRARY, GMSH, VTK, SURFACE, MESHIO, OTHER };
 
 inline std::string extension_of(const std::string& filename) { return std::filesystem::path(filename).extension().string(); }
 
@@ -32,7 +32,16 @@ inline Mesh_format format_of(const std::string& filename)
     return Mesh_format::VTK;
   if(is_one_of({ ".off", ".stl", ".ply", ".obj", ".vtp" }))
     return Mesh_format::SURFACE;
+  if(is_one_of({ ".inp", ".avs", ".cgns", ".e", ".ex2", ".exo", ".f3grid", ".fem", ".h5m", ".mdpa", ".med", ".nas", ".vol",
+                 ".post", ".dato", ".su2", ".dat", ".tec", ".ele", ".node", ".ugrid", ".xml", ".xdmf", ".xmf", ".hmf" }))
+    return Mesh_format::MESHIO;
   return is_one_of({ ".mesh", ".meshb", ".vtu" }) ? Mesh_format::LIBRARY : Mesh_format::OTHER;
+}
+
+inline bool is_Nastran_name(const std::string& filename)
+{
+  const std::string extension = extension_of(filename);
+  return extension == ".bdf" || extension == ".nas" || extension == ".fem";
 }
 
 // Returns the advice for a file that the library does not read, to be put behind the reason.
@@ -55,6 +64,10 @@ inline std::string advice_for(const std::string& filename)
   if(format_of(filename) == Mesh_format::GMSH) // meshio 5.0 fails where parts of a mesh are in no group
     return "; other formats can be converted: gmsh " + file + " -save -setnumber Mesh.SaveElementTagType 2 -o "
       + renamed(".mesh");
+  if(extension_of(filename) == ".pvtu")
+    return "; this file is a list of pieces: save it in ParaView as one file .vtu, and use --merge-points";
+  if(format_of(filename) == Mesh_format::OTHER)
+    return "; neither this program (see --help) nor meshio reads files with the extension '" + extension_of(filename) + "'";
   return "; other formats can be converted: meshio convert " + file + " " + renamed(".vtu");
 }
 

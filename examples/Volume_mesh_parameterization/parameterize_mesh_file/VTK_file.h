@@ -12,6 +12,7 @@
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
@@ -38,20 +39,37 @@ inline std::vector<CGAL::Volume_mesh_parameterization::Data_array_3> data_of_VTK
   return result;
 }
 
+// The first error and the first warning of VTK.
+struct VTK_messages
+{
+  std::string error, warning;
+};
+
+// Keeps the sentence of a message, which begins with a line on VTK's code. Of numbers that it cannot read, VTK only warns.
+inline void keep_message(vtkObject*, const unsigned long event, void* const messages, void* const message)
+{
+  std::string sentence = static_cast<const char*>(message);
+  sentence.erase(0, sentence.find('\n') + 1);
+  if(const std::size_t object = sentence.find("): "); object != sentence.npos)
+    sentence.erase(0, object + 3);
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  sentence.erase((std::min)(sentence.find("(0x"), sentence.find_last_not_of(' ') + 1)); // an address
+  auto& [error, warning] = *static_cast<VTK_messages*>(messages);
+  std::string& first = event == vtkCommand::ErrorEvent || sentence.find("Error reading") == 0 ? error : warning;
+  if(first.empty())
+    first = sentence;
+}
+
 inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_VTK(const std::string& filename)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  std::string message; // of the first error, in place of what VTK prints
+  static VTK_messages messages;
   vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&message);
-  observer->SetCallback([](vtkObject*, unsigned long, void* const client, void* const text)
-  {
-    std::string& first = *static_cast<std::string*>(client);
-    if(first.empty())
-      first = static_cast<const char*>(text);
-  });
+  observer->SetClientData(&messages);
+  observer->SetCallback(keep_message);
+  for(const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+    vtkOutputWindow::GetInstance()->AddObserver(event, observer);
   vtkNew<vtkUnstructuredGridReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, observer);
   reader->SetFileName(filename.c_str());
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();
@@ -61,13 +79,12 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_VTK(const 
     throw VMP::Input_error("this is not a VTK file of the type UNSTRUCTURED_GRID");
   reader->Update();
   vtkUnstructuredGrid& grid = *reader->GetOutput();
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  if(reader->GetErrorCode() != 0 || grid.GetNumberOfPoints() == 0)
-    throw VMP::Input_error("VTK cannot read the file. " + message);
+  if(reader->GetErrorCode() != 0 || !messages.error.empty() || grid.GetNumberOfPoints() == 0)
+    throw VMP::Input_error("VTK cannot read the file. " + messages.error);
 
   VMP::Tetrahedron_soup_3 soup;
-  if(!message.empty())
-    soup.notes.push_back("VTK says: " + message);
+  if(!messages.warning.empty())
+    soup.notes.push_back("VTK says: " + messages.warning);
   for(vtkIdType v = 0; v < grid.GetNumberOfPoints(); ++v)
   {
     const double* const p = grid.GetPoint(v);

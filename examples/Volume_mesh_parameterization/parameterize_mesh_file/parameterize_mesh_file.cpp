@@ -183,6 +183,8 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.number_of_turned_cells = source.number_of_turned_cells;
   outcome.number_of_tangled_cells = source.number_of_tangled_cells;
   outcome.number_of_separated_vertices = source.origins.size();
+  if(!result.has_valid_map && result.status != VMP::ERROR_INTERRUPTED)
+    outcome.result.message = options.source + ": " + result.message;
   if(!result.has_valid_map)
     return outcome;
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);

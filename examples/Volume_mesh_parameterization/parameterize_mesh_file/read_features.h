@@ -30,11 +30,14 @@ inline std::vector<std::array<std::size_t, 2> > features_of_file(const std::stri
   for(bool is_first = true; !scanner.rest().empty(); is_first = false)
   {
     VMP::internal::Text_scanner line = scanner.next_line();
+    if(line.rest().find(',') != std::string_view::npos)
+      line.fail("a line must contain two vertices of the mesh; "
+                "sides of triangles, as in files .sharp of LoopyCuts, are not supported");
     const std::size_t v = line.next_number<std::size_t>("the index of a vertex");
     if(is_first && line.rest().empty())
       continue;
     const std::size_t w = line.next_number<std::size_t>("the index of a vertex");
-    line.expect_end("the two vertices of an edge; lists of triangles and their sides are not read");
+    line.expect_end("the two vertices of an edge");
     if(v >= number_of_points || w >= number_of_points || v == w)
       line.fail("there is no edge between the vertices " + std::to_string(v) + " and " + std::to_string(w) + " (counted from 0)");
     result.push_back({ v, w });

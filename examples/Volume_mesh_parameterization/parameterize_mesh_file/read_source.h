@@ -3,8 +3,10 @@
 
 #include "Mesh_format.h"
 #include "Progress_line.h"
+#include "check_coordinate_systems.h"
 #include "mend_source.h"
 #include "read_features.h"
+#include "read_in_own_process.h"
 #include "regions_of_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
@@ -33,13 +35,17 @@ auto naming(const std::string& filename, const Function& f)
 inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
+  if(is_Nastran_name(filename))
+    naming(filename, [&] { check_coordinate_systems(filename); });
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
   if(format_of(filename) == Mesh_format::GMSH)
-    return naming(filename, [&] { return gmsh_module().read(filename); });
+    return naming(filename, [&]
+    { return read_in_own_process(filename, "Gmsh", progress, [&] { return gmsh_module().read(filename); }); });
 #endif
 #ifdef PARAMETERIZE_MESH_FILE_USES_VTK
   if(format_of(filename) == Mesh_format::VTK)
-    return naming(filename, [&] { return read_by_VTK(filename); });
+    return naming(filename, [&]
+    { return read_in_own_process(filename, "VTK", progress, [&] { return read_by_VTK(filename); }); });
 #endif
   VMP::Tetrahedron_soup_3 soup;
   try

@@ -202,8 +202,7 @@ private:
         m_header = tag;
       else if(begins(tag, "Piece"))
       {
-        if(++number_of_pieces > 1)
-          throw Input_error("the mesh has several pieces; ParaView saves them as one, for --merge-points");
+        ++number_of_pieces;
         m_piece = tag;
       }
       else if(is_section(tag))
@@ -220,6 +219,8 @@ private:
     }
     if(attribute(m_header, "type") != type)
       throw Input_error("this is not a VTK XML file of the type " + type);
+    if(number_of_pieces > 1)
+      throw Input_error("the mesh has several pieces: save it in ParaView as one piece, and use --merge-points");
   }
 
   // The bytes of an array, without their number or, if they are compressed, the sizes of blocks in front of them.

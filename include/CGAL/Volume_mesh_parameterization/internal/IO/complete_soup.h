@@ -31,7 +31,7 @@ inline void require_tetrahedra(const std::size_t number_of_cells, const std::siz
                     "the file; a volume mesher fills it: " + command);
 }
 
-// The sentence on a mesh with cells that are named in the plural.
+// The message on a mesh with other cells, named in the plural.
 inline std::string sentence_on_other_cells(const std::string& cells)
 {
   return "the mesh is not tetrahedral, it has " + cells + "; ParaView's filter Tetrahedralize cuts the cells of a file .vtu into "
