@@ -1,7 +1,7 @@
 // Hexahedra: a grid of boxes pulled back from a domain whose facets are orthogonal to the axes.
 #include "catch.h"
 #include "array_of_vtu_file.h"
-#include "cube_complex.h"
+#include "hexahedra_of_bodies.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
@@ -9,12 +9,9 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/improve_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/pull_back_grid_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
 #include <array>
@@ -31,97 +28,9 @@
 #include <string>
 #include <vector>
 
-namespace VMP = CGAL::Volume_mesh_parameterization;
-
-using Eigen::Vector3d;
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VMP::Hexahedral_mesh_result;
-using VMP::Hexahedron_soup_3;
-using VMP::Tetrahedron_soup_3;
 using VMP::internal::Corners_to_improve;
-using Points = std::vector<std::array<double, 3> >;
 
 namespace {
-
-Vector3d vector(const std::array<double, 3>& p) { return Vector3d(p[0], p[1], p[2]); }
-
-K::Triangle_3 triangle(const Points& points, const std::size_t i, const std::size_t j, const std::size_t k)
-{
-  const auto point = [&](const std::size_t v) { return K::Point_3(points[v][0], points[v][1], points[v][2]); };
-  return K::Triangle_3(point(i), point(j), point(k));
-}
-
-// The cube [0, n]^3, six cells for each unit cube, as the domain; the body is its image under f.
-struct Body
-{
-  Tetrahedron_soup_3 soup;
-  Points images;
-
-  template <typename Function>
-  Body(const int n, const double jitter, const Function& f)
-    : soup(source_soup(cube_mesh(n, jitter))), images(soup.points)
-  {
-    for(std::array<double, 3>& p : soup.points)
-    {
-      const Vector3d q = f(vector(p));
-      p = { q[0], q[1], q[2] };
-    }
-  }
-
-  Vector3d center_of_image(const std::array<std::size_t, 4>& cell) const
-  {
-    return (vector(images[cell[0]]) + vector(images[cell[1]]) + vector(images[cell[2]]) + vector(images[cell[3]])) / 4;
-  }
-
-  template <typename Tag = CGAL::Sequential_tag, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  Hexahedral_mesh_result mesh(const double spacing, Hexahedron_soup_3& hexahedra,
-                              const NamedParameters& np = CGAL::parameters::default_values()) const
-  {
-    return VMP::hexahedral_mesh<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
-  }
-
-  std::vector<K::Triangle_3> boundary_facets() const
-  {
-    std::map<std::set<std::size_t>, int> cells_of_facet;
-    for(const auto& c : soup.cells)
-      for(std::size_t i = 0; i < 4; ++i)
-        ++cells_of_facet[{ c[(i + 1) % 4], c[(i + 2) % 4], c[(i + 3) % 4] }];
-    std::vector<K::Triangle_3> result;
-    for(const auto& [facet, number] : cells_of_facet)
-      if(number == 1)
-        result.push_back(triangle(soup.points, *facet.begin(), *std::next(facet.begin()), *facet.rbegin()));
-    return result;
-  }
-};
-
-std::vector<K::Triangle_3> boundary_facets(const Hexahedron_soup_3& mesh)
-{
-  std::vector<K::Triangle_3> result;
-  for(const auto& f : mesh.facets)
-    for(const std::size_t i : { 1, 2 })
-      result.push_back(triangle(mesh.points, f[0], f[i], f[i + 1]));
-  return result;
-}
-
-// The smallest distance, one after the other.
-double distance(const std::array<double, 3>& p, const std::vector<K::Triangle_3>& facets)
-{
-  double result = std::numeric_limits<double>::infinity();
-  for(const K::Triangle_3& facet : facets)
-    result = (std::min)(result, CGAL::squared_distance(K::Point_3(p[0], p[1], p[2]), facet));
-  return std::sqrt(result);
-}
-
-void check_boundary(const Hexahedron_soup_3& mesh, const Body& body)
-{
-  const std::vector<K::Triangle_3> facets = body.boundary_facets();
-  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_outer[v])
-      CHECK(distance(mesh.points[v], facets) < 1e-13);
-}
-
-Vector3d same(const Vector3d& p) { return p; }
 
 // Most of a ring, whose inner side is short.
 Vector3d bent(const Vector3d& p)
@@ -162,36 +71,6 @@ Body l_shaped_bar()
   cells.erase(std::remove_if(cells.begin(), cells.end(), [&](const std::array<std::size_t, 4>& cell)
               { const Vector3d p = bar.center_of_image(cell); return p[1] > 2 && p[2] > 2; }), cells.end());
   return bar;
-}
-
-// Computes the volume by the divergence theorem, with two triangles for each quadrangle: independent of the corners.
-double enclosed_volume(const Hexahedron_soup_3& mesh)
-{
-  double sum = 0;
-  for(const auto& [a, b, c, d] : mesh.facets)
-    for(const auto& triangle : { std::array<std::size_t, 3>{a, b, c}, std::array<std::size_t, 3>{a, c, d} })
-      sum += vector(mesh.points[triangle[0]]).dot(
-        vector(mesh.points[triangle[1]]).cross(vector(mesh.points[triangle[2]]))) / 6;
-  return sum;
-}
-
-// The determinants of all corners, by the definition of VTK's order.
-double smallest_determinant(const Hexahedron_soup_3& mesh)
-{
-  double smallest = std::numeric_limits<double>::infinity();
-  for(const auto& cell : mesh.cells)
-    for(int z = 0; z < 2; ++z)
-      for(int i = 0; i < 4; ++i)
-      {
-        const auto corner = [&](const int k, const int height)
-        {
-          return vector(mesh.points[cell[4 * height + k % 4]]);
-        };
-        Eigen::Matrix3d edges;
-        edges << corner(i + 1, z) - corner(i, z), corner(i + 3, z) - corner(i, z), corner(i, 1) - corner(i, 0);
-        smallest = (std::min)(smallest, edges.determinant());
-      }
-  return smallest;
 }
 
 std::vector<int> boundary_quadrangles_of_cells(const Hexahedron_soup_3& mesh)
@@ -1360,242 +1239,6 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   CHECK(number_of_facets == mesh.facets.size());
 }
 
-namespace {
-
-// A box of several subdomains, which is its own domain: the cube [0, n]^3, whose points move by f.
-template <typename Function, typename Subdomain>
-Body box_of_subdomains(const int n, const Function& f, const Subdomain& subdomain)
-{
-  Body body(n, 0, same);
-  for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
-    body.soup.cell_references[c] = subdomain(body.center_of_image(body.soup.cells[c]));
-  for(std::array<double, 3>& p : body.images)
-  {
-    const Vector3d q = f(vector(p));
-    p = { q[0], q[1], q[2] };
-  }
-  body.soup.points = body.images;
-  return body;
-}
-
-// Two half spaces: the interface is the plane z = 2 + 0.3 (x - 2).
-Body slanted_box()
-{
-  return box_of_subdomains(4, [](const Vector3d& p) -> Vector3d
-                           { return { p[0], p[1], p[2] + 0.3 * (p[0] - 2) * (1 - std::abs(p[2] - 2) / 2) }; },
-                           [](const Vector3d& p) { return p[2] < 2 ? 1 : 2; });
-}
-
-// A ball of radius 3 in the middle of a cube of width 8.
-Body ball_in_box()
-{
-  const Vector3d middle = Vector3d::Constant(4);
-  return box_of_subdomains(8, [=](const Vector3d& p) -> Vector3d
-  {
-    const Vector3d q = p - middle;
-    const double size = q.lpNorm<Eigen::Infinity>(), t = (std::max)(0., size - 3);
-    return q.isZero() ? p : Vector3d(middle + q * ((1 - t) * size / q.norm() + t));
-  },
-  [=](const Vector3d& p) { return (p - middle).lpNorm<Eigen::Infinity>() < 3 ? 5 : 3; });
-}
-
-// Layers whose interfaces are between planes of a grid of width 1: z = 1.3 and z = 2.8.
-Body layered_box()
-{
-  return box_of_subdomains(4, [](const Vector3d& p) -> Vector3d
-                           { return { p[0], p[1], p[2] == 1 ? 1.3 : p[2] == 3 ? 2.8 : p[2] }; },
-                           [](const Vector3d& p) { return p[2] < 1 ? 1 : p[2] < 3 ? 2 : 3; });
-}
-
-// Adds a box to these layers, with a width of 2.2 in a corner, through the first interface.
-Body box_in_corner_of_layers()
-{
-  return box_of_subdomains(4, [](const Vector3d& p) -> Vector3d
-  {
-    return { p[0] == 2 ? 2.2 : p[0], p[1] == 2 ? 2.2 : p[1], p[2] == 1 ? 1.3 : p[2] == 2 ? 2.2 : p[2] };
-  },
-  [](const Vector3d& p) { return (p.array() < 2).all() ? 9 : p[2] < 1 ? 1 : 2; });
-}
-
-// Volumes of subdomains, by tetrahedra around the centers of cells: exact where quadrangles of interfaces are plane.
-std::map<int, double> volumes_by_centers(const Hexahedron_soup_3& mesh)
-{
-  std::map<int, double> result;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-  {
-    Vector3d center = Vector3d::Zero();
-    for(const std::size_t v : mesh.cells[c])
-      center += vector(mesh.points[v]) / 8;
-    for(const auto& q : VMP::internal::quadrangles_of_hexahedron)
-      for(const std::size_t i : { 1, 2 })
-      {
-        Eigen::Matrix3d edges;
-        edges << vector(mesh.points[mesh.cells[c][q[0]]]) - center, vector(mesh.points[mesh.cells[c][q[i]]]) - center,
-                 vector(mesh.points[mesh.cells[c][q[i + 1]]]) - center;
-        result[mesh.cell_references[c]] += edges.determinant() / 6;
-      }
-  }
-  return result;
-}
-
-// Checks that each quadrangle is on the boundary, between two hexahedra of one subdomain, or one of an interface.
-void check_conformity(const Hexahedron_soup_3& mesh)
-{
-  std::map<std::set<std::size_t>, std::vector<std::size_t> > cells;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for(const auto& q : VMP::internal::quadrangles_of_hexahedron)
-      cells[{ mesh.cells[c][q[0]], mesh.cells[c][q[1]], mesh.cells[c][q[2]], mesh.cells[c][q[3]] }].push_back(c);
-  std::set<std::set<std::size_t> > boundary, interfaces;
-  for(const auto& [quadrangle, of_quadrangle] : cells)
-  {
-    REQUIRE(of_quadrangle.size() <= 2);
-    if(of_quadrangle.size() == 1)
-      boundary.insert(quadrangle);
-    else if(mesh.cell_references[of_quadrangle[0]] != mesh.cell_references[of_quadrangle[1]])
-      interfaces.insert(quadrangle);
-  }
-  const auto sets = [](const std::vector<std::array<std::size_t, 4> >& quadrangles)
-  {
-    std::set<std::set<std::size_t> > result;
-    for(const auto& q : quadrangles)
-      CHECK(result.emplace(q.begin(), q.end()).second);
-    return result;
-  };
-  CHECK(sets(mesh.facets) == boundary);
-  CHECK(sets(mesh.interface_facets) == interfaces);
-  REQUIRE(mesh.interface_cells.size() == mesh.interface_facets.size());
-  for(std::size_t i = 0; i < mesh.interface_facets.size(); ++i)
-  {
-    const auto& [c, d] = mesh.interface_cells[i];
-    CHECK(mesh.cell_references[c] < mesh.cell_references[d]);
-    for(const std::size_t v : mesh.interface_facets[i])
-      for(const std::size_t cell : { c, d })
-        CHECK(std::count(mesh.cells[cell].begin(), mesh.cells[cell].end(), v) == 1);
-  }
-}
-
-// Returns the largest distance of the vertices of quadrangles between subdomains from a surface.
-template <typename Distance>
-double distance_of_interface(const Hexahedron_soup_3& mesh, const Distance& distance)
-{
-  double result = 0;
-  for(const auto& q : mesh.interface_facets)
-    for(const std::size_t v : q)
-      result = (std::max)(result, std::abs(distance(vector(mesh.points[v]))));
-  return result;
-}
-
-} // namespace
-
-TEST_CASE("Hexahedra on both sides of a slanted plane share quadrangles in it, with a layer on both sides")
-{
-  const Body body = slanted_box();
-  Hexahedron_soup_3 mesh, staircases;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 0.5, mesh);
-  REQUIRE(result.status == VMP::OK);
-  CHECK(result.message == VMP::get_error_message(VMP::OK));
-  CHECK(result.minimal_scaled_jacobian > 0.4);
-  CHECK(smallest_determinant(mesh) > 0);
-  check_conformity(mesh);
-  check_boundary(mesh, body);
-  CHECK(enclosed_volume(mesh) == Approx(64));
-  const auto distance = [](const Vector3d& p) { return p[2] - 2 - 0.3 * (p[0] - 2); };
-  CHECK(distance_of_interface(mesh, distance) < 1e-12);
-  CHECK(result.interface_distance < 1e-12);
-  CHECK(mesh.cells.size() == 512 + 2 * mesh.interface_facets.size());
-  for(const auto& [reference, volume] : volumes_by_centers(mesh))
-    CHECK(volume == Approx(32));
-  REQUIRE(result.volumes.size() == 2);
-  for(const VMP::Subdomain_volumes& volumes : result.volumes)
-  {
-    CHECK(volumes.of_tetrahedra == Approx(32));
-    CHECK(volumes.of_hexahedra == Approx(32));
-  }
-  for(const std::array<std::size_t, 2>& cells : mesh.interface_cells)
-    for(const std::size_t k : { 0, 1 }) // the hexahedron of subdomain 1 is below, that of 2 above
-      for(const std::size_t v : mesh.cells[cells[k]])
-        CHECK((k == 0 ? 1 : -1) * distance(vector(mesh.points[v])) < 1e-12);
-
-  const Hexahedral_mesh_result with_staircases
-    = VMP::hexahedral_mesh(body.soup, body.images, 0.5, staircases, CGAL::parameters::do_keep_interfaces(false));
-  REQUIRE(with_staircases.status == VMP::OK);
-  CHECK(with_staircases.minimal_scaled_jacobian == Approx(1));
-  CHECK(staircases.cells.size() == 512);
-  CHECK(with_staircases.interface_distance > 0.1);
-  check_conformity(staircases);
-}
-
-TEST_CASE("A ball in a box keeps its surface and its volume")
-{
-  const Body body = ball_in_box();
-  Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
-  REQUIRE(result.status == VMP::OK);
-  CHECK(result.minimal_scaled_jacobian > 0.15);
-  CHECK(smallest_determinant(mesh) > 0);
-  check_conformity(mesh);
-  CHECK(distance_of_interface(mesh, [](const Vector3d& p) { return (p - Vector3d::Constant(4)).norm() - 3; }) < 0.15);
-  REQUIRE(result.volumes.size() == 2);
-  CHECK(result.volumes[1].reference == 5);
-  CHECK(result.volumes[1].of_hexahedra == Approx(result.volumes[1].of_tetrahedra).epsilon(0.02));
-  CHECK(volumes_by_centers(mesh).at(5) == Approx(result.volumes[1].of_hexahedra).epsilon(0.01));
-  CHECK(result.volumes[0].of_hexahedra + result.volumes[1].of_hexahedra == Approx(512));
-}
-
-TEST_CASE("Layers keep their plane interfaces without more hexahedra, also beside a box in their corner")
-{
-  for(const Body& body : { layered_box(), box_in_corner_of_layers() })
-  {
-    Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
-    REQUIRE(result.status == VMP::OK);
-    CHECK(result.message == VMP::get_error_message(VMP::OK));
-    CHECK(mesh.cells.size() == 64);
-    CHECK(result.minimal_scaled_jacobian > 0.8);
-    CHECK(smallest_determinant(mesh) > 0);
-    check_conformity(mesh);
-    REQUIRE(result.volumes.size() == 3);
-    const std::map<int, double> volumes = volumes_by_centers(mesh);
-    for(const VMP::Subdomain_volumes& of_subdomain : result.volumes)
-    {
-      CHECK(of_subdomain.of_hexahedra == Approx(of_subdomain.of_tetrahedra));
-      CHECK(volumes.at(of_subdomain.reference) == Approx(of_subdomain.of_tetrahedra));
-    }
-    CHECK(result.interface_distance < 1e-12);
-  }
-}
-
-TEST_CASE("A turned box in a box keeps its edges and corners, with a layer around each of its sides")
-{
-  const Vector3d middle = Vector3d::Constant(4);
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  const Body body = box_of_subdomains(8, [&](const Vector3d& p) -> Vector3d // turned in the middle, not on the boundary
-  {
-    const Vector3d q = p - middle;
-    const double t = (std::min)(1., 2 - q.lpNorm<Eigen::Infinity>() / 2);
-    return middle + t * (turn * q) + (1 - t) * q;
-  },
-  [&](const Vector3d& p) { return (p - middle).lpNorm<Eigen::Infinity>() < 2 ? 2 : 1; });
-  Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
-  REQUIRE(result.status == VMP::OK);
-  CHECK(result.message == VMP::get_error_message(VMP::OK));
-  CHECK(result.minimal_scaled_jacobian > 0.2); // without layers around sides, two edges of a quadrangle are in one line
-  CHECK(smallest_determinant(mesh) > 0);
-  check_conformity(mesh);
-  check_boundary(mesh, body);
-  const auto distance = [&](const Vector3d& p) { return (turn.transpose() * (p - middle)).lpNorm<Eigen::Infinity>() - 2; };
-  CHECK(distance_of_interface(mesh, distance) < 1e-12);
-  CHECK(result.interface_distance < 1e-12);
-  CHECK(volumes_by_centers(mesh).at(2) == Approx(64));
-  for(int k = 0; k < 8; ++k)
-  {
-    const Vector3d corner = middle + turn * Vector3d(k % 2 ? 2 : -2, k / 2 % 2 ? 2 : -2, k / 4 ? 2 : -2);
-    CHECK(std::any_of(mesh.points.begin(), mesh.points.end(), [&](const std::array<double, 3>& p)
-                      { return (vector(p) - corner).norm() < 1e-12; }));
-  }
-}
-
 TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted until surfaces between them are manifolds")
 {
   const Body cube(3, 0, same);
@@ -1632,62 +1275,6 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
   const std::vector<int> before = boxes.cell_references;
   VMP::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
   CHECK(boxes.cell_references == before);
-}
-
-TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subdomains")
-{
-  Body body = layered_box();
-  Hexahedron_soup_3 mesh;
-  for(const auto& cell : body.soup.cells)
-    for(std::size_t i = 0; i < 4; ++i)
-    {
-      const std::array<std::size_t, 3> facet = { cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4] };
-      if(std::all_of(facet.begin(), facet.end(), [&](const std::size_t v) { return body.images[v][2] == 1.3; }))
-      {
-        body.soup.facets.push_back(facet);
-        body.soup.facet_references.push_back(7);
-      }
-    }
-  REQUIRE(VMP::hexahedral_mesh(body.soup, body.images, 1, mesh).status == VMP::OK);
-  REQUIRE(mesh.interface_facets.size() == 32);
-  CHECK(std::count(mesh.interface_references.begin(), mesh.interface_references.end(), 7) == 16);
-  std::ostringstream vtu, inp, medit;
-  VMP::IO::write_VTU(vtu, mesh);
-  const auto pairs = array_of<std::int32_t>(vtu.str(), "interface", "Int32");
-  REQUIRE(pairs.size() == 2 * (64 + 96 + 32));
-  for(std::size_t i = 0; i < 32; ++i)
-  {
-    const bool is_lower = vector(mesh.points[mesh.interface_facets[i][0]])[2] < 2;
-    CHECK(pairs[2 * (160 + i)] == (is_lower ? 1 : 2));
-    CHECK(pairs[2 * (160 + i) + 1] == (is_lower ? 2 : 3));
-  }
-  VMP::IO::write_INP(inp, mesh);
-  for(const std::string name : { "INTERFACE_1_2", "INTERFACE_2_1", "INTERFACE_2_3", "INTERFACE_3_2", "SURFACE_7" })
-  {
-    const std::size_t begin = inp.str().find("*SURFACE, TYPE=ELEMENT, NAME=" + name + "\n");
-    REQUIRE(begin != std::string::npos);
-    const std::string section = inp.str().substr(begin + 1, inp.str().find('*', begin + 1) - begin - 1);
-    CHECK(std::count(section.begin(), section.end(), '\n') == 16 + 1);
-    const bool is_above = name == "INTERFACE_2_3" || name == "INTERFACE_1_2" || name == "SURFACE_7";
-    CHECK(section.find(is_above ? ", S2\n" : ", S1\n") != std::string::npos);
-  }
-  VMP::IO::write_MEDIT(medit, mesh);
-  CHECK(medit.str().find("\nQuadrilaterals\n128\n") != std::string::npos);
-  const std::string quadrangles = medit.str().substr(medit.str().find("Quadrilaterals"));
-  const auto number_of_lines = [&](const std::string& end)
-  {
-    int result = 0;
-    for(std::size_t i = quadrangles.find(end); i != std::string::npos; i = quadrangles.find(end, i + 1))
-      ++result;
-    return result;
-  };
-  CHECK(number_of_lines(" 7\n") == 16);
-  CHECK(number_of_lines(" 8\n") == 16); // the other interface has no marked facets: the next number
-
-  mesh.interface_cells.back()[0] = mesh.interface_cells.front()[0];
-  CHECK_THROWS_AS(VMP::IO::write_VTU(vtu, mesh), VMP::Input_error);
-  mesh.interface_cells.pop_back();
-  CHECK_THROWS_AS(VMP::IO::write_VTU(vtu, mesh), VMP::Input_error);
 }
 
 TEST_CASE("what the boundary of hexahedra does not cover")
