@@ -74,7 +74,7 @@ struct Hexahedral_mesh_result
   /// the mean of all hexahedra; not a number if there is none
   double mean_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the largest distance between the boundary of the body and that of the hexahedra: from the vertices of the body, and from the
-  /// middles of edges and diagonals of quadrangles; not a number if there are no hexahedra
+  /// vertices and the middles of edges and diagonals of quadrangles; not a number if there are no hexahedra
   double boundary_distance = std::numeric_limits<double>::quiet_NaN();
   std::vector<Subdomain_volumes> volumes; ///< the volumes of each subdomain before and after, by ascending references
   /// the largest distance between interfaces of the subdomains and the quadrangles there: from the vertices, the middles of edges

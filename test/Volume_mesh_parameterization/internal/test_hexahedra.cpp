@@ -642,7 +642,7 @@ TEST_CASE("Quadrangles that span a waist of the body, and their edges, come near
   CHECK(smallest_determinant(sliding.hexahedra.mesh()) > 0);
 }
 
-TEST_CASE("The distance of boundaries is that of tips and of middles of quadrangles, and counts in units of edges")
+TEST_CASE("The distance of boundaries is that of tips, of vertices and of middles of quadrangles, and counts in units of edges")
 {
   for(const Vector3d& factors : { Vector3d(1, 1, 3), Vector3d(1, 1, 0.5) })
   {
@@ -661,6 +661,12 @@ TEST_CASE("The distance of boundaries is that of tips and of middles of quadrang
       }
     CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(farthest));
   }
+  const Body box(2, 0, same);
+  Sliding_hexahedra sliding(box, 1);
+  const auto dent = std::find(sliding.start.points.begin(), sliding.start.points.end(), std::array<double, 3>{ 1, 1, 2 });
+  REQUIRE(dent != sliding.start.points.end());
+  (*dent)[2] -= 0.3; // only the vertex itself is that far from the body
+  CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(0.3));
   Hexahedral_mesh_result near, far;
   near.minimal_scaled_jacobian = far.minimal_scaled_jacobian = 0.2;
   near.mean_scaled_jacobian = 0.9;

@@ -253,6 +253,37 @@ TEST_CASE("A turned box in a box keeps its edges and corners, with a layer aroun
   }
 }
 
+TEST_CASE("Vertices of the boundary stay on it where an interface between hexahedra ends there and that of the body does not")
+{
+  for(const double bottom : { 1, 0 }) // of a box that is 0.2 below the boundary; its sides end on the boundary below, or nowhere
+  {
+    const Body body = box_of_subdomains(4, [](const Vector3d& p) -> Vector3d
+                                        { return { p[0] == 2 ? 2.3 : p[0], p[1], p[2] == 3 ? 3.8 : p[2] }; },
+                                        [=](const Vector3d& p) { return (p.head<2>().array() - 1.5).abs().maxCoeff() < 0.5
+                                                                        && bottom < p[2] && p[2] < 3 ? 2 : 1; });
+    Hexahedron_soup_3 mesh;
+    const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
+    REQUIRE(result.status == VMP::OK);
+    CHECK(result.minimal_scaled_jacobian > 0.7);
+    CHECK(std::any_of(mesh.interface_facets.begin(), mesh.interface_facets.end(), [&](const auto& q)
+                      { return std::any_of(q.begin(), q.end(), [&](const std::size_t v) { return mesh.points[v][2] == 4; }); }));
+    check_boundary(mesh, body);
+    CHECK(enclosed_volume(mesh) == Approx(64));
+    CHECK(result.message.find("staircases") == std::string::npos);
+  }
+}
+
+TEST_CASE("Vertices where an interface ends in a wedge on the boundary slide along its edge")
+{
+  // The edge y = 2, z = 4 of the wedge 2 y - 4 < z - 4 < y - 2 is on the boundary, and both of its sides are interfaces.
+  const Body body = box_of_subdomains(4, same, [](const Vector3d& p) { return p[1] < 2 && p[2] < p[1] + 2 ? 2 : 1; });
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 0.6, mesh);
+  REQUIRE(result.status == VMP::OK);
+  check_boundary(mesh, body);
+  CHECK(result.minimal_scaled_jacobian > 0.4);
+}
+
 TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subdomains")
 {
   Body body = layered_box();

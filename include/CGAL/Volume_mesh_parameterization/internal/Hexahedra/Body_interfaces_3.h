@@ -77,7 +77,7 @@ public:
   }
 
   // Returns a surface of the patches that meet at a place. Its lines are those where just these meet, or, if there is none, those
-  // where some of them meet.
+  // where some of them meet. On the boundary they are those where all of these end, or, if there is none, those where one does.
   const Body_surface_3& surface(const Patches_3& patches)
   {
     std::unique_ptr<Body_surface_3>& result = m_surfaces[patches];
@@ -87,13 +87,19 @@ public:
       for(std::size_t f = 0; f < m_facets.size(); ++f)
         if(patches.count(m_patches[f]) > 0)
           facets.push_back(m_facets[f]);
-      std::vector<std::array<std::size_t, 2> > lines;
-      for(const bool is_exact : { true, false })
-        if(lines.empty())
-          for(const auto& [edge, meeting] : m_lines)
-            if(is_exact ? meeting == patches : std::includes(patches.begin(), patches.end(), meeting.begin(), meeting.end()))
-              lines.push_back(edge);
-      result = std::make_unique<Body_surface_3>(m_points, facets, lines);
+      const bool is_on_boundary = patches.count(0) > 0;
+      std::vector<std::array<std::size_t, 2> > best, others;
+      for(const auto& [edge, meeting] : m_lines)
+      {
+        if((meeting.count(0) > 0) != is_on_boundary)
+          continue;
+        const std::size_t number = number_of_common(meeting, patches);
+        if(number == patches.size() && (is_on_boundary || meeting == patches))
+          best.push_back(edge);
+        if(is_on_boundary ? number > 1 : number == meeting.size())
+          others.push_back(edge);
+      }
+      result = std::make_unique<Body_surface_3>(m_points, facets, best.empty() ? others : best);
     }
     return *result;
   }
@@ -102,6 +108,9 @@ public:
   bool has_line(const Patches_3& patches) const { return m_patches_at_lines.count(patches) > 0; }
 
 private:
+  static std::size_t number_of_common(const Patches_3& some, const Patches_3& others)
+  { return std::count_if(some.begin(), some.end(), [&](const std::size_t patch) { return others.count(patch) > 0; }); }
+
   void collect_facets(const Tetrahedron_soup_3& soup)
   {
     const auto facet_of_side = [&](const std::size_t side) { return facet_of_cell(soup.cells[side / 4], side % 4); };

@@ -50,6 +50,13 @@ inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedro
 inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedron_soup_3& mesh)
 { return quadrangles_between_3(mesh, mesh.cell_references); }
 
+// Returns the normal of a quadrangle times its area, half of the product of its diagonals.
+inline Eigen::Vector3d area_vector(const Hexahedron_soup_3& mesh, const Interface_quadrangle_3& q)
+{
+  const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q.vertices[i]]); };
+  return (point(2) - point(0)).cross(point(3) - point(1)) / 2;
+}
+
 // Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
 inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
                         std::vector<Interface_quadrangle_3>& quadrangles)
@@ -61,7 +68,7 @@ inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interf
   {
     const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q.vertices[i]]); };
     const Eigen::Vector3d center = (point(0) + point(1) + point(2) + point(3)) / 4;
-    const Eigen::Vector3d area = (point(2) - point(0)).cross(point(3) - point(1)) / 2;
+    const Eigen::Vector3d area = area_vector(mesh, q);
     for(std::size_t i = 0; i < 4; ++i)
       at_edges[sorted(std::array<std::size_t, 2>{ q.vertices[i], q.vertices[(i + 1) % 4] })].push_back(pairs.size());
     pairs.push_back(pair_of(mesh, q));
@@ -98,20 +105,26 @@ struct Interface_positions_3
 };
 
 // Finds the positions of vertices on interfaces by the patches that meet there: on a patch; on a line where just these meet, in
-// the body as well; or in a corner that has them, each of which is given to the vertex nearest to it. `freedom` is that of
-// vertices without interfaces: where a line of the boundary holds them, an interface crosses the line in a corner.
+// the body as well; or in a corner that has them, each of which is given to the vertex nearest to it. Vertices on the boundary
+// are on lines there, or have no position if none of their interfaces ends near them. `freedom` is that of vertices without
+// interfaces: where a line of the boundary holds them, an interface crosses the line in a corner.
 inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh,
                                                    const std::vector<Interface_quadrangle_3>& quadrangles,
                                                    const std::vector<Freedom_3>& freedom, Body_interfaces_3& interfaces)
 {
+  constexpr double largest_move = 1.5; // a guess; on the boundary, relative to the width of a quadrangle
   std::vector<Patches_3> patches(mesh.points.size());
+  std::vector<double> width(mesh.points.size(), 0);
   std::map<std::size_t, std::vector<std::array<std::size_t, 4> > > of_patches;
   for(const Interface_quadrangle_3& q : quadrangles)
     if(q.patch != 0)
     {
       of_patches[q.patch].push_back(q.vertices);
       for(const std::size_t v : q.vertices)
+      {
         patches[v].insert(q.patch);
+        width[v] = (std::max)(width[v], std::sqrt(area_vector(mesh, q).norm()));
+      }
     }
   Interface_positions_3 result;
   for(const auto& [patch, of_patch] : of_patches)
@@ -123,13 +136,17 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
   {
     if(patches[v].empty())
       continue;
-    if(freedom[v] != Freedom_3::SPACE)
+    const bool is_outer = freedom[v] != Freedom_3::SPACE;
+    if(is_outer)
       patches[v].insert(0);
-    Interface_positions_3::Position& position = result.of_vertices[v];
+    const Body_surface_3& surface = interfaces.surface(patches[v]);
     const Eigen::Vector3d p = to_vector(mesh.points[v]);
-    position.surface = &interfaces.surface(patches[v]);
-    position.freedom = patches[v].size() > 1 && position.surface->has_lines() ? Freedom_3::LINE : Freedom_3::SURFACE;
-    position.point = position.surface->nearest(p, position.freedom);
+    if(is_outer && (!surface.has_lines() || (surface.nearest(p, Freedom_3::LINE) - p).norm() > largest_move * width[v]))
+      continue; // a line of the same patches elsewhere would take the vertex away
+    Interface_positions_3::Position& position = result.of_vertices[v];
+    position.surface = &surface;
+    position.freedom = patches[v].size() > 1 && surface.has_lines() ? Freedom_3::LINE : Freedom_3::SURFACE;
+    position.point = surface.nearest(p, position.freedom);
     const bool is_on_line_of_boundary = freedom[v] == Freedom_3::LINE || freedom[v] == Freedom_3::NONE;
     if(patches[v].size() > 1 && (is_on_line_of_boundary || !interfaces.has_line(patches[v])))
       for(std::size_t c = 0; c < interfaces.corners(patches[v]).size(); ++c)

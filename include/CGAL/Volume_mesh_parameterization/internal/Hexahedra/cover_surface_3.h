@@ -27,6 +27,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -126,6 +127,11 @@ struct Largest_distance_3
 inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
 {
   Largest_distance_3 result;
+  std::set<int> vertices;
+  for(const std::array<int, 3>& triangle : covered.triangles)
+    vertices.insert(triangle.begin(), triangle.end());
+  for(const int v : vertices)
+    result.take(positions.col(v), covered.surface->nearest(positions.col(v), Freedom_3::SURFACE));
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
                    [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&) { result.take(p, q); });
   for_each_middle(covered, positions, [&](const std::array<int, 2>&, const Middle_3& middle, const std::array<int, 3>&)

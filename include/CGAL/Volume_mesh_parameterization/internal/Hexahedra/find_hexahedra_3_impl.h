@@ -166,6 +166,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
     candidate = interfaces != nullptr
       ? fitted_to_interfaces(map, candidate, surface, *interfaces, is_parallel, budget, positions)
       : pulled_back(map, candidate, is_parallel, budget);
+    put_on_boundary(surface, candidate);
     move_to_corners_3(soup, surface, spacing, positions, candidate);
     for(const bool may_leave_surface : { false, true })
     {

@@ -112,6 +112,16 @@ inline Hexahedron_soup_3 pulled_back(const Volume_map_3& map, const Hexahedron_s
   return result;
 }
 
+// Puts the vertices of the boundary onto that of the body, from which rounding may keep them where cells of the map are thin.
+inline void put_on_boundary(const Body_surface_3& surface, Hexahedron_soup_3& mesh)
+{
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(const Eigen::Vector3d p = to_vector(mesh.points[v]), q = surface.nearest(p, Freedom_3::SURFACE);
+       is_outer[v] && !surface.are_equal(p, q))
+      mesh.points[v] = coordinates(q);
+}
+
 // Returns the freedom of each vertex.
 inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Body_surface_3& surface)
 {
