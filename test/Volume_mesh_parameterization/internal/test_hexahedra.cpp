@@ -257,6 +257,19 @@ Body turned_box()
   return box;
 }
 
+TEST_CASE("The edges of a box whose vertices crowd at one side become the edges of a cube")
+{
+  const Body body(4, 0, [](const Vector3d& p) -> Vector3d { return { p[0], p[1] * p[1] / 4, p[2] }; });
+  Points targets(body.soup.points.size());
+  REQUIRE(VMP::Cube_boundary_parameterizer_3().parameterize(body.soup.points, body.soup.cells, targets) == VMP::OK);
+  for(std::size_t v = 0; v < targets.size(); ++v)
+  {
+    const Vector3d p = vector(body.soup.points[v]);
+    if((p.array() * (4 - p.array()) == 0).count() >= 2)
+      CHECK((vector(targets[v]).array().abs() == 0.5).count() >= 2);
+  }
+}
+
 TEST_CASE("Vertices slide where the map has turned the faces of a box")
 {
   const Body box = turned_box();

@@ -19,18 +19,29 @@
 #include <CGAL/Random.h>
 #include <CGAL/algorithm.h>
 
+#include <cmath>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Edges of a surface, the smaller vertex first, in ascending order.
+using Sorted_edges = std::vector<std::array<std::size_t, 2> >;
+
 // Returns the shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end, which
-// is infinite for vertices that the path may not touch; the cost of the target does not matter.
+// is infinite for vertices that the path may not touch; the cost of the target does not matter. Cheap edges cost less.
 inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
                                                const int source, const int target, const std::vector<double>& costs,
-                                               const Budget& budget)
+                                               const Sorted_edges& cheap, const Budget& budget)
 {
+  constexpr double cost_of_cheap = 0.3; // a guess; a path along cheap edges may be three times as long as another
   const auto for_each_edge = [&](const std::size_t v, const auto& reach)
   {
     for(const int w : rings[static_cast<int>(v)])
-      reach(w, (w == target ? 1 : costs[w]) * (points[w] - points[v]).norm());
+    {
+      const double cost = w == target ? 1 : costs[w];
+      const bool is_cheap = std::isfinite(cost)
+        && std::binary_search(cheap.begin(), cheap.end(), sorted(std::array<std::size_t, 2>{ v, static_cast<std::size_t>(w) }));
+      reach(w, (is_cheap ? cost_of_cheap : cost) * (points[w] - points[v]).norm());
+    }
   };
   const Shortest_paths paths(points.size(), std::array<int, 1>{ source }, for_each_edge, [&](const std::size_t v)
   { return v == static_cast<std::size_t>(target) || budget.is_exhausted(); });
@@ -82,13 +93,14 @@ inline int next_axis_around_corner(const int corner, const int axis)
 // later one needs. Therefore paths keep away from each other and from the corners, and if one is not found, all are found
 // again in another order.
 //
-// Paths are shortened until no edge of the surface joins two of their vertices that do not follow each other.
+// Paths are shortened until no edge of the surface joins two of their vertices that do not follow each other. They prefer the
+// sharp edges that they are given.
 class Cube_edge_router_3
 {
 public:
   Cube_edge_router_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
-                     const std::array<int, 8>& corners, const Budget& budget)
-    : m_rings(rings), m_points(points), m_corners(corners), m_budget(budget), m_edges(cube_edges())
+                     const std::array<int, 8>& corners, const Sorted_edges& sharp_edges, const Budget& budget)
+    : m_rings(rings), m_points(points), m_corners(corners), m_sharp_edges(sharp_edges), m_budget(budget), m_edges(cube_edges())
   {}
 
   bool run()
@@ -108,6 +120,9 @@ public:
 
   // Returns the vertices from `corner` to `other_corner()` of the i-th edge.
   const std::vector<int>& path(const std::size_t i) const { return m_paths[i]; }
+
+  // Tells whether two routers have found the same paths; in another order, these count as others.
+  bool has_paths_of(const Cube_edge_router_3& other) const { return m_paths == other.m_paths; }
 
 private:
   void sort_edges_by_distance()
@@ -191,7 +206,7 @@ private:
     std::vector<double> costs = costs_of_vertices(source, target);
     forbid_other_neighbors(source, source_exits, costs);
     forbid_other_neighbors(target, target_exits, costs);
-    return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs, m_budget));
+    return without_chords(shortest_vertex_path_3(m_rings, m_points, source, target, costs, m_sharp_edges, m_budget));
   }
 
   // Returns costs that are high beside other paths, and higher beside other corners, which need their neighbors.
@@ -238,6 +253,7 @@ private:
   const Vertex_rings_3& m_rings;
   const std::vector<Eigen::Vector3d>& m_points;
   const std::array<int, 8> m_corners;
+  const Sorted_edges m_sharp_edges;
   const Budget& m_budget;
   std::array<Cube_edge_3, 12> m_edges;
   std::array<std::vector<int>, 12> m_paths;

@@ -165,13 +165,8 @@ inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<boo
 // the map from the surface itself.
 inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere,
                                       const Eigen::Vector3d& half_lengths, const std::array<int, 8>& corners,
-                                      std::vector<Eigen::Vector3d>& images, const Budget& budget)
+                                      const Cube_edge_router_3& router, std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
-  const Vertex_rings_3 rings(mesh);
-  Cube_edge_router_3 router(rings, sphere, corners, budget);
-  if(!router.run())
-    return Cube_edge_router_3(rings, sphere, mirrored(corners), budget).run() ? ERROR_MIRRORED_CORNERS
-                                                                              : ERROR_BOUNDARY_TOO_COARSE;
   Boundary_mesh_3 sphere_mesh = mesh;
   set_points(sphere_mesh, sphere);
   images.assign(sphere.size(), Eigen::Vector3d::Zero());
@@ -194,22 +189,41 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
 
   const std::vector<Eigen::Vector3d> points = unit_points(mesh);
   const Box_boundary_3 domain = { half_lengths };
-  Radial_map_3<Box_boundary_3>(rings, points, images, domain, budget).relax(100, 1e-4);
+  Radial_map_3<Box_boundary_3>(Vertex_rings_3(mesh), points, images, domain, budget).relax(100, 1e-4);
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 
-inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Eigen::Vector3d& half_lengths,
-                                    const std::optional<std::array<int, 8> >& corners,
+// Maps a topological sphere to a box by the shortest paths, and by paths that prefer sharp edges if these differ. Takes the map
+// of less distortion.
+inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Sorted_edges& sharp_edges,
+                                    const Eigen::Vector3d& half_lengths, const std::optional<std::array<int, 8> >& given_corners,
                                     std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   if(mesh.number_of_vertices() < 8)
     return ERROR_BOUNDARY_TOO_COARSE;
   std::vector<Eigen::Vector3d> sphere;
-  const Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget);
-  if(status != OK)
+  if(const Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget); status != OK)
     return status;
-  return map_sphere_to_box_3(mesh, sphere, half_lengths,
-                             corners ? *corners : cube_corners_3(unit_points(mesh), sphere, half_lengths), images, budget);
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const std::array<int, 8> corners = given_corners ? *given_corners : cube_corners_3(points, sphere, half_lengths);
+  const Vertex_rings_3 rings(mesh);
+  Cube_edge_router_3 router(rings, sphere, corners, {}, budget), along_edges(rings, sphere, corners, sharp_edges, budget);
+  const auto map = [&](const Cube_edge_router_3& paths, std::vector<Eigen::Vector3d>& result)
+  { return map_sphere_to_box_3(mesh, sphere, half_lengths, corners, paths, result, budget); };
+  const Error_code status = router.run() ? map(router, images)
+    : Cube_edge_router_3(rings, sphere, mirrored(corners), {}, budget).run() ? ERROR_MIRRORED_CORNERS : ERROR_BOUNDARY_TOO_COARSE;
+  std::vector<Eigen::Vector3d> others;
+  if(sharp_edges.empty() || !along_edges.run() || along_edges.has_paths_of(router) || map(along_edges, others) != OK)
+    return status;
+  std::vector<std::array<Boundary_mesh_3::Vertex_index, 3> > facets;
+  for(const auto f : mesh.faces())
+    facets.push_back(vertices_of_face(mesh, f));
+  const auto distortion = [&](const std::vector<Eigen::Vector3d>& of_vertices)
+  { return facet_distortion_3(facets, [&](const auto v) { return points[v]; }, [&](const auto v) { return of_vertices[v]; }); };
+  if(status == OK && distortion(images) <= distortion(others))
+    return status;
+  images = std::move(others);
+  return OK;
 }
 
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
@@ -225,7 +239,7 @@ inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen
   }
   const double size = (upper - lower).maxCoeff();
   const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
-  const Error_code status = map_mesh_to_box_3(mesh, half_lengths, std::nullopt, images, budget);
+  const Error_code status = map_mesh_to_box_3(mesh, {}, half_lengths, std::nullopt, images, budget);
   if(status != OK)
     return status;
   for(Eigen::Vector3d& image : images)
@@ -244,7 +258,7 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d
 {
   Boundary_mesh_3 mesh;
   const Error_code status = build_boundary_mesh_3(surface, mesh);
-  return status == OK ? map_mesh_to_box_3(mesh, half_lengths, corners, images, budget) : status;
+  return status == OK ? map_mesh_to_box_3(mesh, surface.sharp_edges, half_lengths, corners, images, budget) : status;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
