@@ -2487,6 +2487,12 @@ TEST_CASE("Targets are read as ParaView writes them: tables with names of column
   CHECK(sentence("Point ID,x,y,z\n27,0,0,0\n").find("bad.csv: line 2: vertex 27 does not exist") == 0);
   CHECK(sentence("Point ID,x,y,z\n2,0,,0\n").find("bad.csv: line 2: ") == 0);
   CHECK(sentence("x,y,z\n0,0,0\n").find("bad.csv: there is no column with the indices of vertices") == 0);
+  for(const std::string triangle : { "f 1 2 99\n", "f 1 2 3 4\n" })
+  {
+    folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + triangle);
+    CHECK(folder.run("source.mesh bad.obj") == 2);
+    CHECK(folder.text("stderr").find("bad.obj: ") == 0);
+  }
   CHECK(folder.run("surface.vtp --to ball") == 2);
   CHECK(folder.text("stderr").find("this is a surface, which a volume mesher fills") != std::string::npos);
 }

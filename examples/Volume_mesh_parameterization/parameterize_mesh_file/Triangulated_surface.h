@@ -33,8 +33,7 @@ class Triangulated_surface
 public:
   using Edge = std::array<std::size_t, 2>;
 
-  explicit Triangulated_surface(const Triangles& triangles, const std::size_t number_of_vertices)
-    : m_number_of_triangles(triangles.size()), m_degrees(number_of_vertices), m_is_inner(number_of_vertices, true)
+  explicit Triangulated_surface(const Triangles& triangles) : m_number_of_triangles(triangles.size())
   {
     for(const auto& [u, v, w] : triangles)
     {
@@ -46,7 +45,7 @@ public:
     }
     for(const auto& [edge, third] : m_third_vertices)
       if(third_vertex({ edge[1], edge[0] }) == no_vertex)
-        m_is_inner[edge[0]] = m_is_inner[edge[1]] = false;
+        m_border.insert(edge.begin(), edge.end());
   }
 
   // Returns whether no two triangles have a directed edge in common.
@@ -60,23 +59,22 @@ public:
 
   const std::map<Edge, std::size_t>& third_vertices() const { return m_third_vertices; }
   std::size_t number_of_triangles() const { return m_number_of_triangles; }
-  std::size_t degree(const std::size_t v) const { return m_degrees[v]; }
-  bool is_inner(const std::size_t v) const { return m_is_inner[v]; } // and not on a border
+  std::size_t degree(const std::size_t v) const { return m_degrees.at(v); }
+  bool is_inner(const std::size_t v) const { return m_border.count(v) == 0; } // and not on a border
 
   std::vector<std::size_t> vertices() const
   {
     std::vector<std::size_t> result;
-    for(std::size_t v = 0; v < m_degrees.size(); ++v)
-      if(m_degrees[v] > 0)
-        result.push_back(v);
+    for(const auto& [v, degree] : m_degrees)
+      result.push_back(v);
     return result;
   }
 
 private:
   std::size_t m_number_of_triangles;
   std::map<Edge, std::size_t> m_third_vertices;
-  std::vector<std::size_t> m_degrees;
-  std::vector<char> m_is_inner;
+  std::map<std::size_t, std::size_t> m_degrees; // the number of triangles at each vertex
+  std::set<std::size_t> m_border;               // vertices
 };
 
 // Returns the parts of a surface that edges join.

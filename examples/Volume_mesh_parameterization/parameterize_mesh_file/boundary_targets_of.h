@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -140,7 +141,9 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
   if(!VMP::separate_pinched_vertices(mesh).empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY) + (" " + sentence)
       + " Where only vertices or edges join cells there, --separate parts them.";
-  const std::string location = vertices.size() != 2 ? "vertex " + first
+  const bool is_edge = vertices.size() == 2 && std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const auto& cell)
+  { return std::count(cell.begin(), cell.end(), vertices[0]) + std::count(cell.begin(), cell.end(), vertices[1]) == 2; });
+  const std::string location = !is_edge ? "vertex " + first
     : "the edge between the vertices " + first + " and " + std::to_string(vertices[1]);
   return sentence + " Gaps between cells touch each other there. Facets join all cells around each of these vertices; therefore, "
     "--separate parts nothing. Close a gap by cells at " + location + ", or remove the cells between the gaps. In a labeled "

@@ -116,7 +116,7 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
   Read_targets result = { Points(boundary.points.size(), { nan, nan, nan }) };
   std::vector<Triangulated_surface> parts;
   for(const Triangles& part : components(triangles))
-    parts.emplace_back(part, points.size());
+    parts.emplace_back(part);
   std::vector<Best_matching> matchings(parts.size());
   std::vector<char> is_placed(parts.size(), false);
   double displacement = 0, least_increase = std::numeric_limits<double>::infinity();
@@ -173,9 +173,8 @@ inline Read_targets targets_of_surface(const Points& points, const Triangles& tr
   std::set<std::array<std::size_t, 3> > set_of_facets;
   for(const auto& facet : facets)
     set_of_facets.insert(VMP::internal::sorted(facet));
-  Boundary_to_match boundary = { mesh.points, { Triangulated_surface(facets, mesh.points.size()),
-                                                Triangulated_surface(reversed(facets), mesh.points.size()) } };
-  const Triangulated_surface surface(triangles, points.size());
+  Boundary_to_match boundary = { mesh.points, { Triangulated_surface(facets), Triangulated_surface(reversed(facets)) } };
+  const Triangulated_surface surface(triangles);
   const std::vector<std::size_t> vertices = surface.vertices(), boundary_vertices = boundary.surfaces[0].vertices();
   const bool is_whole = triangles.size() == facets.size() && vertices.size() == boundary_vertices.size();
 

@@ -6,12 +6,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,25 +34,35 @@ inline void take_regions(const std::string& name, CGAL::Volume_mesh_parameteriza
   if(!VMP::internal::has_one_integer(*found))
     throw VMP::Input_error("the cell data '" + name + "' for --regions are not one integer for each cell");
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
-    soup.cell_references[c] = static_cast<int>(found->values[c]);
+    soup.cell_references[c] = VMP::internal::checked_reference(static_cast<std::int64_t>(found->values[c]));
   soup.group_names.erase(soup.group_names.lower_bound({ 3, (std::numeric_limits<int>::min)() }), soup.group_names.end());
+}
+
+// Returns how many different values there are.
+template <typename Value>
+std::size_t number_of_values(std::vector<Value> values)
+{
+  std::sort(values.begin(), values.end());
+  return static_cast<std::size_t>(std::unique(values.begin(), values.end()) - values.begin());
 }
 
 // Returns notes on cell data that divide the subdomains further, by integers with few values.
 inline std::vector<std::string> notes_of_unused_regions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
   std::vector<std::string> result;
-  const std::set<int> references(soup.cell_references.begin(), soup.cell_references.end());
+  const std::size_t number_of_references = number_of_values(soup.cell_references);
   for(const CGAL::Volume_mesh_parameterization::Data_array_3& array : soup.cell_data)
   {
     if(!CGAL::Volume_mesh_parameterization::internal::has_one_integer(array))
       continue;
-    const std::set<double> values(array.values.begin(), array.values.end());
-    std::set<std::pair<int, double> > parts;
+    const std::size_t number = number_of_values(array.values);
+    if(2 * number > soup.cells.size()) // as many numbers of cells as cells, for example
+      continue;
+    std::vector<std::pair<int, double> > parts;
     for(std::size_t c = 0; c < soup.cells.size(); ++c)
-      parts.insert({ soup.cell_references[c], array.values[c] });
-    if(2 * values.size() <= soup.cells.size() && parts.size() > references.size()) // there are as many numbers of cells as cells
-      result.push_back("the cell data '" + array.name + "' are integers with " + std::to_string(values.size())
+      parts.push_back({ soup.cell_references[c], array.values[c] });
+    if(number_of_values(std::move(parts)) > number_of_references)
+      result.push_back("the cell data '" + array.name + "' are integers with " + std::to_string(number)
                        + " values, and are not used; if they are regions or materials, --regions " + shell_quoted(array.name)
                        + " uses them");
   }

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -55,7 +56,7 @@ inline Polygons polygons_of_VTP(const std::string& text, const CGAL::Volume_mesh
   {
     result.polygons.emplace_back();
     for(; begin < vertices.size() && static_cast<std::int64_t>(begin) < end; ++begin)
-      result.polygons.back().push_back(internal::checked_vertex(vertices[begin], 0, result.points.size()));
+      result.polygons.back().push_back(static_cast<std::size_t>(vertices[begin]));
   }
   return result;
 }
@@ -68,7 +69,10 @@ inline Triangles triangles_of(const Polygons& surface)
     if(polygon.size() != 3)
       throw CGAL::Volume_mesh_parameterization::Input_error("the surface has a face with " + std::to_string(polygon.size())
                                                             + " vertices");
-    result.push_back({ polygon[0], polygon[1], polygon[2] });
+    result.emplace_back();
+    for(std::size_t i = 0; i < 3; ++i)
+      result.back()[i] = CGAL::Volume_mesh_parameterization::internal::checked_vertex(
+        static_cast<std::int64_t>(polygon[i]), 0, surface.points.size());
   }
   return result;
 }
