@@ -158,9 +158,9 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamType{Boolean}
     \cgalParamDefault{`true` where a boundary parameterizer finds the images and the complex, or the arrays, are not
                       constant; `false` where the images are given}
-    \cgalParamExtra{The boundary of the complex does not change. Edges are split as long as not more than a tenth of
-                    the vertices, or 1000 of a small complex, has been added. The complex stays refined whatever the
-                    status is.}
+    \cgalParamExtra{The boundary of the complex does not change, unless `Refinement_mode::BOUNDARY` is passed. Edges are split
+                    as long as not more than a tenth of the vertices, or 1000 of a small complex, has been added. The complex
+                    stays refined whatever the status is.}
     \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{refinement_mode}
@@ -168,12 +168,22 @@ exact predicates on the coordinates that are written check that no cell is inver
                           help, in bridges: edges, facets and cells inside whose vertices are all prescribed, as across a
                           gap or a wall that is one cell wide. All bridges are split at once if one has a vertex of a
                           cell that is inverted where the search starts, or of a cell with four prescribed vertices and
-                          a distortion of angles above 10.}
+                          a distortion of angles above 10. With `Refinement_mode::BOUNDARY`, `boundary_parameterizer` may
+                          split edges of the boundary, too.}
     \cgalParamType{`Volume_mesh_parameterization::Refinement_mode`}
     \cgalParamDefault{`Refinement_mode::HELPFUL`}
     \cgalParamExtra{This takes one solution of a linear system, and time O(n + m d (d + log m)) for n cells and m bridges,
                     with at most d cells around an edge. The number of new vertices is not limited, but at most that of
-                    bridges. Without refinement, or with `Boundary_mode::SOFT`, the parameter has no effect.}
+                    bridges. Without refinement, or with `Boundary_mode::SOFT`, bridges are not split.
+                    If edges of the boundary are split, a new vertex is at the midpoint of an edge, up to rounding, has the
+                    surface patch or the curve of the edge, and counts in
+                    `Parameterization_result::number_of_added_boundary_vertices`. The body is mapped with this boundary held, at
+                    most in a third of the time that is left. If this fails, all edges inside that begin at the boundary are
+                    split, too, and the body is mapped again. If this fails as well, the body is mapped to the boundary that was
+                    given, if there is an image of it, in the last quarter of the time. Cells of the triangulation outside of the
+                    complex that have a split edge are split as well, and rounding may make these flat or inverted.
+                    `Polycube_boundary_parameterizer_3` is the only parameterizer that splits edges.}
+    \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
     \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
@@ -289,6 +299,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
                 "boundary_map and boundary_parameterizer must not both be passed: each gives the images of the boundary.");
   static_assert(!(has_do_refine && std::is_const<C3t3>::value),
                 "do_refine must not be passed for a constant complex, which cannot be refined.");
+  VMP::internal::check_refinement_mode<NamedParameters, !std::is_const<C3t3>::value>();
 
   return VMP::internal::run_problem<ConcurrencyTag>(np, [&](const VMP::internal::Map_problem_3& problem)
   {

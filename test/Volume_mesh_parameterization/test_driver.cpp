@@ -2,7 +2,6 @@
 #include "catch.h"
 #include "Soup_bytes.h"
 #include "array_of_vtu_file.h"
-#include "mapped_with_splits.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
@@ -320,7 +319,8 @@ const std::vector<std::string> report_keys = {
   "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy",
   "volume_weights", "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
-  "vertices", "cells", "boundary_vertices", "added_vertices", "sliding_vertices", "inverted_cells", "boundary_residual",
+  "vertices", "cells", "boundary_vertices", "added_vertices", "added_boundary_vertices", "sliding_vertices",
+  "inverted_cells", "boundary_residual",
   "iterations", "untangling_iterations", "linear_solver_iterations", "untangling_method",
   "seconds_total", "seconds_to_flip_free", "seconds_numbering", "seconds_start", "seconds_untangling",
   "seconds_minimization", "seconds_check", "energy_value",
@@ -346,54 +346,6 @@ std::vector<std::string> report_keys_with(const std::vector<std::string>& others
 }
 
 std::string hexahedra_of(const std::string& report) { return report.substr(report.find("\"hexahedra\": {")); }
-
-// Attempts to map a mesh whose boundary is split, of which is told how they end, and the clock on which they run.
-struct Told_attempts
-{
-  enum Quality { NONE, VALID, SUCCESSFUL };
-
-  struct Mesh
-  {
-    std::string name;
-    Quality quality = NONE;
-
-    bool is_success() const { return quality == SUCCESSFUL; }
-    bool has_valid_map() const { return quality != NONE; }
-  };
-
-  std::map<std::string, Quality> qualities;
-  bool has_other_targets = true;
-  std::size_t end = 4;           // the number of computations after which the time is over
-  std::vector<std::string> log = {}; // what is computed, within how many hundredths of the time that is left
-  double part_of_time = 1;
-
-  void end_after_part_of_time(const double part) { part_of_time = part; }
-  void end_after_all_time() { part_of_time = 1; }
-  bool goes_on() const { return log.size() < end; }
-  void compute(const std::string& name) { log.push_back(name + " " + std::to_string(std::lround(100 * part_of_time))); }
-
-  std::string best()
-  {
-    const auto with_boundary_held = [this](const Mesh& mesh)
-    {
-      compute(mesh.name + " held");
-      return Mesh{ mesh.name, qualities[mesh.name] };
-    };
-    const auto with_map = [this](const Mesh& mesh)
-    {
-      compute(mesh.name);
-      return Mesh{ mesh.name, qualities[mesh.name] };
-    };
-    const auto with_edges_split = [](const Mesh& mesh) { return Mesh{ mesh.name + " and edges" }; };
-    const auto without_splits = [this]
-    {
-      compute("targets");
-      return has_other_targets ? std::optional<Mesh>({ "given" }) : std::nullopt;
-    };
-    const Mesh splits = { "splits" };
-    return mapped_with_splits(splits, with_boundary_held, with_map, with_edges_split, without_splits, *this).name;
-  }
-};
 
 } // namespace
 
@@ -558,31 +510,6 @@ TEST_CASE("The boundary goes to a domain that has a name")
   CHECK(folder.run("source.mesh --to ball --report report.json") == 2);
   CHECK(folder.text("stderr").find("at 1 vertex, number 7 (counted from 0)") != std::string::npos);
   CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_NON_MANIFOLD_BOUNDARY\"") != std::string::npos);
-}
-
-TEST_CASE("A split boundary is mapped as it is, then with edges split at it, and last the boundary as given")
-{
-  using Log = std::vector<std::string>;
-  const Log all = { "splits held 33", "targets 50", "splits and edges 75", "given 100" };
-  const auto first = [&](const std::size_t n) { return Log(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n)); };
-  const auto good = Told_attempts::SUCCESSFUL, valid = Told_attempts::VALID;
-  const auto check = [](Told_attempts attempts, const std::string& best, const Log& log)
-  {
-    CHECK(attempts.best() == best);
-    CHECK(attempts.log == log);
-  };
-  check({ { { "splits", good } } }, "splits", first(1));
-  check({ { { "splits and edges", good } } }, "splits and edges", first(3));
-  check({ { { "splits", valid }, { "splits and edges", good } } }, "splits and edges", first(3));
-  check({ { { "splits", valid }, { "given", good } } }, "given", all);
-  // takes the first valid one of those that fail
-  check({ { { "splits", valid }, { "splits and edges", valid }, { "given", valid } } }, "splits", all);
-  check({ { { "splits and edges", valid }, { "given", valid } } }, "splits and edges", all);
-  check({}, "given", all);
-  // gives edges that are split all of the time, if there is nothing else
-  check({ {}, false }, "splits and edges", { "splits held 33", "targets 50", "splits and edges 100" });
-  for(const std::size_t n : { 1, 2, 3 }) // at the end of the time
-    check({ {}, true, n }, n < 3 ? "splits" : "splits and edges", first(n));
 }
 
 TEST_CASE("A ball is turned to landmarks, and a box has eight of them as corners")

@@ -2,6 +2,7 @@
 // mapped to given surfaces.
 #include "Visitor_that_ends.h"
 #include "catch.h"
+#include "ring_of_prisms.h"
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
@@ -500,29 +501,6 @@ TEST_CASE("maps to boxes with holes can be ended anywhere, with nothing written"
 
 namespace {
 
-// A ring of prisms: three edges lead around it, and a box with holes has four sides there.
-VMP::Tetrahedron_soup_3 ring_of_prisms()
-{
-  constexpr std::size_t number = 12;
-  VMP::Tetrahedron_soup_3 soup;
-  for(std::size_t i = 0; i < number; ++i)
-    for(std::size_t j = 0; j < 3; ++j)
-    {
-      const double a = 2 * CGAL_PI * i / number, b = 2 * CGAL_PI * j / 3 + 0.3, radius = 3 + std::cos(b);
-      soup.points.push_back({radius * std::cos(a), radius * std::sin(a), std::sin(b)});
-    }
-  for(std::size_t i = 0; i < number; ++i)
-  {
-    const auto at = [&](const std::size_t k, const std::size_t j) { return (i + k) % number * 3 + j; };
-    soup.cells.push_back({at(0, 0), at(0, 1), at(0, 2), at(1, 0)});
-    soup.cells.push_back({at(0, 1), at(1, 1), at(0, 2), at(1, 0)});
-    soup.cells.push_back({at(0, 2), at(1, 1), at(1, 2), at(1, 0)});
-  }
-  soup.cell_references.assign(soup.cells.size(), 1);
-  VMP::orient_tetrahedron_soup(soup);
-  return soup;
-}
-
 double volume_of(const VMP::Tetrahedron_soup_3& soup)
 {
   const auto vector = [&](const std::size_t v) { return VMP::internal::to_vector(soup.points[v]); };
@@ -571,16 +549,21 @@ TEST_CASE("a ring that is too coarse for a box with holes is refined for a polyc
   const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
   std::vector<std::array<double, 3> > targets;
   REQUIRE(Polycube().parameterize(ring, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
-  VMP::Tetrahedron_soup_3 soup = ring;
   const double spacing = GENERATE(0., 0.25);
-  REQUIRE(Polycube(spacing).refine_and_parameterize(soup, targets) == VMP::OK);
+  VMP::internal::Body_3 body = VMP::internal::body_of(ring);
+  std::vector<VMP::internal::Mapped_boundary_3> boundaries;
+  REQUIRE(Polycube(spacing).find_boundaries(body, true, VMP::internal::Budget(), boundaries) == VMP::OK);
+  REQUIRE(boundaries.size() == 1); // there is no box
+  REQUIRE(VMP::internal::split_any_edges_3(body, boundaries[0].splits));
+  const VMP::Tetrahedron_soup_3& soup = body.soup;
+  targets = boundaries[0].targets;
   REQUIRE(soup.points.size() > ring.points.size());
   REQUIRE(targets.size() == soup.points.size());
   CHECK(std::equal(ring.points.begin(), ring.points.end(), soup.points.begin()));
   CHECK(volume_of(soup) == Approx(volume_of(ring)));
   CHECK(soup.cell_references == std::vector<int>(soup.cells.size(), 1));
 
-  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
+  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(body);
   double volume = 0;
   for(const auto& [a, b, c] : surface.facets)
   {
@@ -601,16 +584,13 @@ TEST_CASE("a ring that is too coarse for a box with holes is refined for a polyc
 
 TEST_CASE("a search for polycubes of voxels can be ended anywhere, with nothing written")
 {
-  const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
-  VMP::Tetrahedron_soup_3 soup = ring;
-  std::vector<std::array<double, 3> > targets;
+  const VMP::internal::Body_3 ring = VMP::internal::body_of(ring_of_prisms());
+  std::vector<VMP::internal::Mapped_boundary_3> boundaries;
   check_interruption([&](const auto& np)
   {
-    soup = ring;
-    return Polycube().refine_and_parameterize(soup, targets, np);
-  }, targets);
-  CHECK(soup.points == ring.points);
-  CHECK(soup.cells == ring.cells);
+    VMP::internal::Limits limits(np);
+    return Polycube().find_boundaries(ring, true, limits.budget(), boundaries);
+  }, boundaries);
 }
 
 TEST_CASE("voxels have the topology of their body")

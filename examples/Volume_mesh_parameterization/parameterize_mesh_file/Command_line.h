@@ -166,8 +166,9 @@ inline Command_line command_line(Options& options)
      "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
      "auto: fixed, and soft if that finds no map")
     ("refine", po::value(&options.refinement)->value_name("WHERE")->default_value("none"),
-     "--refine=needed: add vertices where the targets cannot be met otherwise; --refine, or --refine=helpful: also where edges "
-     "inside between vertices of the boundary make the map slow or distorted; --refine=all: first in all of these edges")
+     "--refine=needed: add vertices where the targets cannot be met otherwise; --refine=helpful: also where edges inside between "
+     "vertices of the boundary make the map slow or distorted; --refine, or --refine=boundary: also on edges of the boundary "
+     "where a polycube needs that; --refine=all: first in all edges inside between vertices of the boundary")
     ("slide", po::bool_switch(&options.do_slide),
      "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
 
@@ -213,7 +214,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
 
   // alone, an option with a value would take the argument behind it
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  std::replace(arguments.begin(), arguments.end(), std::string("--refine"), std::string("--refine=helpful"));
+  std::replace(arguments.begin(), arguments.end(), std::string("--refine"), std::string("--refine=boundary"));
   po::variables_map given;
   po::store(po::command_line_parser(arguments).options(all).positional(positional).run(), given);
   po::notify(given);

@@ -82,7 +82,8 @@ inline Refinement named_refinement(const std::string& name)
   using CGAL::Volume_mesh_parameterization::Refinement_mode;
   return find_name<Refinement>("refinement", name, {
     {"none", {false, false, Refinement_mode::NEEDED}}, {"needed", {true, false, Refinement_mode::NEEDED}},
-    {"helpful", {true, false, Refinement_mode::HELPFUL}}, {"all", {true, true, Refinement_mode::NEEDED}}});
+    {"helpful", {true, false, Refinement_mode::HELPFUL}}, {"boundary", {true, false, Refinement_mode::BOUNDARY}},
+    {"all", {true, true, Refinement_mode::BOUNDARY}}});
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H

@@ -97,6 +97,7 @@ inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::P
         .add("cells", result.number_of_cells)
         .add("boundary_vertices", result.number_of_boundary_vertices)
         .add("added_vertices", result.number_of_added_vertices)
+        .add("added_boundary_vertices", result.number_of_added_boundary_vertices)
         .add("sliding_vertices", result.number_of_sliding_vertices)
         .add("inverted_cells", result.number_of_inverted_cells)
         .add("boundary_residual", result.boundary_residual)

@@ -23,32 +23,11 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
-// The boundary has no map onto the domain.
-struct Boundary_error : std::runtime_error
-{
-  Boundary_error(const CGAL::Volume_mesh_parameterization::Error_code status, const std::string& message)
-    : std::runtime_error(message), status(status)
-  {}
-
-  CGAL::Volume_mesh_parameterization::Error_code status;
-};
-
-// Landmarks are vertices with the place where each should be. If there are none, a domain finds its way without. A mesh that may
-// be refined can get more points.
+// Landmarks are vertices with the place where each should be. If there are none, a domain finds its way without.
 using Landmarks = std::vector<std::pair<std::size_t, std::array<double, 3> > >;
-using Boundary_parameterizer = std::function<CGAL::Volume_mesh_parameterization::Error_code(
-  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3&, const Landmarks&, Points&, Progress_line&)>;
-
-inline Boundary_parameterizer ball_parameterizer()
-{
-  return [](const auto& mesh, const Landmarks& landmarks, Points& targets, Progress_line& progress)
-  {
-    return CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3().parameterize(
-      mesh.points, mesh.cells, landmarks, targets, CGAL::parameters::visitor(std::ref(progress)));
-  };
-}
 
 // The vertices for the corners of a box, each in the octant of the corner.
 inline std::array<std::size_t, 8> corners_of_box(const Landmarks& landmarks)
@@ -66,29 +45,32 @@ inline std::array<std::size_t, 8> corners_of_box(const Landmarks& landmarks)
   return corners;
 }
 
-inline Boundary_parameterizer box_parameterizer(const CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3& box)
+// Ball or box with its landmarks; a model of `BoundaryParameterizer_3`.
+struct Ball_or_box
 {
-  return [box](const auto& mesh, const Landmarks& landmarks, Points& targets, Progress_line& progress)
+  using Ball = CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3;
+  using Box = CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3;
+
+  std::variant<Ball, Box> domain;
+  Landmarks landmarks = {};
+
+  template <typename Cells, typename NamedParameters = CGAL::parameters::Default_named_parameters>
+  CGAL::Volume_mesh_parameterization::Error_code
+  parameterize(const Points& points, const Cells& cells, Points& targets, const NamedParameters& np = NamedParameters()) const
   {
-    const auto np = CGAL::parameters::visitor(std::ref(progress));
-    return landmarks.empty() ? box.parameterize(mesh.points, mesh.cells, targets, np)
-                             : box.parameterize(mesh.points, mesh.cells, corners_of_box(landmarks), targets, np);
-  };
-}
+    if(landmarks.empty())
+      return std::visit([&](const auto& parameterizer) { return parameterizer.parameterize(points, cells, targets, np); }, domain);
+    if(const Box* const box = std::get_if<Box>(&domain))
+      return box->parameterize(points, cells, corners_of_box(landmarks), targets, np);
+    return std::get<Ball>(domain).parameterize(points, cells, landmarks, targets, np);
+  }
+};
 
 using Polycube = CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3;
-
-inline Boundary_parameterizer polycube_parameterizer(const Polycube& polycube, const bool do_refine)
-{
-  return [polycube, do_refine](auto& mesh, const Landmarks&, Points& targets, Progress_line& progress)
-  {
-    const auto np = CGAL::parameters::visitor(std::ref(progress));
-    return do_refine ? polycube.refine_and_parameterize(mesh, targets, np) : polycube.parameterize(mesh, targets, np);
-  };
-}
+using Boundary_parameterizer = std::variant<Ball_or_box, Polycube>;
 
 // The lengths of the sides of a box from text such as 1,2,0.5
-inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
+inline Ball_or_box named_box(const std::string& lengths)
 {
   double x, y, z;
   char comma[2], rest;
@@ -96,21 +78,21 @@ inline Boundary_parameterizer box_parameterizer(const std::string& lengths)
   if(!(is >> x >> comma[0] >> y >> comma[1] >> z) || is >> rest || comma[0] != ',' || comma[1] != ','
      || !(std::fmin(x, std::fmin(y, z)) > 0) || std::isinf(x * y * z))
     throw std::runtime_error("'box=" + lengths + "' does not tell three positive lengths, as box=1,2,0.5 does");
-  return box_parameterizer(CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3(x, y, z));
+  return { Ball_or_box::Box(x, y, z) };
 }
 
 inline Boundary_parameterizer named_boundary_parameterizer(const std::string& name, const Polycube& polycube,
-                                                           const bool do_refine)
+                                                           const Landmarks& landmarks = {})
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   const std::string box = "box=";
-  if(name.compare(0, box.size(), box) == 0)
-    return box_parameterizer(name.substr(box.size()));
-  return find_name<Boundary_parameterizer>("domain", name, {
-    {"ball", ball_parameterizer()},
-    {"cube", box_parameterizer(VMP::Cube_boundary_parameterizer_3())},
-    {"box=X,Y,Z", nullptr},
-    {"polycube", polycube_parameterizer(polycube, do_refine)}});
+  Boundary_parameterizer result = name.compare(0, box.size(), box) == 0
+    ? named_box(name.substr(box.size()))
+    : find_name<Boundary_parameterizer>("domain", name, {
+        {"ball", Ball_or_box{ Ball_or_box::Ball() }}, {"cube", Ball_or_box{ Ball_or_box::Box() }},
+        {"box=X,Y,Z", Ball_or_box()}, {"polycube", polycube}});
+  if(Ball_or_box* const ball_or_box = std::get_if<Ball_or_box>(&result))
+    ball_or_box->landmarks = landmarks;
+  return result;
 }
 
 // None if the name of the file is empty.
@@ -150,21 +132,13 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
     "image, change the label of a voxel there.";
 }
 
-inline Points targets_on_domain(const std::string& domain, const Polycube& polycube, const bool do_refine,
-                                const Landmarks& landmarks, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
-                                Progress_line& progress)
+// Tells why the boundary has no map onto a domain.
+inline std::string message_of_domain(const std::string& domain, const CGAL::Volume_mesh_parameterization::Error_code status,
+                                     const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  Points targets;
-  const VMP::Error_code status = named_boundary_parameterizer(domain, polycube, do_refine)(mesh, landmarks, targets, progress);
-  if(status == VMP::OK)
-    return targets;
-  if(status == VMP::ERROR_INTERRUPTED)
-    throw Interruption();
-
-  const std::string message = status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh)
-                                                                         : VMP::get_error_message(status);
-  throw Boundary_error(status, "the boundary cannot be mapped to '" + domain + "': " + message);
+  return "the boundary cannot be mapped to '" + domain + "': "
+    + (status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh) : VMP::get_error_message(status));
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H

@@ -68,7 +68,7 @@ inline void check(const Options& options)
   named_boundary_mode(options.boundary);
   named_refinement(options.refinement);
   if(!options.domain.empty())
-    named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()), false);
+    named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()));
   if(named_polycube_axes(options.polycube_axes) != CGAL::Volume_mesh_parameterization::Polycube_axes::FOUND
      && options.domain != "polycube")
     throw std::runtime_error("the axes are those of a polycube, and --to polycube is missing");

@@ -175,8 +175,8 @@ Outcome run(const Options& options, Progress_line& progress)
     name_missing_target(options.target, mesh, target.points);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
   outcome.seconds_reading = seconds_reading;
-  outcome.seconds_boundary = mapped.seconds_boundary;
-  if(options.domain == "polycube")
+  outcome.seconds_boundary = result.seconds_boundary;
+  if(options.domain == "polycube" && result.number_of_cells > 0)
     outcome.polycube = mapped.polycube;
   outcome.number_of_coinciding_points = source.number_of_coinciding_points;
   outcome.number_of_merged_points = source.number_of_merged_points;
@@ -214,13 +214,6 @@ Outcome run_and_catch(const Options& options, Progress_line& progress)
   {
     result.message = "There is not enough memory.";
     return { NOT_FLIP_FREE, "ERROR_OUT_OF_MEMORY", result };
-  }
-  catch(const Boundary_error& error)
-  {
-    result.message = error.what();
-    if(error.status == VMP::ERROR_BOUNDARY_TOO_COARSE)
-      result.message += advice_to_refine(options.source);
-    return { BAD_INPUT, error_code_name(error.status), result };
   }
   catch(const std::exception& error)
   {

@@ -70,6 +70,7 @@ struct Parameterization_result
   std::size_t number_of_cells = 0;             ///< cells of the complex, after refinement
   std::size_t number_of_boundary_vertices = 0; ///< vertices of facets between the complex and the outside
   std::size_t number_of_added_vertices = 0;    ///< vertices that refinement has added
+  std::size_t number_of_added_boundary_vertices = 0; ///< those of them at edges of the boundary (see `Refinement_mode::BOUNDARY`)
   std::size_t number_of_sliding_vertices = 0;  ///< vertices that slide on the boundary, if `do_slide_boundary(true)` was passed
 
   /// number of exact proofs that no map with this connectivity meets this boundary; one suffices

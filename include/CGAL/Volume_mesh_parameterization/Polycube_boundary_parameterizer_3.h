@@ -17,30 +17,14 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/features_given_up_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
-
-namespace internal {
-
-// Returns the points of the vertices of a surface, and of the new ones behind them, which are appended to all points.
-inline std::vector<std::size_t> points_after_splits(std::vector<std::size_t> vertices, const std::size_t number_of_points,
-                                                    const std::size_t number_of_splits)
-{
-  for(std::size_t i = 0; i < number_of_splits; ++i)
-    vertices.push_back(number_of_points + i);
-  return vertices;
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationBoundary
@@ -109,8 +93,9 @@ mean square of the logarithms of the singular values. If its map is not valid, t
 is none, a topological sphere is mapped to its bounding box, and the boundary of a body with handles to a box with as many
 holes, which exists for each body that discs cut into a ball, also a knotted one: meridians around the handles are found
 inside the body, and the edges of the box as disjoint lines on its boundary. At least four edges of the mesh must
-lead around each handle, and more where it is to be mapped with low distortion. `refine_and_parameterize()` does without them,
-and has another choice there: voxels whose boundary has as many handles are simplified by moving their faces, as long as that
+lead around each handle, and more where it is to be mapped with low distortion.
+`CGAL::stretch_minimizing_volume_parameterization()` with `Refinement_mode::BOUNDARY` does without them, and has another choice
+there: voxels whose boundary has as many handles are simplified by moving their faces, as long as that
 lowers the cost of labels, and the edges of the polycube that they are then become disjoint paths on the boundary. Near
 these, edges of the mesh are split to the length of a voxel, and further where a path is blocked. Up to 84 grids are tried,
 with 8 to 48 voxels along the body; bodies with finer handles are not found.
@@ -119,7 +104,7 @@ with 8 to 48 voxels along the body; bodies with finer handles are not found.
 `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,
 `ERROR_SEVERAL_BOUNDARY_COMPONENTS` if none was found and a body has cavities,
 `ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, against which
-`refine_and_parameterize()` may help,
+`Refinement_mode::BOUNDARY` may help,
 `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
 `ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or if the spacing is above 1e60, or
 `ERROR_INTERRUPTED`. The
@@ -205,93 +190,51 @@ public:
     return this->parameterize_arrays(body, targets, np, label_of_facet);
   }
 
-  /// writes the image of each point on the boundary of a soup, which may be refined for that: a point is added at the midpoint
-  /// of an edge. Where no labels lead to a polycube, and a box with holes is too coarse or clearly more distorted, bodies with
-  /// handles are mapped to a polycube whose faces are those of voxels. New points come behind all others, and new cells,
-  /// facets and edges have the references and data of those they come from.
-  ///
-  /// \param soup the mesh; it is refined only if `OK` is returned
-  /// \param targets receives the images, one for each point of the refined soup; it must be resizable
-  /// \param np the same as for `parameterize()`
-  ///
-  /// \return the same as `parameterize()`
-  template <typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code refine_and_parameterize(Tetrahedron_soup_3& soup, TargetRange& targets,
-                                     const CGAL_NP_CLASS& np = parameters::default_values()) const
+  // Tells of the polycube that a body is mapped to at last.
+  void tell(const internal::Body_3& body, const internal::Mapped_boundary_3& boundary) const
   {
-    internal::check_named_parameters(np);
-    internal::Limits<CGAL_NP_CLASS> limits(np);
-    const internal::Budget budget = limits.budget();
-    const internal::Body_3 body = internal::body_of(soup);
+    if(m_result == nullptr)
+      return;
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
     std::vector<Eigen::Vector3d> images;
-    Eigen::Matrix3d rotation;
-    std::vector<std::array<std::size_t, 2> > splits;
-    const Error_code status = internal::map_to_polycube_3(surface, {}, m_spacing, m_axes == Polycube_axes::FOUND, images, rotation,
-                                                          budget, &splits);
-    if(budget.is_exhausted())
-      return ERROR_INTERRUPTED;
-    if(status != OK)
-      return status;
-    const std::vector<std::size_t> points = internal::points_after_splits(surface.vertices, soup.points.size(), splits.size());
-    for(auto& [v, w] : splits)
+    for(const std::size_t v : surface.vertices)
+      images.push_back(internal::to_vector(boundary.targets[v]));
+    *m_result = { boundary.rotation, surface.sharp_edges.size() };
+    for(const std::vector<Eigen::Vector3d>& feature : internal::features_given_up_3(surface, images))
     {
-      v = points[v];
-      w = points[w];
+      m_result->features_given_up.emplace_back();
+      for(const Eigen::Vector3d& p : feature)
+        m_result->features_given_up.back().push_back(internal::coordinates(p));
     }
-    std::optional<Tetrahedron_soup_3> refined = internal::with_split_edges_3(body, splits);
-    if(!refined)
-      return ERROR_BOUNDARY_TOO_COARSE;
-    soup = std::move(*refined);
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    std::vector<std::array<double, 3> > all(soup.points.size(), { nan, nan, nan });
-    for(std::size_t v = 0; v < points.size(); ++v)
-      all[points[v]] = internal::coordinates(images[v]);
-    if(m_result != nullptr)
-      tell_result(internal::surface_of(internal::body_of(soup)), all, rotation);
-    internal::assign_coordinates(all, targets);
-    return OK;
   }
 
 private:
   using Given = std::vector<std::size_t>; // labels
 
-  void tell_result(const internal::Numbered_surface_3& surface, const std::vector<std::array<double, 3> >& targets,
-                   const Eigen::Matrix3d& rotation) const
-  {
-    std::vector<Eigen::Vector3d> images;
-    for(const std::size_t v : surface.vertices)
-      images.push_back(internal::to_vector(targets[v]));
-    *m_result = result(surface, images, rotation);
-  }
-
-  Error_code map(const internal::Numbered_surface_3& surface, const std::vector<std::size_t>& label_of_facet,
-                 std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
+  // Finds images of a boundary as it is given and, if it may be refined, before these those of one with more vertices.
+  Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine, const internal::Budget& budget,
+                  std::vector<internal::Mapped_boundary_3>& boundaries) const
   {
     for(const std::size_t label : label_of_facet)
       internal::require(label < 6, "The labels of a polycube are 0 to 5.");
+    const internal::Numbered_surface_3 surface = internal::surface_of(body);
+    std::vector<Eigen::Vector3d> images;
     Eigen::Matrix3d rotation;
+    internal::Map_of_split_surface_3 of_split;
     const Error_code status = internal::map_to_polycube_3(surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND,
-                                                          images, rotation, budget);
-    if(status == OK && m_result != nullptr)
-      *m_result = result(surface, images, rotation);
-    return status;
-  }
-
-  static Polycube_result result(const internal::Numbered_surface_3& surface, const std::vector<Eigen::Vector3d>& images,
-                                const Eigen::Matrix3d& rotation)
-  {
-    Polycube_result result;
-    for(int i = 0; i < 3; ++i)
-      result.rotation[i] = internal::coordinates(rotation.row(i));
-    result.number_of_sharp_edges = surface.sharp_edges.size();
-    for(const std::vector<Eigen::Vector3d>& feature : internal::features_given_up_3(surface, images))
-    {
-      result.features_given_up.emplace_back();
-      for(const Eigen::Vector3d& p : feature)
-        result.features_given_up.back().push_back(internal::coordinates(p));
-    }
-    return result;
+                                                          images, rotation, budget, may_refine ? &of_split : nullptr);
+    if(budget.is_exhausted()) // then the status does not matter
+      return ERROR_INTERRUPTED;
+    if(status != OK)
+      return status;
+    if(!of_split.images.empty())
+      boundaries.push_back(this->mapped_boundary(body, surface, of_split.splits, of_split.images));
+    if(!images.empty())
+      boundaries.push_back(this->mapped_boundary(body, surface, {}, images));
+    for(internal::Mapped_boundary_3& boundary : boundaries)
+      for(int i = 0; i < 3; ++i)
+        boundary.rotation[i] = internal::coordinates(rotation.row(i));
+    return OK;
   }
 
   double m_spacing;

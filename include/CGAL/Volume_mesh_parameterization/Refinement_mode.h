@@ -23,7 +23,8 @@ Which vertices refinement may add: see the named parameter `refinement_mode` of
 enum class Refinement_mode
 {
   NEEDED, ///< only those without which the boundary is not reached
-  HELPFUL ///< also those in bridges, simplices inside whose vertices are all prescribed, that make the map slow or distorted
+  HELPFUL, ///< also those in bridges, simplices inside whose vertices are all prescribed, that make the map slow or distorted
+  BOUNDARY ///< also those on the boundary, at edges that `boundary_parameterizer` splits
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

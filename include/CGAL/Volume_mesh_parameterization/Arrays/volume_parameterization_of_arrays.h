@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_to_boundaries_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -46,18 +47,40 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
                 "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
   problem.progress.end_numbering();
-  std::vector<std::array<double, 3> > targets;
-  const Error_code status = find_targets_3(parameter_or(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3()),
-                                           body, problem.progress.budget(), targets);
+  const auto parameterizer = parameter_or(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3());
+  const bool do_refine = may_refine && parameter_or(np, internal_np::do_refine, true);
+  std::vector<Mapped_boundary_3> boundaries;
+  const Error_code status
+    = find_boundaries_3(parameterizer, body, do_refine && problem.options.refinement == Refinement_mode::BOUNDARY,
+                        problem.progress.budget(), boundaries);
   problem.progress.end_boundary();
-  if(status == OK)
-    return parameterize_body_3<Vertex, may_refine>(body, np, [&](const std::size_t p) { return targets[p]; }, vertex,
-                                                   problem, insertions, images);
-  Parameterization_result result = problem.progress.effort();
-  result.status = status;
-  result.message = get_error_message(status) + where_boundary_fails(body, status);
-  result.seconds_total = problem.progress.seconds();
-  return result;
+  if(status != OK)
+  {
+    Parameterization_result result = problem.progress.effort();
+    result.status = status;
+    result.message = get_error_message(status) + where_boundary_fails(body, status);
+    result.seconds_total = problem.progress.seconds();
+    return result;
+  }
+  const auto tell = [&](const Mapped_boundary_3& boundary)
+  {
+    if constexpr(is_of_this_package<std::decay_t<decltype(parameterizer)> >)
+      parameterizer.tell(body, boundary);
+  };
+  Prescription_3 prescription = prescription_3<Vertex>(body, np, [](std::size_t) { return Exact_point_3(); }, vertex);
+  if constexpr(may_refine)
+    if(do_refine)
+    {
+      Mapped_body_3 mapped = map_to_boundaries_3(std::move(body), prescription, boundaries, problem);
+      body = std::move(mapped.body);
+      insertions = std::move(mapped.insertions);
+      images = std::move(mapped.images);
+      tell(*mapped.boundary);
+      return mapped.result;
+    }
+  tell(boundaries.front());
+  prescription.targets = boundaries.front().targets;
+  return parameterize_body_3(std::move(body), prescription, problem, images);
 }
 
 // Maps a mesh of arrays, whose points are stored in some type. `take(soup)` takes over the refined mesh.
@@ -98,6 +121,13 @@ auto target_of_point(const TargetRange& targets, const std::size_t number_of_poi
 
 template <typename NamedParameters>
 constexpr bool has_do_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
+
+template <typename NamedParameters, bool may_refine>
+constexpr void check_refinement_mode()
+{
+  static_assert(may_refine || parameters::is_default_parameter<NamedParameters, internal_np::refinement_mode_t>::value,
+                "refinement_mode must not be passed for a constant complex or constant arrays, which cannot be refined.");
+}
 
 // Arrays that a call can refine are no temporaries and not constant.
 template <typename Range>
@@ -186,6 +216,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS>
     || (VMP::internal::is_refinable<PointRange> && VMP::internal::is_refinable<CellRange>);
+  VMP::internal::check_refinement_mode<CGAL_NP_CLASS, may_refine>();
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
     VMP::internal::soup_of(points, cells), VMP::internal::coordinate_type_of<PointRange>(),
     VMP::internal::Targets_to_be_found(), images, np, [&](const VMP::Tetrahedron_soup_3& refined)
@@ -242,6 +273,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
 {
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
+  VMP::internal::check_refinement_mode<CGAL_NP_CLASS, may_refine>();
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
     soup, {}, VMP::internal::Targets_to_be_found(), images, np, [&](VMP::Tetrahedron_soup_3& refined)
   {

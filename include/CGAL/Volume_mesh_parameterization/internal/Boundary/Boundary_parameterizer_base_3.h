@@ -20,6 +20,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Images of a boundary as it is given, or after edges of it are split.
+struct Mapped_boundary_3
+{
+  std::vector<std::array<std::size_t, 2> > splits; // edges by their points, one after the other; new points come behind all others
+  std::vector<std::array<double, 3> > targets;     // of all points; those of points inside are not numbers
+  std::array<std::array<double, 3>, 3> rotation = {}; // rows of the one into the axes of a polycube
+};
+
 // Base of all models of `BoundaryParameterizer_3`: `Model::map(surface, given, images, budget)` finds the images. The
 // parameters of a call, corners for instance, are a `Model::Given`, by default without a value.
 template <typename Model>
@@ -45,9 +53,13 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   { return parameterize_arrays(body_of(soup), targets, np, typename Model::Given()); }
 
-  // Finds the image of each point on the boundary of a body, in the order of its points; those of the others are not numbers.
-  Error_code find_targets(const Body_3& body, const Budget& budget, std::vector<std::array<double, 3> >& targets) const
-  { return find_targets(body, typename Model::Given(), budget, targets); }
+  // Finds images of the boundary of a body, which may be refined for them if the model can do that.
+  Error_code find_boundaries(const Body_3& body, const bool may_refine, const Budget& budget,
+                             std::vector<Mapped_boundary_3>& boundaries) const
+  { return model().find(body, typename Model::Given(), may_refine, budget, boundaries); }
+
+  // Is told of the images that the body is mapped to at last.
+  void tell(const Body_3&, const Mapped_boundary_3&) const {}
 
 protected:
   template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename Given>
@@ -71,34 +83,52 @@ protected:
     { assign_coordinates(of_points, targets); });
   }
 
-private:
   template <typename Given>
-  Error_code find_targets(const Body_3& body, const Given& given, const Budget& budget,
-                          std::vector<std::array<double, 3> >& targets) const
+  Error_code find(const Body_3& body, const Given& given, bool, const Budget& budget,
+                  std::vector<Mapped_boundary_3>& boundaries) const
   {
     const Numbered_surface_3 surface = surface_of(body);
     std::vector<Eigen::Vector3d> images;
-    const Error_code status = static_cast<const Model&>(*this).map(surface, given, images, budget);
+    const Error_code status = model().map(surface, given, images, budget);
     if(budget.is_exhausted()) // then the status does not matter
       return ERROR_INTERRUPTED;
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    targets.assign(body.soup.points.size(), { nan, nan, nan });
     if(status == OK)
-      for(std::size_t v = 0; v < images.size(); ++v)
-        targets[surface.vertices[v]] = coordinates(images[v]);
+      boundaries.push_back(mapped_boundary(body, surface, {}, images));
     return status;
   }
+
+  // Returns the images of a surface, whose new points come behind all others, as those of the points of the body.
+  static Mapped_boundary_3 mapped_boundary(const Body_3& body, const Numbered_surface_3& surface,
+                                           const std::vector<std::array<std::size_t, 2> >& splits,
+                                           const std::vector<Eigen::Vector3d>& images)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t n = surface.vertices.size(), number_of_points = body.soup.points.size();
+    const auto point = [&](const std::size_t v) { return v < n ? surface.vertices[v] : number_of_points + (v - n); };
+    Mapped_boundary_3 result;
+    for(const auto& [v, w] : splits)
+      result.splits.push_back({ point(v), point(w) });
+    result.targets.assign(number_of_points + splits.size(), { nan, nan, nan });
+    for(std::size_t v = 0; v < images.size(); ++v)
+      result.targets[point(v)] = coordinates(images[v]);
+    return result;
+  }
+
+private:
+  const Model& model() const { return static_cast<const Model&>(*this); }
 
   template <typename NamedParameters, typename Given, typename Write>
   Error_code parameterize_body(const Body_3& body, const NamedParameters& np, const Given& given, const Write& write) const
   {
     check_named_parameters(np);
     Limits<NamedParameters> limits(np);
-    std::vector<std::array<double, 3> > targets;
-    const Error_code status = find_targets(body, given, limits.budget(), targets);
-    if(status == OK)
-      write(targets);
-    return status;
+    std::vector<Mapped_boundary_3> boundaries;
+    const Error_code status = model().find(body, given, false, limits.budget(), boundaries);
+    if(status != OK)
+      return status;
+    model().tell(body, boundaries.front());
+    write(boundaries.front().targets);
+    return OK;
   }
 };
 
@@ -120,18 +150,35 @@ struct Visitor_of_budget
   bool goes_on() const { return !budget.is_exhausted(); }
 };
 
-// Finds targets by any model of `BoundaryParameterizer_3`. The models of this package take the body as it is.
 template <typename Parameterizer>
-Error_code find_targets_3(const Parameterizer& parameterizer, const Body_3& body, const Budget& budget,
-                          std::vector<std::array<double, 3> >& targets)
+constexpr bool is_of_this_package = std::is_base_of<Boundary_parameterizer_base_3<Parameterizer>, Parameterizer>::value;
+
+// Finds images of a boundary by any model of `BoundaryParameterizer_3`. The models of this package take the body as it is. If the
+// boundary may be refined, there may be several, in the order in which they are proposed.
+template <typename Parameterizer>
+Error_code find_boundaries_3(const Parameterizer& parameterizer, const Body_3& body, const bool may_refine, const Budget& budget,
+                             std::vector<Mapped_boundary_3>& boundaries)
 {
   static_assert(Is_boundary_parameterizer<Parameterizer>::value,
                 "boundary_parameterizer must have a function parameterize(points, cells, targets) that returns an Error_code.");
-  if constexpr(std::is_base_of<Boundary_parameterizer_base_3<Parameterizer>, Parameterizer>::value)
-    return parameterizer.find_targets(body, budget, targets);
+  if constexpr(is_of_this_package<Parameterizer>)
+    return parameterizer.find_boundaries(body, may_refine, budget, boundaries);
   else
-    return parameterizer.parameterize(body.soup.points, body.soup.cells, targets,
-                                      parameters::visitor(Visitor_of_budget{ budget }));
+  {
+    std::vector<std::array<double, 3> > targets;
+    const Error_code status = parameterizer.parameterize(body.soup.points, body.soup.cells, targets,
+                                                         parameters::visitor(Visitor_of_budget{ budget }));
+    if(status != OK)
+      return status;
+    const std::vector<bool> is_on_boundary = used_points(body.boundary, body.soup.points.size());
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    targets.resize(is_on_boundary.size(), { nan, nan, nan });
+    for(std::size_t v = 0; v < targets.size(); ++v)
+      if(!is_on_boundary[v])
+        targets[v] = { nan, nan, nan };
+    boundaries.push_back({ {}, std::move(targets) });
+    return OK;
+  }
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -181,7 +181,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   if(checked.check.allows_soft_boundary() && checked.check.is_refinable)
     if(const auto made = remove_degenerate_simplices(body, prescription, budget); !made.empty())
       take(made);
-  if(problem.options.refinement == Refinement_mode::HELPFUL && problem.options.mode != Boundary_mode::SOFT
+  if(problem.options.refinement != Refinement_mode::NEEDED && problem.options.mode != Boundary_mode::SOFT
      && checked.check.allows_soft_boundary() && checked.check.is_refinable)
     if(const auto made = split_bridges_3(body, checked.numbered, prescription.is_constrained, problem.solver,
                                          problem.progress); !made.empty())

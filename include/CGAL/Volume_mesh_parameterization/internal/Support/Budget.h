@@ -67,6 +67,17 @@ public:
 
   void exhaust() { m_state->is_exhausted = true; }
 
+  // Returns a budget of a part of the time that is left, which is exhausted with the whole one, too.
+  Budget part(const double fraction) const
+  {
+    Budget result = *this;
+    result.m_seconds = seconds() + fraction * (m_seconds - seconds());
+    result.m_may_continue = [whole = *this] { return !whole.is_exhausted(); };
+    result.m_after_step = [whole = *this](const Parameterization_step& step) { return whole.tell(step); };
+    result.m_state = std::make_shared<State>(State{ false, m_state->number_of_rounds });
+    return result;
+  }
+
 private:
   struct State
   {

@@ -19,17 +19,24 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Map of a surface whose edges are split for it, one after the other: each gets a new point at its midpoint, which comes behind all
+// others.
+struct Map_of_split_surface_3
+{
+  std::vector<std::array<std::size_t, 2> > splits;
+  std::vector<Eigen::Vector3d> images; // also of the new points; none if there is no map
+};
+
 // Maps a surface onto a polycube. Labels are the axis directions that the images of facets are normal to; without labels,
 // those that keep as many details as possible are proposed. The coordinates of the faces are multiples of the spacing, or
 // any if the spacing is 0. If axes are to be found, a surface without labels is turned about the center of its bounding box
 // by the rotation, and its images are those of the turned one; with a spacing, they are moved to be close to it.
 //
-// If the surface may be split, `splits` becomes the edges to split for the map, one after the other; each gets a new point at
-// its midpoint, which comes behind all others, and the images have those of the new points, too.
+// If the surface may be split, another map may be found, which is the better one; there may be no other then, and no images.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels, double spacing,
                              bool do_find_axes, std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation,
-                             const Budget& budget, std::vector<std::array<std::size_t, 2> >* splits = nullptr);
+                             const Budget& budget, Map_of_split_surface_3* of_split_surface = nullptr);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -144,8 +144,6 @@ private:
   }
 };
 
-using Splits_of_edges = std::vector<std::array<std::size_t, 2> >;
-
 template <typename Facets>
 double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vector3d>& points,
                               const std::vector<Eigen::Vector3d>& images)
@@ -156,7 +154,7 @@ double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vec
 
 // Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
 // be far less distorted than a box with holes.
-inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing, Splits_of_edges* const splits,
+inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing, Map_of_split_surface_3* const of_split,
                                          std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
@@ -164,25 +162,26 @@ inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const d
                                                     turned.surface.vertices, images, budget);
   const double maximal_distortion = status != OK ? (std::numeric_limits<double>::infinity)()
     : enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, images);
-  if(splits == nullptr || maximal_distortion < usual)
+  if(status != OK)
+    images.clear();
+  if(of_split == nullptr || maximal_distortion < usual)
     return status;
   Map_to_voxels_3 map = map_to_voxels_3(turned.surface, turned.mesh, turned.box, spacing, budget);
   if(map.images.empty() || map.distortion > maximal_distortion)
     return status;
-  *splits = std::move(map.splits);
-  images = std::move(map.images);
+  *of_split = { std::move(map.splits), std::move(map.images) };
   return OK;
 }
 
 // Maps a surface for which no labels of a polycube are found.
-inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, Splits_of_edges* const splits,
+inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, Map_of_split_surface_3* const of_split,
                                    std::vector<Eigen::Vector3d>& images, const Budget& budget)
 {
   const Error_code kind = check_sphere(turned.mesh);
   if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
     return map_bodies_apart_3(turned.surface, spacing, images, budget);
   return kind == OK ? map_to_bounding_box_3(turned.mesh, turned.box, spacing, images, budget)
-                    : map_to_box_or_voxels_3(turned, spacing, splits, images, budget);
+                    : map_to_box_or_voxels_3(turned, spacing, of_split, images, budget);
 }
 
 inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
@@ -195,8 +194,8 @@ inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, con
 
 // Takes the frame with the least distortion; if there is no polycube in any, the first one.
 inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing, const bool may_move,
-                                  Splits_of_edges* const splits, std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation,
-                                  const Budget& budget)
+                                  Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images,
+                                  Eigen::Matrix3d& rotation, const Budget& budget)
 {
   const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
   double least_distortion = (std::numeric_limits<double>::infinity)();
@@ -217,12 +216,12 @@ inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, c
   if(has_polycube)
     return OK;
   rotation = frames.front().rotation;
-  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, splits, images, budget);
+  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, of_split, images, budget);
 }
 
 // Maps a surface in the order in which it is searched.
 inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
-                                        const double spacing, const bool do_find_axes, Splits_of_edges* const splits,
+                                        const double spacing, const bool do_find_axes, Map_of_split_surface_3* const of_split,
                                         std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
 {
   constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
@@ -240,12 +239,12 @@ inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const
     for(const Eigen::Matrix3d& r : rotations)
       frames.emplace_back(surface, mesh, r);
   }
-  const auto map = [&](const double spacing, Splits_of_edges* const splits, std::vector<Eigen::Vector3d>& images)
+  const auto map = [&](const double spacing, Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images)
   {
-    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, splits, images, rotation, budget)
+    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, of_split, images, rotation, budget)
                           : map_to_labelled_polycube_3(frames.front(), labels, spacing, images, budget);
   };
-  const Error_code status = map(spacing, splits, images);
+  const Error_code status = map(spacing, of_split, images);
   std::vector<Eigen::Vector3d> any;
   return status != OK && spacing > 0 && map(0, nullptr, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
 }
@@ -253,21 +252,24 @@ inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
                              const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
-                             Eigen::Matrix3d& rotation, const Budget& budget, Splits_of_edges* const splits)
+                             Eigen::Matrix3d& rotation, const Budget& budget, Map_of_split_surface_3* const of_split_surface)
 {
   const Order_of_surface_3 order(surface);
   std::vector<Eigen::Vector3d> ordered_images;
-  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes, splits,
-                                                  ordered_images, rotation, budget);
+  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes,
+                                                  of_split_surface, ordered_images, rotation, budget);
   if(status != OK)
     return status;
   images = order.back(ordered_images);
-  if(splits != nullptr)
-    for(auto& [v, w] : *splits)
+  if(of_split_surface != nullptr)
+  {
+    of_split_surface->images = order.back(of_split_surface->images);
+    for(auto& [v, w] : of_split_surface->splits)
     {
       v = order.point(v);
       w = order.point(w);
     }
+  }
   return OK;
 }
 

@@ -64,7 +64,7 @@ using Simplex_3 = boost::container::static_vector<std::size_t, 4>;
 struct Body_3
 {
   Tetrahedron_soup_3 soup;
-  std::vector<std::array<std::size_t, 3> > boundary; // the facets of one cell only, which no refinement changes
+  std::vector<std::array<std::size_t, 3> > boundary; // the facets of one cell only
   std::vector<std::size_t> sides;                    // which sides these are, before any refinement
   Coordinate_type point_type;                        // in which the user stores the points, also those of refinement
   Coordinate_type image_type;                        // and the images

@@ -31,11 +31,19 @@ public:
   Progress_3(Budget budget, const std::size_t steps_of_stage,
              Visitor visitor = [](const Parameterization_step&) { return true; },
              const Communicator_3& communicator = single_process())
-    : m_budget(std::move(budget)), m_limit(steps_of_stage), m_visitor(std::move(visitor)), m_communicator(communicator)
+    : m_whole_budget(std::move(budget)), m_budget(m_whole_budget), m_limit(steps_of_stage), m_visitor(std::move(visitor)), m_communicator(communicator)
   {}
 
   const Budget& budget() const { return m_budget; } // of this process, for loops that it runs alone
   double seconds() const { return m_budget.seconds(); }
+
+  // Limits what follows to a part of the time that is left, or to all of it.
+  void limit_to_part_of_time(const double part)
+  {
+    m_budget = part < 1 ? m_whole_budget.part(part) : m_whole_budget;
+    m_is_interrupted = false;
+  }
+
   const Parameterization_result& effort() const { return m_effort; } // only with the numbers of steps, and the seconds
   std::size_t number_of_steps() const { return m_number_of_steps; } // of this stage
 
@@ -86,7 +94,7 @@ public:
       add_lap(m_effort.seconds_minimization);
     step.seconds = seconds();
     if(!m_visitor(step))
-      m_budget.exhaust();
+      m_whole_budget.exhaust();
   }
 
   // The time since the last step, or the last call of one of these, was taken by something else.
@@ -105,7 +113,7 @@ private:
     m_lap = seconds();
   }
 
-  Budget m_budget;
+  Budget m_whole_budget, m_budget; // of all stages, and of the next ones
   std::size_t m_limit, m_number_of_steps = 0;
   Visitor m_visitor;
   const Communicator_3& m_communicator;

@@ -255,7 +255,7 @@ inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<st
 }
 
 // Splits the edges inside at all points of the boundary: each gets vertices of its own inside.
-inline void split_edges_at_boundary_3(Body_3& body)
+inline std::vector<Insertion_3> split_edges_at_boundary_3(Body_3& body)
 {
   const std::vector<bool> is_on_boundary = used_points(body.boundary, body.soup.points.size());
   std::vector<std::array<std::size_t, 2> > edges;
@@ -264,17 +264,28 @@ inline void split_edges_at_boundary_3(Body_3& body)
       for(const std::size_t w : cell)
         if(v < w && (is_on_boundary[v] || is_on_boundary[w]))
           edges.push_back({ v, w });
-  split_edges_3(body, edges);
+  return split_edges_3(body, edges);
 }
 
 // Splits edges one after the other, also those of the boundary. Nothing if rounding leaves no point for one.
-inline std::optional<Tetrahedron_soup_3> with_split_edges_3(Body_3 body, const std::vector<std::array<std::size_t, 2> >& edges)
+inline std::optional<std::vector<Insertion_3> > split_any_edges_3(Body_3& body,
+                                                                  const std::vector<std::array<std::size_t, 2> >& edges)
 {
-  Refinement_3 refinement(body);
-  for(const auto& [v, w] : edges)
-    if(const Simplex_3 edge = { v, w }; !refinement.insert(edge, refinement.cells_around(edge)))
-      return std::nullopt;
-  return std::move(body.soup);
+  std::vector<Insertion_3> result;
+  {
+    Refinement_3 refinement(body);
+    for(const auto& [v, w] : edges)
+    {
+      const Simplex_3 edge = { v, w };
+      const std::optional<Insertion_3> insertion = refinement.insert(edge, refinement.cells_around(edge));
+      if(!insertion)
+        return std::nullopt;
+      result.push_back(*insertion);
+    }
+  }
+  if(!result.empty())
+    static_cast<Body_3&>(body) = body_of(std::move(body.soup)); // with its new boundary
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

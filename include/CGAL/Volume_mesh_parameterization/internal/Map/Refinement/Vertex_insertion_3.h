@@ -16,9 +16,10 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Makes a vertex of a point of an interior edge, facet or cell of a complex. The new cells, facets and feature
+// Makes a vertex of a point of an edge, or of an interior facet or cell, of a complex. The new cells, facets and feature
 // edges belong to the complex with the indices of those that contain them, and the new vertex gets the
-// dimension and the index of the face of the complex it lies in. `Refinement_3` has found that all cells become positive.
+// dimension and the index of the face of the complex it lies in. `Refinement_3` has found that all cells of the complex become
+// positive. Around an edge of the boundary, the cells outside are split as well.
 template <typename C3t3>
 class Vertex_insertion_3
 {
@@ -34,7 +35,7 @@ class Vertex_insertion_3
 public:
   Vertex_insertion_3(C3t3& c3t3, const Simplex& simplex, const std::vector<Cell_handle>& cells_around)
     : m_c3t3(c3t3), m_simplex(simplex), m_cells(cells_around)
-  {}
+  { add_cells_outside(); }
 
   Vertex_handle insert(const Exact_point_3& p)
   {
@@ -53,12 +54,14 @@ public:
     return v;
   }
 
-  // The cells around the new vertex: of each old one, in order, those without one vertex of the simplex after the other.
+  // The cells of the complex around the new vertex: of each old one, in order, those without one vertex of the simplex after the
+  // other.
   std::vector<Cell_handle> new_cells() const
   {
     std::vector<Cell_handle> cells;
     for(const Outer_facet& outer : m_outer_facets)
-      cells.push_back(outer.new_cell());
+      if(outer.is_of_complex)
+        cells.push_back(outer.new_cell());
     return cells;
   }
 
@@ -67,11 +70,25 @@ private:
   struct Outer_facet
   {
     Facet facet;
+    bool is_of_complex; // is the old cell?
     Subdomain_index subdomain;
     boost::container::static_vector<std::pair<Vertex_handle, Surface_patch_index>, 2> split_facets;
 
     Cell_handle new_cell() const { return facet.first->neighbor(facet.second); }
   };
+
+  void add_cells_outside()
+  {
+    if(m_simplex.size() != 2)
+      return;
+    const Cell_handle first = m_cells.front();
+    const auto begin = m_c3t3.triangulation().incident_cells(first, first->index(m_simplex[0]), first->index(m_simplex[1]));
+    auto next = begin;
+    do
+      if(const Cell_handle c = next; !m_c3t3.is_in_complex(c))
+        m_cells.push_back(c);
+    while(++next != begin);
+  }
 
   // Each vertex of the cell that is not in the simplex is opposite to a facet that will be split.
   template <typename Function>
@@ -85,6 +102,7 @@ private:
   void record(const Cell_handle c)
   {
     Outer_facet outer;
+    outer.is_of_complex = m_c3t3.is_in_complex(c);
     outer.subdomain = m_c3t3.subdomain_index(c);
     for_each_split_facet(c, [&](const int i)
     {
@@ -95,7 +113,8 @@ private:
         m_dimension = 2;
       }
     });
-    m_subdomain = outer.subdomain;
+    if(outer.is_of_complex)
+      m_subdomain = outer.subdomain;
     for(const Vertex_handle v : m_simplex)
     {
       outer.facet = m_c3t3.triangulation().mirror_facet(Facet(c, c->index(v)));
@@ -112,7 +131,8 @@ private:
   void add_to_complex(const Outer_facet& outer)
   {
     const Cell_handle c = outer.new_cell();
-    m_c3t3.add_to_complex(c, outer.subdomain);
+    if(outer.is_of_complex)
+      m_c3t3.add_to_complex(c, outer.subdomain);
     // The outer facet has been in the complex or not all the time: only its new side must be told.
     const Facet inner = m_c3t3.triangulation().mirror_facet(outer.facet);
     m_c3t3.set_surface_patch_index(inner, m_c3t3.surface_patch_index(outer.facet));
@@ -143,7 +163,7 @@ private:
 
   C3t3& m_c3t3;
   const Simplex& m_simplex;
-  const std::vector<Cell_handle>& m_cells;
+  std::vector<Cell_handle> m_cells; // around the simplex, those of the complex first
   std::vector<Outer_facet> m_outer_facets;
   int m_dimension = 3;
   Subdomain_index m_subdomain = Subdomain_index();

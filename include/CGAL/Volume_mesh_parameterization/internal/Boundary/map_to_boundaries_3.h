@@ -1,0 +1,115 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_TO_BOUNDARIES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_TO_BOUNDARIES_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Attempt to map a body to images of its boundary that a boundary parameterizer has found.
+struct Boundary_attempt_3
+{
+  bool is_refined;      // is it the boundary with edges split, or the one that was given?
+  bool is_held;         // is the boundary held? By default, it may be let go, which takes far longer.
+  bool do_split_inside; // does each boundary vertex get vertices of its own inside?
+  double part_of_time;  // of the time that is left, unless it is the last attempt
+};
+
+// Boundary attempts in their order; the first one whose map meets the boundary ends them. If labels lead to a polycube, or no
+// boundary is refined, only the last attempt is made. Otherwise, this is a polycube of voxels, and the boundary that was given has
+// a box with holes, or nothing. A refined boundary has far more vertices than there are inside, and each of these may be joined to
+// too many. The parts of time are guesses.
+constexpr std::array<Boundary_attempt_3, 3> boundary_attempts = {{
+  { true, true, false, 1. / 3 },
+  { true, false, true, 0.75 },
+  { false, false, false, 1 }
+}};
+
+// Body with its map to images of its boundary.
+struct Mapped_body_3
+{
+  Body_3 body;
+  const Mapped_boundary_3* boundary;
+  std::vector<Insertion_3> insertions;
+  Parameterization_result result;
+  std::vector<std::array<double, 3> > images;
+
+  bool has_valid_map() const { return result.has_valid_map; }
+  bool meets_boundary() const { return has_valid_map() && result.boundary_residual == 0; }
+};
+
+// Makes one attempt. `prescription` is of the body without targets.
+inline Mapped_body_3 map_to_boundary_3(const Boundary_attempt_3& attempt, Body_3 body, Prescription_3 prescription,
+                                       const Mapped_boundary_3& boundary, Map_problem_3 problem)
+{
+  Mapped_body_3 mapped = { std::move(body), &boundary, {}, {}, {} };
+  if(std::optional<std::vector<Insertion_3> > made = split_any_edges_3(mapped.body, boundary.splits))
+    mapped.insertions = std::move(*made);
+  else
+  {
+    mapped.result.status = ERROR_BOUNDARY_TOO_COARSE;
+    mapped.result.message = get_error_message(ERROR_BOUNDARY_TOO_COARSE);
+    return mapped;
+  }
+  if(attempt.do_split_inside)
+  {
+    const std::vector<Insertion_3> made = split_edges_at_boundary_3(mapped.body);
+    mapped.insertions.insert(mapped.insertions.end(), made.begin(), made.end());
+  }
+  if(attempt.is_held && problem.options.mode == Boundary_mode::AUTO)
+    problem.options.mode = Boundary_mode::FIXED;
+  prescription.targets = boundary.targets;
+  prescription.extend_to(mapped.body.soup.points.size());
+  mapped.result = refine_and_parameterize_body_3(mapped.body, std::move(prescription), problem, mapped.insertions, mapped.images);
+  mapped.result.number_of_added_boundary_vertices = boundary.splits.size();
+  return mapped;
+}
+
+// Makes the attempts for which there is a boundary, with `map(attempt, boundary, is_last)`. Returns the first map that meets its
+// boundary; or else the first one without inverted cells, or the last attempt.
+template <typename Progress, typename Map>
+auto best_boundary_attempt_3(const std::vector<Mapped_boundary_3>& boundaries, Progress& progress, const Map& map)
+{
+  std::vector<std::pair<Boundary_attempt_3, const Mapped_boundary_3*> > attempts;
+  for(const Boundary_attempt_3& attempt : boundary_attempts)
+    for(const Mapped_boundary_3& boundary : boundaries)
+      if(attempt.is_refined == !boundary.splits.empty())
+        attempts.emplace_back(attempt, &boundary);
+  std::optional<decltype(map(attempts[0].first, boundaries[0], true))> best;
+  for(std::size_t i = 0; i < attempts.size() && !(best && (best->meets_boundary() || progress.is_interrupted())); ++i)
+  {
+    const auto& [attempt, boundary] = attempts[i];
+    const bool is_last = i + 1 == attempts.size();
+    progress.limit_to_part_of_time(is_last ? 1 : attempt.part_of_time);
+    auto mapped = map(attempt, *boundary, is_last);
+    if(!best || mapped.meets_boundary() || !best->has_valid_map())
+      best = std::move(mapped);
+    progress.limit_to_part_of_time(1);
+  }
+  return std::move(*best);
+}
+
+// Maps a body to one of the images of its boundary, of which there is at least one.
+inline Mapped_body_3 map_to_boundaries_3(Body_3 body, const Prescription_3& prescription,
+                                         const std::vector<Mapped_boundary_3>& boundaries, const Map_problem_3& problem)
+{
+  return best_boundary_attempt_3(boundaries, problem.progress,
+    [&](const Boundary_attempt_3& attempt, const Mapped_boundary_3& boundary, const bool is_last)
+  { return map_to_boundary_3(attempt, is_last ? std::move(body) : Body_3(body), prescription, boundary, problem); });
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_TO_BOUNDARIES_3_H
