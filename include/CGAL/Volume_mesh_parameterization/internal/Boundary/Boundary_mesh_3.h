@@ -59,7 +59,8 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
 }
 
 // Tells of each edge of a mesh whether it is among those between the given vertices.
-inline std::vector<bool> are_among(const Boundary_mesh_3& mesh, const std::vector<std::array<std::size_t, 2> >& edges)
+template <typename Edges>
+std::vector<bool> are_among(const Boundary_mesh_3& mesh, const Edges& edges)
 {
   std::vector<bool> result(mesh.number_of_edges(), false);
   for(const auto& [v, w] : edges)

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Polycube_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Label_functional_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <algorithm>
@@ -28,11 +28,8 @@ struct Chart_relabelling_3
   double cost;
 };
 
-// Labels the faces of a surface with axis directions that are close to their normals and change along short lines, as
-// Livesu et al., PolyCut: monotone graph-cuts for polycube base-complex construction (2013). The labels lower
-//   sum over faces f of area(f) (1 - n(f) . direction(label(f)))
-//   + smoothing sum over edges between faces f, g of different labels of length max(0, n(f) . n(g))^2.
-// Sharp edges are free. Small regions and whole charts change their labels as long as the sum falls: nearly as far as with
+// Labels the faces of a surface with axis directions that are close to their normals and change along short lines, which lower
+// the sum of `Label_functional_3`. Small regions and whole charts change their labels as long as it falls: nearly as far as with
 // minimum cuts, which take many times as long. No polycube has edges where opposite directions meet: around such edges,
 // labels of their axis are made expensive, until nothing changes.
 class Normal_labels_3
@@ -45,26 +42,15 @@ public:
   Normal_labels_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Budget& budget)
     : m_mesh(mesh), m_is_sharp(is_sharp), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
-    std::vector<Eigen::Vector3d> area_vectors; // normal times area
+    const Label_functional_3 functional(mesh, is_sharp);
     for(const Face f : mesh.faces())
     {
-      const Small_matrix<3, 2> X = edges_of_face(mesh, f);
-      area_vectors.push_back(X.col(0).cross(X.col(1)) / 2);
-      Costs costs;
+      m_face_costs.emplace_back();
       for(std::size_t label = 0; label < 6; ++label)
-        costs[label] = area_vectors.back().norm() - area_vectors.back().dot(vector_of_direction(label));
-      m_face_costs.push_back(costs);
-    }
-    for(const Face f : mesh.faces())
-    {
+        m_face_costs.back()[label] = functional.cost(f, label);
       auto side = m_sides.emplace(m_sides.end())->begin();
       for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
-      {
-        const Face g = mesh.face(mesh.opposite(h));
-        const double cosine = (std::max)(0., area_vectors[f].normalized().dot(area_vectors[g].normalized()));
-        *side++ = { g, (is_sharp[mesh.edge(h)] ? 0 : cosine * cosine)
-                       * (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm() };
-      }
+        *side++ = { mesh.face(mesh.opposite(h)), functional.length(h) };
       m_ring.emplace_back();
       for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
         for(const Face g : CGAL::faces_around_target(mesh.halfedge(v), mesh))

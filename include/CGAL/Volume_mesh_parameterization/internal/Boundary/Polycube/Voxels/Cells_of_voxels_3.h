@@ -12,25 +12,11 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Split_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Voxels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Label_functional_3.h>
 
 #include <map>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Returns how much it costs, by area, that a facet has a label.
-inline double cost_of_label(const Facets_3& facets, const std::size_t f, const std::size_t label)
-{ return facets.areas[f] * (1 - sign_of_direction(label) * facets.normals[f][axis_of_direction(label)]); }
-
-// Returns how long an edge is as a border between charts: sharp edges are free.
-inline double length_as_border(const Boundary_mesh_3& mesh, const Facets_3& facets, const Boundary_mesh_3::Halfedge_index h)
-{
-  const double cosine
-    = (std::max)(0., facets.normals[mesh.face(h)].dot(facets.normals[mesh.face(mesh.opposite(h))]));
-  return cosine * cosine * (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm();
-}
 
 // Parts of a surface that keep together while the polycube changes, one for each of the faces of voxels that it is given to at
 // first, and what labels of them cost.
@@ -39,18 +25,18 @@ struct Cells_of_voxels_3
   std::vector<std::array<double, 6> > costs;           // of the labels
   std::vector<std::map<std::size_t, double> > borders; // lengths of borders with other cells
 
-  Cells_of_voxels_3(const Boundary_mesh_3& mesh, const Facets_3& facets, const std::vector<std::size_t>& cell_of_facet,
-                    const std::size_t number_of_cells)
+  Cells_of_voxels_3(const Boundary_mesh_3& mesh, const Label_functional_3& functional,
+                    const std::vector<std::size_t>& cell_of_facet, const std::size_t number_of_cells)
     : costs(number_of_cells), borders(number_of_cells)
   {
     for(std::array<double, 6>& c : costs)
       c.fill(0);
     for(const auto f : mesh.faces())
       for(std::size_t d = 0; d < 6; ++d)
-        costs[cell_of_facet[f]][d] += cost_of_label(facets, f, d);
+        costs[cell_of_facet[f]][d] += functional.cost(f, d);
     for(const auto h : mesh.halfedges())
       if(const std::size_t a = cell_of_facet[mesh.face(h)], b = cell_of_facet[mesh.face(mesh.opposite(h))]; a != b)
-        borders[a][b] += length_as_border(mesh, facets, h);
+        borders[a][b] += functional.length(h);
   }
 };
 

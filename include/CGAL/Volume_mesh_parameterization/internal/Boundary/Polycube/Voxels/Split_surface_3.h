@@ -30,6 +30,7 @@ struct Split_surface_3
   std::vector<Eigen::Vector3d> points;
   std::vector<std::array<std::size_t, 3> > facets;
   std::vector<std::array<std::size_t, 2> > splits = {}; // edges whose midpoints were appended to the points, one after the other
+  std::set<Edge> sharp_edges = {};
 
   static Edge edge(const std::array<std::size_t, 3>& facet, const std::size_t i)
   { return (std::minmax)(facet[i], facet[(i + 1) % 3]); }
@@ -47,6 +48,8 @@ struct Split_surface_3
       midpoints.emplace(e, points.size());
       points.push_back((points[e.first] + points[e.second]) / 2);
       splits.push_back({ e.first, e.second });
+      if(sharp_edges.erase(e) > 0)
+        sharp_edges.insert({ { e.first, midpoints[e] }, { e.second, midpoints[e] } });
     }
     std::vector<std::array<std::size_t, 3> > parts;
     std::vector<std::size_t> parents;

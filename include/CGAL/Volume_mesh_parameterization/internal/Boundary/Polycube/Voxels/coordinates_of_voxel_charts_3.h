@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Cells_of_voxels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Split_surface_3.h>
 
 #include <cmath>
 #include <map>

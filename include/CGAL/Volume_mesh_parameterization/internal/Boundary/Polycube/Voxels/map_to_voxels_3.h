@@ -52,7 +52,8 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Sp
   Polycube_of_voxels_3 result = {
     voxels.spacing, Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels)), {}, {}, {}
   };
-  const Cells_of_voxels_3 cells(mesh, facets, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
+  const Label_functional_3 functional(mesh, are_among(mesh, surface.sharp_edges));
+  const Cells_of_voxels_3 cells(mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
                                 result.faces.faces.size());
   std::vector<std::size_t> face_of_cell;
   for(const bool do_keep_corners : { false, true })
@@ -129,7 +130,8 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
   {
     Boundary_mesh_3 mesh;
     build_boundary_mesh_3(drawn.surface, mesh);
-    relax_charts_3(mesh, Facets_3(drawn.surface), polycube.label_of_chart, drawn.chart_of_facet);
+    const Label_functional_3 functional(mesh, are_among(mesh, drawn.surface.sharp_edges));
+    relax_charts_3(mesh, functional, polycube.label_of_chart, drawn.chart_of_facet);
     split_between_borders(mesh, drawn);
   }
   Boundary_mesh_3 mesh;
@@ -149,7 +151,7 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
   for(std::size_t f = 0; f < labels.size(); ++f)
     of_charts[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
   if(map.start(of_charts, budget) != OK
-     || finish(map, std::vector<bool>(mesh.number_of_edges(), false), result.images, budget) != OK)
+     || finish(map, are_among(mesh, drawn.surface.sharp_edges), result.images, budget) != OK)
     return {};
   result.splits = drawn.surface.splits;
   const auto point = [&](const std::size_t v) { return Eigen::Vector3d(size * drawn.surface.points[v]); };
@@ -167,7 +169,9 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
   constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
   const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
                            - static_cast<int>(mesh.number_of_edges());
-  const Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
+  Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
+  for(const auto& [v, w] : surface.sharp_edges)
+    unit_surface.sharp_edges.insert((std::minmax)(v, w));
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
   Map_to_voxels_3 best;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Voxels/Cells_of_voxels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/Label_functional_3.h>
 
 #include <algorithm>
 
@@ -35,8 +35,8 @@ inline std::vector<std::size_t> charts_around(const Boundary_mesh_3& mesh, const
 
 // Gives facets to neighboring charts as long as that lowers the cost of the labels and the length of borders, and keeps the
 // topology of the charts: around the facet, its chart and the other one, and perhaps a third one, have one run of facets each.
-inline void relax_charts_3(const Boundary_mesh_3& mesh, const Facets_3& facets, const std::vector<std::size_t>& label_of_chart,
-                           std::vector<std::size_t>& chart_of_facet)
+inline void relax_charts_3(const Boundary_mesh_3& mesh, const Label_functional_3& functional,
+                           const std::vector<std::size_t>& label_of_chart, std::vector<std::size_t>& chart_of_facet)
 {
   constexpr double smoothing = 0.02;             // in units of the body, as for moves of charts
   constexpr int maximal_number_of_rounds = 200;  // a guess
@@ -62,9 +62,9 @@ inline void relax_charts_3(const Boundary_mesh_3& mesh, const Facets_3& facets, 
         continue;
       const auto cost = [&](const std::size_t c)
       {
-        double result = cost_of_label(facets, f, label_of_chart[c]);
+        double result = functional.cost(f, label_of_chart[c]);
         for(const auto h : edges)
-          result += smoothing * (chart_across(h) != c) * length_as_border(mesh, facets, h);
+          result += smoothing * (chart_across(h) != c) * functional.length(h);
         return result;
       };
       double least = cost(chart) - 1e-12; // more than rounding
