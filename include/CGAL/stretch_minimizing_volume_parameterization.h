@@ -326,7 +326,13 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
     else
       result = parameterize(VMP::internal::Targets_to_be_found());
     if constexpr(may_refine)
+    {
       VMP::internal::insert_vertices(c3t3, body, insertions);
+      using Parameterizer = decltype(VMP::internal::boundary_parameterizer_of(np));
+      if constexpr(!has_boundary_map && VMP::internal::is_of_this_package<Parameterizer>)
+        if(!insertions.empty())
+          VMP::internal::boundary_parameterizer_of(np).tell_order_of_cells(VMP::internal::order_of_cells(c3t3, body));
+    }
     if(result.has_valid_map)
       for(std::size_t v = 0; v < images.size(); ++v)
         put(uvw_map, body.vertices[v], Point_3(images[v][0], images[v][1], images[v][2]));

@@ -21,8 +21,8 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = VMP::internal;
 namespace params = CGAL::parameters;
 
-using Complex = Cube_complex<>;
-using C3t3 = Complex::C3t3;
+using Ring_complex = Cube_complex<>;
+using C3t3 = Ring_complex::C3t3;
 using Point = std::array<double, 3>;
 using VMP::Parameterization_result;
 using VMP::Refinement_mode;
@@ -86,6 +86,19 @@ Tetrahedron_soup_3 ring_with_references()
   ring.edges = { { 0, 3 }, { 3, 6 }, { 6, 9 }, { 9, 12 } }; // along the ring
   ring.edge_references = { 5, 5, 6, 6 };
   return ring;
+}
+
+// Returns the direction in which the image of a facet looks.
+std::size_t label_of_image(const Ring_complex::Cell_handle c, const int i, const Ring_complex& complex)
+{
+  const auto image = [&](const int k) { return internal::to_vector(complex.uvw.at(c->vertex(k))); };
+  const Eigen::Vector3d p = image((i + 1) % 4);
+  Eigen::Vector3d normal = (image((i + 2) % 4) - p).cross(image((i + 3) % 4) - p);
+  if(normal.dot(image(i) - p) > 0)
+    normal = -normal; // away from the cell
+  Eigen::Index axis;
+  normal.cwiseAbs().maxCoeff(&axis);
+  return 2 * static_cast<std::size_t>(axis) + (normal[axis] < 0);
 }
 
 double length(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
@@ -207,7 +220,7 @@ TEST_CASE("The boundary of arrays is refined only if this is asked for, on the e
 TEST_CASE("The boundary of a complex is refined as that of arrays, with patches, features and the cells outside")
 {
   Tetrahedron_soup_3 soup = ring_with_references();
-  Complex complex(internal::Numbered_mesh_3(), soup);
+  Ring_complex complex(internal::Numbered_mesh_3(), soup);
   const auto outside = [&] // cells outside of the body
   {
     return complex.c3t3.triangulation().tds().number_of_cells() - complex.c3t3.number_of_cells_in_complex();
@@ -217,7 +230,9 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
   const std::size_t n = soup.points.size();
 
   std::vector<Point> expected;
-  const auto np = polycube.refinement_mode(Refinement_mode::BOUNDARY);
+  VMP::Polycube_result polycube_result;
+  const VMP::Polycube_boundary_parameterizer_3 polycube(0, VMP::Polycube_axes::FOUND, &polycube_result);
+  const auto np = params::boundary_parameterizer(polycube).refinement_mode(Refinement_mode::BOUNDARY);
   const Parameterization_result of_arrays = CGAL::stretch_minimizing_volume_parameterization(soup, expected, np);
   const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), np);
   REQUIRE(result.status == VMP::OK);
@@ -229,7 +244,6 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
     CHECK(internal::coordinates(complex.uvw.at(complex.vertices[v])) == expected[v]);
 
   const C3t3& c3t3 = complex.c3t3;
-  CHECK(c3t3.triangulation().tds().is_valid());
   CHECK(is_consistent(c3t3.triangulation()));
   CHECK(has_positive_cells(c3t3));
   CHECK(has_positive_cells(c3t3, [&](const C3t3::Vertex_handle v) { return complex.uvw.at(v); }));
@@ -266,4 +280,10 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
       += std::sqrt(c3t3.triangulation().segment(e->first, e->second, e->third).squared_length());
   check_same(areas_of_facets(soup), areas);
   check_same(lengths_of_edges(soup), lengths);
+
+  REQUIRE(polycube_result.labels.size() == c3t3.number_of_cells_in_complex());
+  auto labels = polycube_result.labels.begin();
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c, ++labels)
+    for(int i = 0; i < 4; ++i)
+      CHECK((*labels)[i] == (c3t3.is_in_complex(c->neighbor(i)) ? VMP::Polycube_result::no_label : label_of_image(c, i, complex)));
 }

@@ -544,6 +544,41 @@ TEST_CASE("a body with a cavity and without a polycube is told to have several b
   CHECK(Polycube().parameterize(soup, targets) == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS);
 }
 
+TEST_CASE("labels that are found are told, and lead to the same labels again")
+{
+  const VMP::Tetrahedron_soup_3 soup = bricks(size, is_ring, in_place);
+  VMP::Polycube_result result;
+  const Polycube polycube(0, VMP::Polycube_axes::GIVEN, &result);
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
+  REQUIRE(result.labels.size() == soup.cells.size());
+  std::size_t number = 0;
+  std::set<std::size_t> all;
+  for(const std::size_t side : VMP::internal::body_of(soup).sides)
+  {
+    const std::array<std::size_t, 4>& cell = soup.cells[side / 4];
+    const auto point = [&](const auto& points, const std::size_t k)
+    {
+      const auto& [x, y, z] = points[cell[(side % 4 + k) % 4]];
+      return Point_3(x, y, z);
+    };
+    std::array<Point_3, 3> t = {point(targets, 1), point(targets, 2), point(targets, 3)};
+    if(CGAL::orientation(point(soup.points, 1), point(soup.points, 2), point(soup.points, 3), point(soup.points, 0))
+       == CGAL::POSITIVE)
+      std::swap(t[0], t[1]); // counterclockwise seen from outside
+    CHECK(result.labels[side / 4][side % 4] == direction(t));
+    all.insert(result.labels[side / 4][side % 4]);
+    ++number;
+  }
+  CHECK(all == std::set<std::size_t>{0, 1, 2, 3, 4, 5});
+  const auto labels = result.labels;
+  for(const auto& of_cell : labels)
+    number += std::count(of_cell.begin(), of_cell.end(), VMP::Polycube_result::no_label);
+  CHECK(number == 4 * labels.size());
+  REQUIRE(polycube.parameterize(soup.points, soup.cells, labels, targets) == VMP::OK);
+  CHECK(result.labels == labels);
+}
+
 TEST_CASE("a ring that is too coarse for a box with holes is refined for a polycube of voxels")
 {
   const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
@@ -660,6 +695,39 @@ TEST_CASE("edges of a surface are split where short ones are asked for, with no 
       area += (q - p).cross(r - p).z() / 6;
     }
   CHECK(area == Approx(1));
+}
+
+TEST_CASE("sharp edges stay sharp while a surface is split, and are free borders of charts")
+{
+  using namespace VMP::internal;
+  const VMP::Tetrahedron_soup_3 box = bricks({3, 2, 2}, is_box, in_place);
+  const Numbered_surface_3 surface = surface_of(body_of(box));
+  Split_surface_3 split = {surface.points, surface.facets};
+  for(const auto& [v, w] : surface.sharp_edges) // 28 on the edges of the box
+    split.sharp_edges.insert((std::minmax)(v, w));
+  split.split_edges_longer_than(0.3);
+  double length = 0;
+  for(const auto& e : split.sharp_edges)
+    length += split.length(e);
+  CHECK(length == Approx(28));
+  CHECK(split.sharp_edges.size() == 4 * 28);
+
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(split, mesh) == VMP::OK);
+  const Label_functional_3 functional(mesh, are_among(mesh, split.sharp_edges)), blunt(mesh, are_among(mesh, std::set<Split_surface_3::Edge>()));
+  for(const auto e : mesh.edges())
+  {
+    const auto h = mesh.halfedge(e);
+    const bool is_sharp = split.sharp_edges.count((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))) > 0;
+    CHECK((functional.length(h) == 0) == is_sharp);
+    CHECK(blunt.length(h) == functional.length(h)); // by the angle
+  }
+  // marked edges count, whatever the angle is
+  const auto h = *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(),
+                               [&](const auto h) { return functional.length(h) > 0; });
+  const std::set<Split_surface_3::Edge> marked
+    = {(std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))};
+  CHECK(Label_functional_3(mesh, are_among(mesh, marked)).length(h) == 0);
 }
 
 TEST_CASE("borders of charts are drawn on a surface as those of the voxels")

@@ -19,6 +19,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -191,10 +193,11 @@ public:
   }
 
   // Tells of the polycube that a body is mapped to at last.
-  void tell(const internal::Body_3& body, const internal::Mapped_boundary_3& boundary) const
+  void tell(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
   {
     if(m_result == nullptr)
       return;
+    const internal::Body_3 body = internal::body_of(refined_body.soup); // with the sides that are on the boundary now
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
     std::vector<Eigen::Vector3d> images;
     for(const std::size_t v : surface.vertices)
@@ -206,6 +209,20 @@ public:
       for(const Eigen::Vector3d& p : feature)
         m_result->features_given_up.back().push_back(internal::coordinates(p));
     }
+    constexpr std::size_t none = Polycube_result::no_label;
+    m_result->labels.assign(body.soup.cells.size(), { none, none, none, none });
+    for(std::size_t f = 0; f < surface.facets.size(); ++f)
+      m_result->labels[body.sides[f] / 4][body.sides[f] % 4] = label_of_image(surface.facets[f], images);
+  }
+
+  // Is told of the order of the cells in a complex that has been refined.
+  void tell_order_of_cells(const std::vector<std::size_t>& order) const
+  {
+    if(m_result == nullptr || m_result->labels.size() != order.size())
+      return;
+    const std::vector<std::array<std::size_t, 4> > labels = m_result->labels;
+    for(std::size_t c = 0; c < order.size(); ++c)
+      m_result->labels[c] = labels[order[c]];
   }
 
 private:
@@ -235,6 +252,18 @@ private:
       for(int i = 0; i < 3; ++i)
         boundary.rotation[i] = internal::coordinates(rotation.row(i));
     return OK;
+  }
+
+  // Returns the direction of the normal of a facet's image on a polycube.
+  static std::size_t label_of_image(const std::array<std::size_t, 3>& facet, const std::vector<Eigen::Vector3d>& images)
+  {
+    const Eigen::Vector3d &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
+    std::size_t axis = 0;
+    while(axis < 2 && (p[axis] != q[axis] || p[axis] != r[axis]))
+      ++axis;
+    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const auto point = [&](const Eigen::Vector3d& x) { return Exact_predicates_inexact_constructions_kernel::Point_2(x[u], x[v]); };
+    return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
   }
 
   double m_spacing;

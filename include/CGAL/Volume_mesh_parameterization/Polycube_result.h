@@ -35,6 +35,13 @@ struct Polycube_result
   /// the sharp edges that are given up, as their images lead along no axis, joined to polylines in the body as it is given: the
   /// longest one first. Grids do not follow them.
   std::vector<Polyline> features_given_up = {};
+  /// label of the facet opposite to each vertex of each cell, as `Polycube_boundary_parameterizer_3::parameterize()` takes it:
+  /// 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z, in the axes of the polycube; `no_label` for facets inside. Cells
+  /// are in the order of the arrays, or of the cells in the complex, after refinement. If the body has been turned, turn it by the
+  /// rotation before labels are given. Labels of a box with holes need not have a polycube, as they are not close to the normals.
+  std::vector<std::array<std::size_t, 4> > labels = {};
+
+  static constexpr std::size_t no_label = 6; ///< label of a facet that is not on the boundary
 
   /// returns how many edges the polylines have.
   std::size_t number_of_edges_given_up() const

@@ -35,8 +35,12 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   return parameterize_body_3(std::move(body), prescription, problem, images);
 }
 
-// Stands for the targets that a boundary parameterizer finds, by default that of the ball.
+// Stands for the targets that a boundary parameterizer finds.
 struct Targets_to_be_found {};
+
+template <typename NamedParameters>
+auto boundary_parameterizer_of(const NamedParameters& np)
+{ return parameter_or(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3()); }
 
 template <typename Vertex, bool may_refine, typename NamedParameters, typename VertexOfPoint>
 Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, Targets_to_be_found,
@@ -47,7 +51,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
                 "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
   problem.progress.end_numbering();
-  const auto parameterizer = parameter_or(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3());
+  const auto parameterizer = boundary_parameterizer_of(np);
   const bool do_refine = may_refine && parameter_or(np, internal_np::do_refine, true);
   std::vector<Mapped_boundary_3> boundaries;
   const Error_code status

@@ -60,6 +60,7 @@ public:
 
   // Is told of the images that the body is mapped to at last.
   void tell(const Body_3&, const Mapped_boundary_3&) const {}
+  void tell_order_of_cells(const std::vector<std::size_t>&) const {}
 
 protected:
   template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename Given>

@@ -195,6 +195,19 @@ void insert_vertices(C3t3& c3t3, Body_of_complex_3<C3t3>& body, const std::vecto
   }
 }
 
+// Returns the numbers that the cells of a complex have in its body, in the order of the complex.
+template <typename C3t3>
+std::vector<std::size_t> order_of_cells(const C3t3& c3t3, const Body_of_complex_3<C3t3>& body)
+{
+  std::unordered_map<typename C3t3::Cell_handle, std::size_t> numbers;
+  for(std::size_t c = 0; c < body.cells.size(); ++c)
+    numbers.emplace(body.cells[c], c);
+  std::vector<std::size_t> result;
+  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+    result.push_back(numbers.at(it));
+  return result;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_REFINEMENT_VERTEX_INSERTION_3_H
