@@ -43,6 +43,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/make_mesh_3.h>
 
 #include <array>
 #include <cstddef>
@@ -83,11 +84,21 @@ inline void map_bodies()
   map(C3t3_of_surface());
 
   const auto function = [](const K::Point_3&) -> K::FT { return 0; };
-  Implicit_domain::create_implicit_mesh_domain(+function, K::Sphere_3(CGAL::ORIGIN, 1));
-  CGAL::Mesh_criteria_3<C3t3_of_function::Triangulation>(CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 1,
-    CGAL::parameters::facet_distance = 1, CGAL::parameters::cell_radius_edge_ratio = 3, CGAL::parameters::cell_size = 1);
+  const CGAL::Mesh_criteria_3<C3t3_of_function::Triangulation> criteria(
+    CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 1, CGAL::parameters::facet_distance = 1,
+    CGAL::parameters::cell_radius_edge_ratio = 3, CGAL::parameters::cell_size = 1);
+  const Implicit_domain domain = Implicit_domain::create_implicit_mesh_domain(+function, K::Sphere_3(CGAL::ORIGIN, 1));
+  CGAL::make_mesh_3<C3t3_of_function>(domain, criteria, CGAL::parameters::no_perturb(),
+                                      CGAL::parameters::exude(CGAL::parameters::time_limit = 0));
   CGAL::Surface_mesh<K::Point_3> surface;
   CGAL::IO::read_polygon_mesh(std::string(), surface);
+  const CGAL::Mesh_criteria_3<C3t3_of_surface::Triangulation> criteria_of_surface(
+    CGAL::parameters::edge_size = 1, CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 1,
+    CGAL::parameters::facet_distance = 1, CGAL::parameters::facet_topology = CGAL::MANIFOLD,
+    CGAL::parameters::cell_radius_edge_ratio = 3, CGAL::parameters::cell_size = 1);
+  CGAL::make_mesh_3<C3t3_of_surface>(Polyhedral_domain(surface), criteria_of_surface,
+                                     CGAL::parameters::perturb(CGAL::parameters::time_limit = 0),
+                                     CGAL::parameters::exude(CGAL::parameters::time_limit = 0));
 
   std::vector<std::array<double, 3> > points, images;
   std::vector<std::array<std::size_t, 4> > indices;

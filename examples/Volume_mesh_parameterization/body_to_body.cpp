@@ -1,5 +1,5 @@
 // Carries a scalar field and the points of a solid texture from an elephant to a bull, through the unit ball.
-#include "mesh_surface.h"
+#include "mesh_elephant.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>

@@ -1,6 +1,6 @@
 // Maps an elephant to the unit ball: without a boundary map, that is what the function does. It refines the mesh where
 // the ball needs it.
-#include "mesh_surface.h"
+#include "mesh_elephant.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>

@@ -1,5 +1,5 @@
 // Maps an elephant to a cube whose corners are found automatically, and refines the mesh where the cube needs it.
-#include "mesh_surface.h"
+#include "mesh_elephant.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>

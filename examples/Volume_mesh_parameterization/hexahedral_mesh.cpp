@@ -39,7 +39,8 @@ int main(int argc, char* argv[])
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result map = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map,
-    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing)));
+    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+                     .refinement_mode(VMP::Refinement_mode::BOUNDARY));
   if(map.status != VMP::OK)
   {
     std::cerr << map.message << std::endl;

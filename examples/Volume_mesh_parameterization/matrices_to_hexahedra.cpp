@@ -1,4 +1,4 @@
-// Maps a mesh as libigl has it, points V and tetrahedra T in the rows of matrices, onto its polycube, and makes hexahedra.
+// Maps a ring as libigl has it, points V and tetrahedra T in the rows of matrices, onto its polycube, and makes hexahedra.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
@@ -12,16 +12,17 @@ int main()
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Eigen::MatrixXd V(48, 3), U;
-  Eigen::MatrixXi T(84, 4);
+  Eigen::MatrixXi T(96, 4);
   for(int v = 0; v < 48; ++v)
     V.row(v) << v % 4, v / 4 % 4, v / 16;
   int t = 0;
-  for(const int v : { 0, 1, 2, 4, 6, 8, 10, 16, 17, 18, 20, 22, 24, 26 }) // the letter U, of cubes in two layers
+  for(const int v : { 0, 1, 2, 4, 6, 8, 9, 10, 16, 17, 18, 20, 22, 24, 25, 26 }) // a ring, of cubes in two layers
     for(const auto& [a, b] : { std::array{ 1, 5 }, { 4, 20 }, { 16, 17 }, { 17, 1 }, { 5, 4 }, { 20, 16 } })
       T.row(t++) << v, v + a, v + b, v + 21; // around the diagonal of the cube
 
   const VMP::Parameterization_result map = CGAL::stretch_minimizing_volume_parameterization(
-    V, T, U, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(0.5)));
+    V, T, U, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(0.5))
+                               .refinement_mode(VMP::Refinement_mode::BOUNDARY)); // edges of the boundary may be split
   std::cout << map.message << " " << V.rows() << " points" << std::endl; // new rows are appended
   if(map.status != VMP::OK)
     return 1;
