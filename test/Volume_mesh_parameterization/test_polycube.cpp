@@ -714,7 +714,8 @@ TEST_CASE("sharp edges stay sharp while a surface is split, and are free borders
 
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(split, mesh) == VMP::OK);
-  const Label_functional_3 functional(mesh, are_among(mesh, split.sharp_edges)), blunt(mesh, are_among(mesh, std::set<Split_surface_3::Edge>()));
+  const Label_functional_3 functional(mesh, are_among(mesh, split.sharp_edges));
+  const Label_functional_3 blunt(mesh, std::vector<bool>(mesh.number_of_edges(), false));
   for(const auto e : mesh.edges())
   {
     const auto h = mesh.halfedge(e);

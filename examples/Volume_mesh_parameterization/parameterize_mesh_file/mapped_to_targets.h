@@ -117,9 +117,11 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
          : is_boundary_mapped ? " There is no map without inverted cells yet." : " There is no map yet.");
 }
 
-inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options, const Landmarks& landmarks, Progress_line& progress)
+inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options, const Landmarks& landmarks,
+                                     Progress_line& progress)
 {
-  const std::size_t number_of_splits = named_refinement(options.refinement).splits_all_bridges ? split_bridges(mapped, progress) : 0;
+  const bool splits_all_bridges = named_refinement(options.refinement).splits_all_bridges;
+  const std::size_t number_of_splits = splits_all_bridges ? split_bridges(mapped, progress) : 0;
   progress.begin(options.domain.empty() ? "numbering cells and vertices, solving for a start"
                                         : "mapping the boundary to " + options.domain);
   Result& result = mapped.result;

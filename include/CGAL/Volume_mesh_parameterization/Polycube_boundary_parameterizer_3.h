@@ -13,13 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Polycube_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/features_given_up_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <array>
 #include <cmath>
@@ -262,7 +261,7 @@ private:
     while(axis < 2 && (p[axis] != q[axis] || p[axis] != r[axis]))
       ++axis;
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto point = [&](const Eigen::Vector3d& x) { return Exact_predicates_inexact_constructions_kernel::Point_2(x[u], x[v]); };
+    const auto point = [&](const Eigen::Vector3d& image) { return internal::Boundary_point_2(image[u], image[v]); };
     return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
   }
 

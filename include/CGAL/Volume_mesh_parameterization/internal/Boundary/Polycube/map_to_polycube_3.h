@@ -19,8 +19,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Map of a surface whose edges are split for it, one after the other: each gets a new point at its midpoint, which comes behind all
-// others.
+// Map of a surface whose edges are split for it, one after the other: each gets a new point at its midpoint, which comes behind
+// all others.
 struct Map_of_split_surface_3
 {
   std::vector<std::array<std::size_t, 2> > splits;

@@ -154,8 +154,9 @@ double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vec
 
 // Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
 // be far less distorted than a box with holes.
-inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing, Map_of_split_surface_3* const of_split,
-                                         std::vector<Eigen::Vector3d>& images, const Budget& budget)
+inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing,
+                                         Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images,
+                                         const Budget& budget)
 {
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
   const Error_code status = map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,

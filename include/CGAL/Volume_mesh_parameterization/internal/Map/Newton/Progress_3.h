@@ -31,7 +31,8 @@ public:
   Progress_3(Budget budget, const std::size_t steps_of_stage,
              Visitor visitor = [](const Parameterization_step&) { return true; },
              const Communicator_3& communicator = single_process())
-    : m_whole_budget(std::move(budget)), m_budget(m_whole_budget), m_limit(steps_of_stage), m_visitor(std::move(visitor)), m_communicator(communicator)
+    : m_whole_budget(std::move(budget)), m_budget(m_whole_budget), m_limit(steps_of_stage), m_visitor(std::move(visitor)),
+      m_communicator(communicator)
   {}
 
   const Budget& budget() const { return m_budget; } // of this process, for loops that it runs alone
