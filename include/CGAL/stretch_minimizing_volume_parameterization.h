@@ -175,14 +175,11 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamExtra{This takes one solution of a linear system, and time O(n + m d (d + log m)) for n cells and m bridges,
                     with at most d cells around an edge. The number of new vertices is not limited, but at most that of
                     bridges. Without refinement, or with `Boundary_mode::SOFT`, bridges are not split.
-                    If edges of the boundary are split, a new vertex is at the midpoint of an edge, up to rounding, has the
-                    surface patch or the curve of the edge, and counts in
-                    `Parameterization_result::number_of_added_boundary_vertices`. The body is mapped with this boundary held, at
-                    most in a third of the time that is left. If this fails, all edges inside that begin at the boundary are
-                    split, too, and the body is mapped again. If this fails as well, the body is mapped to the boundary that was
-                    given, if there is an image of it, in the last quarter of the time. Cells of the triangulation outside of the
-                    complex that have a split edge are split as well, and rounding may make these flat or inverted.
-                    `Polycube_boundary_parameterizer_3` is the only parameterizer that splits edges.}
+                    A new vertex on the boundary is at the midpoint of an edge, up to rounding, and has the surface patch or
+                    curve of the edge. The refined boundary is held first, in at most a third of the time; if this fails, edges
+                    inside that begin at it are split, too; and if this fails, the boundary as given is mapped, in the last quarter
+                    of the time. Rounding may make cells of the triangulation outside of the complex flat or inverted.
+                    `Polycube_boundary_parameterizer_3` alone splits edges of the boundary.}
     \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
@@ -328,10 +325,9 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
     if constexpr(may_refine)
     {
       VMP::internal::insert_vertices(c3t3, body, insertions);
-      using Parameterizer = decltype(VMP::internal::boundary_parameterizer_of(np));
-      if constexpr(!has_boundary_map && VMP::internal::is_of_this_package<Parameterizer>)
+      if constexpr(!has_boundary_map)
         if(!insertions.empty())
-          VMP::internal::boundary_parameterizer_of(np).tell_order_of_cells(VMP::internal::order_of_cells(c3t3, body));
+          VMP::internal::tell_order_of_cells(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
     }
     if(result.has_valid_map)
       for(std::size_t v = 0; v < images.size(); ++v)

@@ -87,6 +87,14 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   return parameterize_body_3(std::move(body), prescription, problem, images);
 }
 
+// Tells a parameterizer, which has told of the cells of a body, their order in the complex that has been refined.
+template <typename Parameterizer, typename C3t3, typename Body>
+void tell_order_of_cells(const Parameterizer& parameterizer, const C3t3& c3t3, const Body& body)
+{
+  if constexpr(is_of_this_package<Parameterizer>)
+    parameterizer.tell_order_of_cells(order_of_cells(c3t3, body));
+}
+
 // Maps a mesh of arrays, whose points are stored in some type. `take(soup)` takes over the refined mesh.
 template <typename ConcurrencyTag, bool may_refine, typename TargetOfPoint, typename ImageRange, typename NamedParameters,
           typename Take>

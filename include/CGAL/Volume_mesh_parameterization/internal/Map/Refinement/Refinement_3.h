@@ -284,7 +284,12 @@ inline std::optional<std::vector<Insertion_3> > split_any_edges_3(Body_3& body,
     }
   }
   if(!result.empty())
-    static_cast<Body_3&>(body) = body_of(std::move(body.soup)); // with its new boundary
+  {
+    Body_3 refined = body_of(std::move(body.soup));
+    body.soup = std::move(refined.soup);
+    body.boundary = std::move(refined.boundary);
+    body.sides = std::move(refined.sides);
+  }
   return result;
 }
 
