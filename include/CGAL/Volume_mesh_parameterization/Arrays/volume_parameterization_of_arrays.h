@@ -66,6 +66,9 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
     result.seconds_total = problem.progress.seconds();
     return result;
   }
+  for(Mapped_boundary_3& boundary : boundaries)
+    for(std::array<double, 3>& target : boundary.targets)
+      target = body.image_type.rounded_point(target);
   const auto tell = [&](const Mapped_boundary_3& boundary)
   {
     if constexpr(is_of_this_package<std::decay_t<decltype(parameterizer)> >)
