@@ -26,8 +26,8 @@ int main()
   std::ifstream(CGAL::data_file_path("meshes/joint.off")) >> surface;
   Domain domain(surface);
   domain.detect_features();
-  const CGAL::Mesh_criteria_3<Tr> criteria(edge_size = 0.05, facet_angle = 25, facet_size = 0.05, cell_size = 0.05);
-  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria);
+  const CGAL::Mesh_criteria_3<Tr> criteria(edge_size = 0.08, facet_angle = 25, facet_size = 0.08, cell_size = 0.08);
+  C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, no_perturb(), no_exude());
 
   std::unordered_map<C3t3::Vertex_handle, CGAL::Epick::Point_3> uvw;
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
