@@ -131,6 +131,32 @@ TEST_CASE("So are images in a matrix or in arrays of float, and the targets are 
     CHECK(images.row(v) == Eigen::RowVector3f(in_arrays[v].data()));
 }
 
+TEST_CASE("Boundaries that are found or slide are rounded, too")
+{
+  Eigen::MatrixXf points = rows(cube_mesh(3).source).cast<float>(), images;
+  Indices cells = source_soup(cube_mesh(3)).cells;
+  const VMP::Parameterization_result ball = CGAL::stretch_minimizing_volume_parameterization(points, cells, images);
+  CHECK(ball.status == VMP::OK);
+  CHECK(ball.boundary_residual == 0);
+  CHECK(number_of_bad_cells(cells, [&](const std::size_t v) { return images.row(v); }) == 0);
+
+  const double side = 0.1; // its multiples are no numbers of type float
+  const Numbered_mesh_3 mesh = mapped_cube(3, 0, [&](const Vector3d& p) -> Vector3d
+  { return side * p.cwiseProduct(Vector3d::Constant(6) - p); });
+  const Eigen::MatrixXd targets = rows(mesh.target);
+  cells = source_soup(mesh).cells;
+  const VMP::Parameterization_result sliding = CGAL::stretch_minimizing_volume_parameterization(
+    rows(mesh.source), cells, targets, images, params::do_slide_boundary(true));
+  CHECK(sliding.status == VMP::OK);
+  CHECK(sliding.number_of_sliding_vertices > 0);
+  CHECK(sliding.boundary_residual == 0);
+  CHECK(number_of_bad_cells(cells, [&](const std::size_t v) { return images.row(v); }) == 0);
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+    for(int i = 0; i < 3; ++i)
+      if(mesh.source(i, v) == 0 || mesh.source(i, v) == 3)
+        CHECK(images(v, i) == float(targets(v, i)));
+}
+
 TEST_CASE("Where too few numbers are left for the vertices inside, the status and the message say so")
 {
   const Numbered_mesh_3 mesh = cube_of_spacings(2, 1); // one point inside

@@ -15,8 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Coordinate_type.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
