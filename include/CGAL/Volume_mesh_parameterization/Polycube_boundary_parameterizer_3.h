@@ -191,6 +191,7 @@ public:
     return this->parameterize_arrays(body, targets, np, label_of_facet);
   }
 
+#ifndef DOXYGEN_RUNNING
   // Tells of the polycube that a body is mapped to at last.
   void tell(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
   {
@@ -223,6 +224,7 @@ public:
     for(std::size_t c = 0; c < order.size(); ++c)
       m_result->labels[c] = labels[order[c]];
   }
+#endif
 
 private:
   using Given = std::vector<std::size_t>; // labels
