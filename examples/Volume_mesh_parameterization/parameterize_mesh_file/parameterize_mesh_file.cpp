@@ -60,6 +60,14 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
     outcome.result.message += " There are no hexahedra, because the boundary is missed.";
     return;
   }
+  constexpr double hopeless_distortion = 1000; // a guess; ten times that of bodies with good hexahedra
+  if(const double distortion = outcome.result.distortion.angle_max; distortion > hopeless_distortion && !options.is_quiet)
+  {
+    progress.show("");
+    std::cerr << "note: " << options.source << ": the map distorts angles by a factor of up to " << distortion
+              << ", which leaves little hope for good hexahedra. A finer source, --refine=all, or another domain may help."
+              << std::endl;
+  }
   progress.show("making hexahedra");
   const double begin = progress.seconds();
   const Hexahedra_file file(options.hexahedra);
