@@ -739,7 +739,7 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   CHECK(number(report, "boundary_vertices") == 56);
   CHECK(number(report, "minimal_scaled_jacobian") == Approx(1));
 
-  for(const char* option : {"1", "0 no.mesh", "1x no.mesh", "1 no.txt", "1 target.mesh"})
+  for(const char* option : {"1", "0 no.mesh", "1x no.mesh", "inf no.mesh", "1 no.txt", "1 target.mesh"})
     CHECK(folder.run("source.mesh target.mesh --hexahedra " + std::string(option)) == 2);
   CHECK(folder.run("source.mesh --to ball -o no.mesh --hexahedra 1 no.vtu") == 2);
   CHECK(folder.text("stderr").find("--to polycube in place of ball") != std::string::npos); // before there is a map
@@ -928,6 +928,47 @@ TEST_CASE("Hexahedra are positive at all points, not only at their corners")
     CHECK(number(hexahedra_of(folder.text("report.json")), "inverted_hexahedra") == 0);
     CHECK(smallest_determinant_of_hexahedra(folder.text("hexahedra.mesh")) > 0);
   }
+}
+
+TEST_CASE("A plain grid is taken where layers along interfaces are worse")
+{
+  // four boxes as a checkerboard of two materials, which touch in an edge
+  const Folder folder;
+  Soup source = cube(2);
+  for(Point& p : source.points)
+    p[2] /= 2;
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+  {
+    Point center = { 0, 0, 0 };
+    for(const std::size_t v : source.cells[c])
+      for(std::size_t i = 0; i < 3; ++i)
+        center[i] += source.points[v][i] / 4;
+    source.cell_references[c] = (center[0] < 1) == (center[1] < 1) ? 1 : 2;
+  }
+  folder.write("source.mesh", source);
+  REQUIRE(folder.run("source.mesh --to polycube --refine --hexahedra 0.5 hexahedra.mesh --report report.json") == 0);
+  const std::string report = hexahedra_of(folder.text("report.json"));
+  CHECK(number(report, "interface_distance") < 1e-9);
+  CHECK(number(report, "minimal_scaled_jacobian") > 1 - 1e-9);
+  CHECK(folder.text("stdout").find("staircases") == std::string::npos); // there are none
+}
+
+TEST_CASE("Hexahedra that leave out a subdomain have a status of their own")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  for(std::size_t c = 0; c < source.cells.size(); ++c)
+  {
+    const auto& cell = source.cells[c];
+    const bool is_low = std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) { return source.points[v][2] <= 1; });
+    source.cell_references[c] = is_low ? 7 : 2;
+  }
+  folder.write("source.mesh", source);
+  CHECK(folder.run("source.mesh source.mesh --hexahedra 3 hexahedra.mesh --report report.json") == 1);
+  CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_INCOMPLETE_HEXAHEDRA\"") != std::string::npos);
+  CHECK(folder.text("stderr").find("Subdomain 7, which is at (") != std::string::npos);
+  CHECK(folder.text("hexahedra.mesh").find("\nHexahedra\n1\n") != std::string::npos);
+  CHECK(folder.run("source.mesh source.mesh --hexahedra 1 hexahedra.mesh") == 0);
 }
 
 TEST_CASE("Vertices without a cell keep their place in the output")

@@ -293,6 +293,7 @@ TEST_CASE("a spacing that makes a polycube touch itself is named")
   CHECK(complex.parameterize_with_labels(2) == VMP::ERROR_SPACING_TOO_COARSE);
   CHECK(complex.image.empty());
   CHECK(complex.parameterize_with_labels(1) == VMP::OK); // smaller, as the message says
+  CHECK(complex.parameterize(1e200) == VMP::ERROR_SPACING_TOO_COARSE);
   CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
 }
 

@@ -882,6 +882,7 @@ TEST_CASE("What is no box or polycube is named, and nothing is written")
   CHECK_THROWS_AS(status(0), CGAL::Precondition_exception);
   CHECK_THROWS_AS(status(-1), CGAL::Precondition_exception);
   CHECK_THROWS_AS(status(std::numeric_limits<double>::quiet_NaN()), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(status(std::numeric_limits<double>::infinity()), CGAL::Precondition_exception);
 
   const Points images = box.images;
   box.images.back()[0] = std::nextafter(box.images.back()[0], -1.); // on the boundary
