@@ -2079,13 +2079,13 @@ TEST_CASE("Advised commands have file names as a shell wants them")
 {
   const Folder folder;
   fs::create_directory(folder.path("it's here"));
-  folder.write("it's here/a b.xyz", "v 0 0 0\n");
-  CHECK(folder.run("\"it's here/a b.xyz\" --to ball") == 2);
+  folder.write("it's here/a b.med", "v 0 0 0\n");
+  CHECK(folder.run("\"it's here/a b.med\" --to ball") == 2);
   const std::string sentence = folder.text("stderr"), command = "meshio convert ";
   const std::size_t begin = sentence.find(command);
   REQUIRE(begin != std::string::npos);
   REQUIRE(folder.shell("printf '%s\\n' " + sentence.substr(begin + command.size())) == 0);
-  CHECK(folder.text("stdout") == "it's here/a b.xyz\nit's here/a b.vtu\n");
+  CHECK(folder.text("stdout") == "it's here/a b.med\nit's here/a b.vtu\n");
 }
 
 TEST_CASE("Targets of vertices inside are met")
