@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -76,6 +77,12 @@ public:
     m_values.resize(9 * m_columns.size() + 1);
     m_values[m_values.size() - 1] = NT(0);
   }
+
+  /// sets a point of each row: the image of its vertex. A preconditioner may use it, for a body that may bend.
+  void set_points(std::vector<std::array<double, 3> > points) { m_points = std::move(points); }
+
+  /// returns the points of the rows; none if the boundary is not free.
+  const std::vector<std::array<double, 3> >& points() const { return m_points; }
 
   /// returns the number of rows of blocks, a third of the number of unknowns.
   int size() const { return static_cast<int>(m_row_begin.size()) - 1; }
@@ -139,6 +146,7 @@ public:
 private:
   std::vector<int> m_row_begin;
   std::vector<int> m_columns;
+  std::vector<std::array<double, 3> > m_points;
   internal::Dynamic_matrix<NT, Eigen::Dynamic> m_values;
 };
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Solvers/Aggregate_hierarchy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Solvers/Rigid_aggregates_3.h>
 
 #include <Eigen/LU>
 
@@ -41,7 +42,10 @@ public:
       v->resize(n);
     m_inverse_diagonal.resize(9 * std::size_t(A.size()));
     m_partial_sums.resize(number_of_row_ranges());
-    m_hierarchy.analyze_pattern(A);
+    m_rigid.analyze_pattern(A);
+    m_hierarchy = Aggregate_hierarchy_3(m_is_parallel);
+    if(m_rigid.is_empty())
+      m_hierarchy.analyze_pattern(A);
   }
 
   Linear_solver_status factorize(const Matrix& A)
@@ -56,6 +60,7 @@ public:
       inverse_diagonal(row) = inverse;
     });
     m_hierarchy.factorize(A);
+    m_rigid.factorize(A);
     m_matrix = &A;
     return Linear_solver_status::SUCCESS;
   }
@@ -143,6 +148,8 @@ private:
       z.noalias() = inverse_diagonal(row) * m_residual.template segment<3>(3 * std::size_t(row));
       if(!m_hierarchy.is_empty())
         z += m_hierarchy.correction(row).template cast<NT>();
+      else if(!m_rigid.is_empty())
+        z += m_rigid.correction(row).template cast<NT>();
     }
     return dot(m_residual, m_preconditioned, first, last);
   }
@@ -151,7 +158,7 @@ private:
   template <typename Function>
   double precondition_after(const Function& f)
   {
-    if(m_hierarchy.is_empty())
+    if(m_hierarchy.is_empty() && m_rigid.is_empty())
       return sum_over_row_ranges([&](const int first, const int last)
       {
         f(first, last);
@@ -160,10 +167,10 @@ private:
     sum_over_row_ranges([&](const int first, const int last)
     {
       f(first, last);
-      m_hierarchy.restrict_rows(m_residual, first, last);
+      m_rigid.is_empty() ? m_hierarchy.restrict_rows(m_residual, first, last) : m_rigid.restrict_rows(m_residual, first, last);
       return 0.;
     });
-    m_hierarchy.correct();
+    m_rigid.is_empty() ? m_hierarchy.correct() : m_rigid.correct();
     return sum_over_row_ranges([&](const int first, const int last) { return precondition(first, last); });
   }
 
@@ -205,7 +212,8 @@ private:
   std::vector<NT> m_inverse_diagonal;
   Vector m_solution, m_residual, m_preconditioned, m_direction, m_product;
   std::vector<double> m_partial_sums;
-  Aggregate_hierarchy_3 m_hierarchy; // without levels, the preconditioner is block Jacobi
+  Aggregate_hierarchy_3 m_hierarchy; // without levels and aggregates, the preconditioner is block Jacobi
+  Rigid_aggregates_3 m_rigid;        // in place of these, of a body that may bend
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
