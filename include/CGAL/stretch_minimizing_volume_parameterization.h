@@ -222,6 +222,24 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDefault{a constant property map returning `false`}
     \cgalParamPrecondition{`boundary_map` is given as well.}
   \cgalParamNEnd
+  \cgalParamNBegin{vertex_condition_map}
+    \cgalParamDescription{what the image of each vertex may do, on the boundary and inside: it is at its target, in the plane or on
+                          the line through its target with a given direction, or free}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+                   `Volume_mesh_parameterization::Vertex_condition_3` as value type}
+    \cgalParamDefault{vertices of the boundary are at their targets, vertices inside are free}
+    \cgalParamExtra{Targets are those of `boundary_map`; that of a free vertex is not read. Where a plane is orthogonal to an axis,
+                    or a line is along an axis, a coordinate of the target that is not prescribed may be no number. If a
+                    part of the boundary is free, the search starts from the complex, rotated and translated such that it is
+                    nearest to what is prescribed. The complex is scaled by the median stretch of the edges between vertices
+                    at their targets; without such edges, by the nearest similarity if at least four vertices have a condition.
+                    The energy must have a minimum then (see `DistortionEnergy_3`), or the status is
+                    `ERROR_ENERGY_WITHOUT_MINIMUM`. `Parameterization_result::boundary_crosses_itself` tells whether the free
+                    boundary intersects itself. Refinement also splits edges, facets and cells inside whose vertices the conditions
+                    keep in the plane of a facet of the boundary.}
+    \cgalParamPrecondition{`vertex_is_constrained_map` and `do_slide_boundary` are not given; otherwise the program is not
+                           compiled.}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{the maximal number of Newton steps of each stage: with fixed boundary, with soft boundary,
                           with boundary vertices that slide, for each barrier of the bound of angles, and again after

@@ -45,6 +45,7 @@ enum Error_code
   ERROR_MISSING_BOUNDARY_TARGET, ///< a boundary vertex has no target
   ERROR_INVERTED_TARGET_BOUNDARY,///< the target boundary is flat, or turned inside out
   ERROR_PRESCRIBED_CELL_INVERTED,///< the prescribed vertices alone make a cell of the target flat or invert it
+  ERROR_ENERGY_WITHOUT_MINIMUM,  ///< a part of the boundary is free, and the energy has no minimum then
   ERROR_NON_MANIFOLD_BOUNDARY,       ///< the boundary is not a manifold at its `non_manifold_boundary_vertices()`
   ERROR_SEVERAL_BOUNDARY_COMPONENTS, ///< the boundary of the complex has several connected components
   ERROR_BOUNDARY_NOT_OF_GENUS_ZERO,  ///< the boundary of the complex has handles
@@ -92,6 +93,7 @@ inline const char* get_error_message(const Error_code code)
       return "The target boundary is flat or turned inside out: it encloses no positive volume.";
     case ERROR_PRESCRIBED_CELL_INVERTED:
       return "The prescribed vertices alone make a cell of the target flat or invert it.";
+    case ERROR_ENERGY_WITHOUT_MINIMUM: return "A part of the boundary is free, and the energy has no minimum then.";
     case ERROR_NON_MANIFOLD_BOUNDARY:
       return "The boundary of the complex is not a manifold: cells touch each other in a vertex or an edge alone. Give "
              "those that are connected by facets around a vertex a copy of it of their own.";

@@ -71,7 +71,12 @@ struct Parameterization_result
   std::size_t number_of_boundary_vertices = 0; ///< vertices of facets between the complex and the outside
   std::size_t number_of_added_vertices = 0;    ///< vertices that refinement has added
   std::size_t number_of_added_boundary_vertices = 0; ///< those of them at edges of the boundary (see `Refinement_mode::BOUNDARY`)
-  std::size_t number_of_sliding_vertices = 0;  ///< vertices that slide on the boundary, if `do_slide_boundary(true)` was passed
+  /// vertices that slide on the boundary, if `do_slide_boundary(true)` was passed, or that conditions keep in planes or on lines
+  std::size_t number_of_sliding_vertices = 0;
+
+  /// whether a boundary that is free in part intersects itself, which makes the map locally one to one only; such a map is valid.
+  /// `false` as well if the time was over before all facets were compared
+  bool boundary_crosses_itself = false;
 
   /// number of exact proofs that no map with this connectivity meets this boundary; one suffices
   std::size_t number_of_infeasibility_proofs = 0;
@@ -91,11 +96,11 @@ struct Parameterization_result
   /// patches of cells, one of the settings of untangling, or the soft boundary
   std::string untangling_method;
 
-  /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume;
-  /// not a number without a valid map
+  /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume, or by the scale
+  /// that the conditions prescribe where a part of the boundary is free; not a number without a valid map
   double energy = std::numeric_limits<double>::quiet_NaN();
   Distortion_3 distortion;                  ///< distortion of the map as it is; not numbers without a valid map
-  Distortion_3 distortion_at_source_volume; ///< distortion of the map scaled to the volume of the source
+  Distortion_3 distortion_at_source_volume; ///< distortion of the map scaled as for the energy
   Cell_quality_3 quality;                   ///< shapes of the cells of the image; not numbers without a valid map
   /// distance of the boundary from its given image: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$,
   /// with the singular values \f$s\f$ and \f$t\f$ of its map, scaled to its area. A similarity has 0, a polycube that is close

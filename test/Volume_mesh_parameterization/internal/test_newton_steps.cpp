@@ -4,6 +4,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
@@ -342,4 +343,53 @@ TEST_CASE("The energy of a step counts the cells without a free vertex")
     = VMP::internal::mean_energy_3(mesh, VMP::internal::singular_values_of_cells_3(mesh, outcome.positions),
                                    VMP::internal::Cell_energy_of<VMP::Stretch_energy_3>(energy), factor);
   CHECK(outcome.energy == Approx(energy_of_result).epsilon(1e-10));
+}
+
+TEST_CASE("Steps of vertices in planes and on lines stay there, and solve the projected system")
+{
+  Numbered_mesh_3 mesh = cube_mesh(3, 0.1);
+  const Matrix3Xd directions = noise(mesh.number_of_prescribed_vertices(), 1, 7);
+  for(int i = 0; i < mesh.number_of_prescribed_vertices(); ++i)
+  {
+    const Vector3d n = directions.col(i).normalized();
+    const Matrix3d line = n * n.transpose();
+    mesh.projectors.push_back(i % 3 == 0 ? Matrix3d(Matrix3d::Zero()) : i % 3 == 1 ? line : Matrix3d(Matrix3d::Identity() - line));
+  }
+  Solver<> traits;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(traits);
+  VMP::internal::Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
+  const VMP::Symmetric_Dirichlet_energy_3 symmetric;
+  const VMP::internal::Cell_energy_of<VMP::Symmetric_Dirichlet_energy_3> energy(symmetric);
+  const Matrix3Xd u = system.scale() * (mesh.source + noise(mesh.number_of_vertices(), 0.03));
+  const VMP::internal::Newton_direction_3 direction = system.direction(energy, u, 1., 1e-6);
+  REQUIRE(direction.is_exact());
+
+  // in the admissible directions, the gradient is the derivative of the energy, and changes along the step by its negative
+  const auto derivative = [&](const Matrix3Xd& at, const int v, const Vector3d& along)
+  {
+    constexpr double h = 1e-5;
+    Matrix3Xd plus = at, minus = at;
+    plus.col(v) += h * along;
+    minus.col(v) -= h * along;
+    return (system.evaluate(energy, plus).energy - system.evaluate(energy, minus).energy) / (2 * h);
+  };
+  constexpr double t = 1e-3;
+  const Matrix3Xd ahead = u + t * direction.vectors, behind = u - t * direction.vectors, gradient = system.gradient(energy, u);
+  const double size = gradient.cwiseAbs().maxCoeff();
+  for(int v = 0; v < mesh.number_of_vertices(); ++v)
+  {
+    const Matrix3d P = mesh.projector(v);
+    CHECK((direction.vectors.col(v) - P * direction.vectors.col(v)).norm() < 1e-12);
+    CHECK(system.unknowns().contains(v) == !mesh.is_fixed(v));
+    if(mesh.is_fixed(v))
+      continue;
+    const int row = system.unknowns().row(v);
+    for(int i = 0; i < 3; ++i)
+    {
+      const Vector3d along = P.col(i);
+      CHECK(gradient(i, row) == Approx(derivative(u, v, along)).margin(1e-6 * size));
+      const double change = (derivative(ahead, v, along) - derivative(behind, v, along)) / (2 * t);
+      CHECK(change == Approx(-gradient(i, row)).margin(1e-3 * size));
+    }
+  }
 }

@@ -36,6 +36,7 @@ CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, s
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)
 CGAL_add_named_parameter(use_regular_references_t, use_regular_references, use_regular_references)
 CGAL_add_named_parameter(use_volume_weights_t, use_volume_weights, use_volume_weights)
+CGAL_add_named_parameter(vertex_condition_t, vertex_condition_map, vertex_condition_map)
 
 // CGAL's own file comes last: since CGAL 6 it undefines CGAL_add_named_parameter. Compilers without extensions find it by
 // a header that CMake writes.

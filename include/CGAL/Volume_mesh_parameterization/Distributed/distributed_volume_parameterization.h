@@ -116,6 +116,8 @@ stretch_minimizing_volume_parameterization(
                 && is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
                 && is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value,
                 "boundary_mode and do_slide_boundary must not be passed for a distributed mesh: its boundary is fixed.");
+  static_assert(is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value,
+                "vertex_condition_map must not be passed for a distributed mesh: its boundary is at its targets.");
   static_assert(is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
                 "do_refine must not be passed for a distributed mesh: call make_parameterizable() before.");
   static_assert(is_default_parameter<NamedParameters, internal_np::solver_traits_t>::value,

@@ -12,42 +12,11 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Alignment_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// The source, rotated, scaled and translated such that the sum of the squared distances of its
-// prescribed vertices to their targets is minimal. Keeps every orientation: the rotation is proper
-// and the scale positive. (Jin et al. minimize the same sum over 13 variables with a penalty that makes
-// the matrix nearly a scaled rotation, and round the result; the closed form is due to Umeyama 1991.)
-inline Matrix3Xd similarity_alignment_3(const Numbered_mesh_3& mesh)
-{
-  const Eigen::Index n = mesh.number_of_prescribed_vertices();
-  if(n == 0)
-    return mesh.source;
-  const auto source = mesh.source.rightCols(n), target = mesh.target.rightCols(n);
-  const Eigen::Vector3d source_mean = source.rowwise().mean(), target_mean = target.rowwise().mean();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double variance = 0;
-  for(Eigen::Index i = 0; i < n; ++i)
-  {
-    const Eigen::Vector3d x = source.col(i) - source_mean;
-    covariance += (target.col(i) - target_mean) * x.transpose();
-    variance += x.squaredNorm();
-  }
-  const Rotation_and_stretch_3 polar = rotation_and_stretch_3(covariance);
-  const double scale = polar.stretch / variance;
-  // without a correlation of source and target the best scale would be zero
-  if(!(scale > 0))
-    return mesh.source;
-  const Eigen::Matrix3d scaled_rotation = scale * polar.rotation;
-  Matrix3Xd result(3, mesh.source.cols());
-  for(Eigen::Index v = 0; v < result.cols(); ++v)
-    result.col(v) = scaled_rotation * (mesh.source.col(v) - source_mean) + target_mean;
-  return result;
-}
 
 // The map with soft boundary (Jin et al., section 4): starts from the source aligned to the target,
 // and lets a penalty of growing weight pull the prescribed vertices to their targets. No cell is
@@ -62,7 +31,7 @@ public:
                       const Constraints& constraints = Constraints(), const Search_start_3& start = Search_start_3())
     : m_mesh(mesh), m_energy(energy), m_parameters(parameters), m_has_constraints(!constraints.empty()),
       m_patience(start.patience), m_number_of_raises(start.number_of_raises),
-      m_aligned_source(similarity_alignment_3(mesh)), m_length(std::cbrt(volume(mesh, snapped(mesh, m_aligned_source)))),
+      m_aligned_source(similarity_alignment_3(mesh)), m_length(length_of_target()),
       m_penalty(all_constraints(constraints), factor_of(parameters.weight), scale_of_length(m_length)),
       m_system(mesh, cells_scaled_to_length(mesh, m_length), all_vertices(mesh), solver, &m_penalty)
   {
@@ -119,18 +88,27 @@ public:
   bool is_relaxing() const { return m_minimizer->is_relaxing(); }
 
 private:
+  double length_of_target() const
+  { return std::cbrt(m_mesh.alignment ? target_volume(m_mesh) : volume(m_mesh, snapped(m_mesh, m_aligned_source))); }
+
   void end(const Error_code status, const std::string& reason = std::string())
   {
     m_status = status;
     m_reason = reason;
   }
 
-  // The constraints, with three more for each prescribed vertex.
+  // The constraints, with three more for each vertex at its target. The rows of 1 - P keep one in its plane or on its line.
   Constraints all_constraints(Constraints constraints) const
   {
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+    {
+      const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - m_mesh.projector(v);
       for(int i = 0; i < 3; ++i)
-        constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
+        if(Q.col(i) == Eigen::Vector3d::Unit(i))
+          constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
+        else if(!Q.col(i).isZero(0))
+          constraints.push_back({{{v, Eigen::Vector3d(Q.col(i))}}, Q.col(i).dot(m_mesh.target.col(v))});
+    }
     return constraints;
   }
 

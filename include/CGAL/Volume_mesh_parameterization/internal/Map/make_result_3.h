@@ -47,7 +47,8 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
 inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
                                             const bool is_refinable)
 {
-  const auto distance_of = [&](const int w) { return (positions.col(w) - mesh.target.col(w)).norm(); };
+  const auto distance_of = [&](const int w)
+  { return offset_3(mesh.projector(w), positions.col(w), mesh.target.col(w)).norm(); };
   int v = mesh.number_of_free_vertices;
   for(int w = v + 1; w < mesh.number_of_vertices(); ++w)
     if(distance_of(w) > distance_of(v))
@@ -89,10 +90,20 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
     result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
   if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
-     && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
-    result.message += describe_self_intersection(mesh, progress.budget());
+     && !mesh.alignment && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
+    if(const std::string found = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
+       !found.empty())
+      result.message += found + "; few such boundaries have a map without inverted cells, and none that is one to one.";
+  if(found.map.is_valid() && mesh.alignment)
+    if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
+       !crossing.empty())
+    {
+      result.boundary_crosses_itself = true;
+      result.message += crossing + "; the map is not one to one.";
+    }
   result.has_valid_map = found.map.is_valid();
-  result.number_of_sliding_vertices = found.number_of_sliding_vertices;
+  result.number_of_sliding_vertices = found.number_of_sliding_vertices
+    + std::count_if(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return !projector.isZero(0); });
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
   result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
   result.number_of_inverted_cells = found.map.number_of_inverted_cells;

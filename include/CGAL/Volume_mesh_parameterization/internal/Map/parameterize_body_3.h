@@ -76,7 +76,7 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                          internal_np::positional_constraints_t, internal_np::refinement_mode_t,
                          internal_np::soft_boundary_parameters_t,
                          internal_np::solver_traits_t, internal_np::use_regular_references_t, internal_np::use_volume_weights_t,
-                         internal_np::verbose_t,
+                         internal_np::verbose_t, internal_np::vertex_condition_t,
                          internal_np::vertex_is_constrained_t>(np);
   using Energy = typename internal_np::Lookup_named_param_def<
     internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Alignment_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
@@ -49,12 +50,35 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& e
               << " of their size." << std::endl;
 }
 
+// Sets which vertices of a body are in planes or on lines, and aligns the source to what is prescribed if a part of the boundary
+// is free. Targets in free directions become those of the aligned source.
+inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, const std::vector<Vertex_condition_3>& conditions)
+{
+  Numbered_mesh_3& mesh = numbered.mesh;
+  for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+    mesh.projectors.push_back(projector_3(conditions[numbered.points[v]]));
+  if(std::all_of(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return projector.isZero(0); }))
+    mesh.projectors.clear();
+  const auto is_fixed = [&](const std::size_t p) { return conditions[p].kind() == Vertex_condition_3::AT_TARGET; };
+  if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
+    return; // the check of the input tells where
+  for(const std::array<std::size_t, 3>& facet : body.boundary)
+    if(!std::all_of(facet.begin(), facet.end(), is_fixed))
+    {
+      mesh.alignment = alignment_3(mesh);
+      set_targets(mesh, snapped(mesh, moved(*mesh.alignment, mesh.source)));
+      break;
+    }
+}
+
 // Numbers a body, with all that is prescribed in these numbers.
 inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3& prescription, const Map_options_3& options)
 {
-  Numbered_body_3 result(body.soup, prescribed_points(body, prescription.is_constrained), prescription.targets,
+  Numbered_body_3 result(body.soup, prescribed_points(body, prescription), prescription.targets,
                          options.use_volume_weights, options.is_parallel);
   Numbered_mesh_3& mesh = result.mesh;
+  if(!prescription.conditions.empty())
+    set_conditions_3(result, body, prescription.conditions);
   if(options.use_regular_references)
     set_regular_cell(mesh);
   if(!prescription.initial.empty())
@@ -70,6 +94,22 @@ inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3&
   return result;
 }
 
+// Refuses an energy that falls without end as a body with free boundary grows or shrinks: whose lowest value along a line of
+// similar cells, which are neither regular nor far from it, is at an end of the line.
+inline Input_check_3 check_energy_3(const Cell_energy_3& energy)
+{
+  std::vector<Eigen::Vector3d> s;
+  for(int k = -20; k <= 20; ++k)
+    s.push_back(std::exp2(k) * Eigen::Vector3d(1.1, 1, 0.9));
+  const std::vector<double> psi = energies_of_cells_3(s, energy, 1);
+  const double lowest_inside = *std::min_element(psi.begin() + 1, psi.end() - 1);
+  const bool grows = psi.back() < lowest_inside, shrinks = psi.front() < lowest_inside;
+  if(!grows && !shrinks)
+    return {};
+  return failed_check(ERROR_ENERGY_WITHOUT_MINIMUM, get_error_message(ERROR_ENERGY_WITHOUT_MINIMUM), " It falls as the body ",
+                      grows ? "grows" : "shrinks", ". Symmetric_Dirichlet_energy_3 has a minimum.");
+}
+
 // A body with its numbers, and the check of these.
 struct Checked_body_3
 {
@@ -78,7 +118,11 @@ struct Checked_body_3
 
   Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem, const Budget& budget)
     : numbered(numbered_body_3(body, prescription, problem.options)), check(check_input_3(numbered.mesh, budget))
-  { problem.progress.end_numbering(); }
+  {
+    if(check.status == OK && numbered.mesh.alignment)
+      check = check_energy_3(problem.energy);
+    problem.progress.end_numbering();
+  }
 };
 
 // Calls the stages that are allowed, one after the other.
@@ -183,7 +227,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
       take(made);
   if(problem.options.refinement != Refinement_mode::NEEDED && problem.options.mode != Boundary_mode::SOFT
      && checked.check.allows_soft_boundary() && checked.check.is_refinable)
-    if(const auto made = split_bridges_3(body, checked.numbered, prescription.is_constrained, problem.solver,
+    if(const auto made = split_bridges_3(body, checked.numbered, prescription, problem.solver,
                                          problem.progress); !made.empty())
       take(made);
 

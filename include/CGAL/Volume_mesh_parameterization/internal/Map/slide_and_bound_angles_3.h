@@ -102,13 +102,13 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
     sliding.emplace(mesh, [&](const int v) { return !mesh.is_held.empty() && mesh.is_held[v]; });
     found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
   }
-  Newton_system_3 system(mesh, sliding ? Unknowns_3(sliding->projectors()) : free_vertices(mesh), problem.solver);
+  Newton_system_3 system(mesh, free_vertices(mesh, sliding ? sliding->projectors() : mesh.projectors), problem.solver);
   const auto minimize = [&](const Cell_energy_3& psi, Found_map_3 from, const Ends_here& ends_here = nullptr)
   {
     progress.begin_stage();
     const Newton_result_3 result = minimize_energy_3(system, psi, from.map.positions, progress, Negative_curvature(),
                                                      ends_here, options.negligible_gain());
-    from.map = sliding ? evaluated_map(mesh, *sliding, sliding->restored(result.positions))
+    from.map = sliding ? evaluated_map(mesh, *sliding, snapped(mesh, result.positions, sliding->projectors()))
                        : evaluated_map(mesh, snapped(mesh, result.positions));
     from.status = result.status;
     from.reason = result.reason;

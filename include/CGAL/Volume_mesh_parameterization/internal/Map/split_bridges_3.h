@@ -43,7 +43,7 @@ inline Matrix3Xd start_of_search_3(const Numbered_mesh_3& mesh, Linear_solver_3&
   constexpr double energy_tolerance = 1e-6; // as where the search starts
   Matrix3Xd initial = completed_initial_map_3(mesh, solver, progress);
   if(initial.cols() == 0)
-    initial = mesh.base_point.replicate(1, mesh.number_of_vertices());
+    initial = first_images_3(mesh);
   Newton_system_3 system(mesh, free_vertices(mesh), solver);
   Matrix3Xd displacements = snapped(mesh, initial) - initial;
   harmonic_map_3(system, displacements, progress, energy_tolerance);
@@ -58,7 +58,7 @@ inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
     const std::array<int, 4>& cell = mesh.cells[c];
-    if(std::any_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); }))
+    if(!std::all_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_fixed(v); }))
       continue;
     const Eigen::Vector3d s
       = signed_singular_values_3(edge_matrix(mesh.target, cell) * source_edges(mesh, cell).inverse());
@@ -71,11 +71,11 @@ inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh
 // Splits all bridges if one has a vertex of a poor cell: of one that is inverted where the search starts, or of a distorted
 // prescribed cell. To leave bridges that are far from poor cells costs up to a quarter of the energy and saves few vertices.
 inline std::vector<Insertion_3> split_bridges_3(Body_3& body, const Numbered_body_3& numbered,
-                                                const std::vector<bool>& is_constrained, Linear_solver_3& solver,
+                                                const Prescription_3& prescription, Linear_solver_3& solver,
                                                 Progress_3& progress)
 {
   const Numbered_mesh_3& mesh = numbered.mesh;
-  const std::vector<bool> is_prescribed = prescribed_points(body, is_constrained);
+  const std::vector<bool> is_prescribed = fixed_points(body, prescription);
   const std::vector<bool> has_bridge = points_of_bridges_3(body, is_prescribed, progress.budget());
   const auto is_at_bridge = [&](const std::size_t c)
   {

@@ -107,7 +107,7 @@ inline std::set<int> blamed_vertices(const Infeasibility_proof_3& proof, const N
     {
       const bool is_shared = std::all_of(proof.cells.begin(), proof.cells.end(), [&](const std::size_t d)
       { return std::find(mesh.cells[d].begin(), mesh.cells[d].end(), v) != mesh.cells[d].end(); });
-      if(is_shared || mesh.is_free(v))
+      if(is_shared || !mesh.is_fixed(v))
         result.insert(v);
     }
   return result;
@@ -135,11 +135,13 @@ inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells
   return result + (cells.size() > number ? sentence(", and ", cells.size() - number, " others.") : ".");
 }
 
-// Two facets that the prescribed surface intersects itself in, with a space in front; empty if there are none.
-inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const Budget& budget)
+// Two facets in which the image of the boundary intersects itself, with a space and the name of that surface in front; empty if
+// there are none.
+inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const Matrix3Xd& image, const char* const name,
+                                              const Budget& budget)
 {
   const std::vector<std::array<int, 3> > facets = boundary_facets_3(mesh.cells, mesh.is_parallel);
-  const auto found = Self_intersection_3(mesh.target, facets).find(budget);
+  const auto found = Self_intersection_3(image, facets).find(budget);
   if(!found)
     return "";
   const auto corners = [&](const std::size_t facet)
@@ -147,9 +149,8 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const
     const auto& [a, b, c] = facets[facet];
     return describe(mesh.source.col(a)) + ", " + describe(mesh.source.col(b)) + ", " + describe(mesh.source.col(c));
   };
-  return " The prescribed boundary intersects itself, for instance in the images of two facets, the one with the "
-         "source's vertices at " + corners(found->first) + ", and the one at " + corners(found->second)
-         + "; few such boundaries have a map without inverted cells, and none that is one to one.";
+  return sentence(" The ", name, " intersects itself, for instance in the images of two facets, the one with the source's "
+                  "vertices at ", corners(found->first), ", and the one at ", corners(found->second));
 }
 
 // Looks at the cells that are not positive in the best images that were found.

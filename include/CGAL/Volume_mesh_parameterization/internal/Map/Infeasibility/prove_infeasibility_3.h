@@ -39,7 +39,7 @@ inline std::set<int> free_vertices_of(const Numbered_mesh_3& mesh, const std::ve
   std::set<int> result;
   for(const std::size_t c : cells)
     for(const int v : mesh.cells[c])
-      if(mesh.is_free(v))
+      if(!mesh.is_fixed(v))
         result.insert(v);
   return result;
 }
@@ -56,7 +56,7 @@ inline Volume_form_3 volume_form_3(const Numbered_mesh_3& mesh, const std::array
     std::array<Point, 4> p;
     for(int i = 0; i < 4; ++i)
       p[i] = cell[i] == u           ? image_of_u
-           : mesh.is_free(cell[i]) ? image_of_v
+           : !mesh.is_fixed(cell[i]) ? image_of_v
            : Point(mesh.target(0, cell[i]), mesh.target(1, cell[i]), mesh.target(2, cell[i]));
     return CGAL::determinant(p[1] - p[0], p[2] - p[0], p[3] - p[0]);
   };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Linear_constraint_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
@@ -181,12 +182,16 @@ struct Body_of_complex_3 : Body_3
   }
 };
 
+template <typename NamedParameters>
+constexpr bool has_conditions = !parameters::is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value;
+
 // Tells what the user wants of the points of a body. Without a target or an initial image, a point has coordinates that are not
 // numbers.
 struct Prescription_3
 {
   std::vector<std::array<double, 3> > targets;
   std::vector<bool> is_constrained;            // inside, as those on the boundary are
+  std::vector<Vertex_condition_3> conditions;  // in place of these; if there are no entries, the boundary is at its targets
   std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
   std::vector<Linear_constraint_3<std::size_t> > constraints;
 
@@ -196,10 +201,30 @@ struct Prescription_3
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     targets.resize(number_of_points, { nan, nan, nan });
     is_constrained.resize(number_of_points, false);
+    if(!conditions.empty())
+      conditions.resize(number_of_points);
     if(!initial.empty())
       initial.resize(number_of_points, { nan, nan, nan });
   }
 };
+
+// The points that are not free.
+inline std::vector<bool> prescribed_points(const Body_3& body, const Prescription_3& prescription)
+{
+  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
+  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
+    result[p] = prescription.conditions[p].kind() != Vertex_condition_3::FREE;
+  return result;
+}
+
+// The points whose images are their targets.
+inline std::vector<bool> fixed_points(const Body_3& body, const Prescription_3& prescription)
+{
+  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
+  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
+    result[p] = prescription.conditions[p].kind() == Vertex_condition_3::AT_TARGET;
+  return result;
+}
 
 // Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
 template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
@@ -209,20 +234,37 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
   const auto is_constrained = parameter_or(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
   const auto constraints = parameter_or(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
   const std::size_t number_of_points = body.soup.points.size();
-  const std::vector<bool> is_on_boundary = prescribed_points(body);
   const std::vector<bool> has_cell = used_points(body.soup.cells, number_of_points);
 
   Prescription_3 result;
   result.extend_to(number_of_points);
+  if constexpr(has_conditions<NamedParameters>)
+  {
+    const auto conditions = parameters::get_parameter(np, internal_np::vertex_condition_map);
+    static_assert(Is_map_of<std::remove_const_t<decltype(conditions)>, Vertex>::value,
+                  "vertex_condition_map must be a property map of vertices, whose values are Vertex_condition_3.");
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value
+                  && parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value,
+                  "vertex_condition_map replaces vertex_is_constrained_map and do_slide_boundary: pass one of them.");
+    result.conditions.resize(number_of_points);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.conditions[p] = get(conditions, vertex(p));
+  }
   std::unordered_map<Vertex, std::size_t> points;
   for(std::size_t p = 0; p < number_of_points; ++p)
     if(has_cell[p])
     {
       result.is_constrained[p] = get(is_constrained, vertex(p));
-      if(is_on_boundary[p] || result.is_constrained[p])
-        result.targets[p] = body.image_type.rounded_point(coordinates(target(p)));
       if(!constraints.empty())
         points.emplace(vertex(p), p);
+    }
+  const std::vector<bool> is_prescribed = prescribed_points(body, result);
+  for(std::size_t p = 0; p < number_of_points; ++p)
+    if(has_cell[p] && is_prescribed[p])
+    {
+      const std::array<double, 3> point = body.image_type.rounded_point(coordinates(target(p)));
+      result.targets[p] = result.conditions.empty() ? point : completed_target(point, result.conditions[p]);
     }
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
   {

@@ -16,12 +16,51 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The positions with the prescribed vertices on their targets.
-inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
+// Onto the directions in which each prescribed vertex may move from its target; none if all stay.
+using Projectors_3 = std::vector<Eigen::Matrix3d>;
+
+// The vector from the nearest point at which a vertex may be.
+inline Eigen::Vector3d offset_3(const Eigen::Matrix3d& projector, const Eigen::Vector3d& position, const Eigen::Vector3d& target)
+{ return (Eigen::Matrix3d::Identity() - projector) * (position - target); }
+
+// The positions with the prescribed vertices on their targets, or at the nearest points at which they may be. A coordinate that
+// cannot change has the bits of the target.
+inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors)
 {
   const int n = mesh.number_of_prescribed_vertices();
-  positions.rightCols(n) = mesh.target.rightCols(n);
+  if(projectors.empty())
+    positions.rightCols(n) = mesh.target.rightCols(n);
+  for(std::size_t i = 0; i < projectors.size(); ++i)
+  {
+    const int v = mesh.number_of_free_vertices + static_cast<int>(i);
+    positions.col(v) -= offset_3(projectors[i], positions.col(v), mesh.target.col(v));
+    for(int k = 0; k < 3; ++k)
+      if(projectors[i].row(k).isZero(0))
+        positions(k, v) = mesh.target(k, v);
+  }
   return positions;
+}
+
+inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
+{ return snapped(mesh, std::move(positions), mesh.projectors); }
+
+// The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in directions along the axes
+// there is none.
+inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors)
+{
+  const int n = mesh.number_of_prescribed_vertices();
+  if(projectors.empty())
+    return n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
+  const double rounding = 1e-14 * mesh.target.cwiseAbs().maxCoeff();
+  double result = 0;
+  for(int i = 0; i < n; ++i)
+  {
+    const int v = mesh.number_of_free_vertices + i;
+    const double distance = offset_3(projectors[i], positions.col(v), mesh.target.col(v)).stableNorm();
+    if(distance > (projectors[i].isDiagonal(0) ? 0 : rounding))
+      result = (std::max)(result, distance);
+  }
+  return result;
 }
 
 inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Matrix3Xd& positions)
@@ -42,20 +81,23 @@ struct Map_3
   bool is_solution() const { return is_valid() && meets_boundary; }
 };
 
-// Evaluates positions that are to have the prescribed vertices on their targets.
-inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions)
+// Evaluates positions that are to have the prescribed vertices where they may be.
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors)
 {
   const int n = mesh.number_of_prescribed_vertices();
   Found_cells inverted = inverted_cells(mesh, positions);
   Map_3 map;
   map.number_of_inverted_cells = inverted.number;
   map.inverted_cells = std::move(inverted.cells);
-  map.meets_boundary = mesh.communicator->all(positions.rightCols(n) == mesh.target.rightCols(n));
-  map.distance_to_boundary
-    = mesh.communicator->maximum(n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff());
+  map.distance_to_boundary = mesh.communicator->maximum(distance_to_targets(mesh, positions, projectors));
+  map.meets_boundary = mesh.communicator->all(projectors.empty() ? positions.rightCols(n) == mesh.target.rightCols(n)
+                                                                 : map.distance_to_boundary == 0);
   map.positions = std::move(positions);
   return map;
 }
+
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions)
+{ return evaluated_map(mesh, std::move(positions), mesh.projectors); }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

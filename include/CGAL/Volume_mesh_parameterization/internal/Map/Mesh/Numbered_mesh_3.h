@@ -24,6 +24,26 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// A rotation and a scale about a center, which is moved to another one.
+struct Similarity_3
+{
+  double scale = 1;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d source_center = Eigen::Vector3d::Zero(), image_center = Eigen::Vector3d::Zero();
+
+  template <typename Point>
+  Eigen::Vector3d operator()(const Point& p) const
+  { return Eigen::Matrix3d(scale * rotation) * (p - source_center) + image_center; }
+};
+
+inline Matrix3Xd moved(const Similarity_3& similarity, const Matrix3Xd& points)
+{
+  Matrix3Xd result(3, points.cols());
+  for(Eigen::Index v = 0; v < result.cols(); ++v)
+    result.col(v) = similarity(points.col(v));
+  return result;
+}
+
 // A tetrahedral mesh as plain arrays, and where its prescribed vertices go, in the units of the user. The free vertices
 // come first: 0, ..., number_of_free_vertices - 1. Where several processes share a mesh, each has a part: the cells around
 // its own vertices. Its last cells and its last free vertices are copies of those that other processes own.
@@ -32,6 +52,8 @@ struct Numbered_mesh_3
   Matrix3Xd source;               // one column a vertex
   Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
+  std::vector<Eigen::Matrix3d> projectors; // of prescribed vertices, onto the directions in which each may move; none if all stay
+  std::optional<Similarity_3> alignment;   // of the source to what is prescribed, if that leaves a part of the boundary free
   std::vector<bool> is_held;             // may a vertex not slide either? none is held if there are no entries
   std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any
   std::vector<Linear_constraint_3<int> > constraints; // of the images, besides the targets
@@ -68,6 +90,14 @@ struct Numbered_mesh_3
   bool is_whole() const { return communicator->is_alone(); } // what needs all cells asks for it
   double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
+  bool is_fixed(const int v) const { return !is_free(v) && (projectors.empty() || projector(v).isZero(0)); }
+
+  // Onto the directions in which a vertex may move: space, a plane, a line or a point.
+  Eigen::Matrix3d projector(const int v) const
+  {
+    return is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+         : projectors.empty() ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : projectors[v - number_of_free_vertices];
+  }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
 
@@ -101,9 +131,13 @@ Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Point
   return box;
 }
 
+// The box of all targets, and of the source near them where they leave a part of the boundary free.
 inline Eigen::AlignedBox3d target_box(const Numbered_mesh_3& mesh)
 {
-  return bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_prescribed_vertices()));
+  Eigen::AlignedBox3d box = bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_prescribed_vertices()));
+  if(mesh.alignment)
+    box.extend(bounding_box(*mesh.communicator, moved(*mesh.alignment, mesh.source)));
+  return box;
 }
 
 inline double target_diagonal(const Numbered_mesh_3& mesh) { return target_box(mesh).diagonal().norm(); }
@@ -143,6 +177,11 @@ double volume(const Numbered_mesh_3& mesh, const Positions& positions)
   return mesh.communicator->sum(std::accumulate(volumes.begin(), volumes.end(), 0.));
 }
 
+// The volume of the target depends on its boundary only. Where a part of that is free, it is the volume of the source by the
+// scale that is prescribed.
+inline double target_volume(const Numbered_mesh_3& mesh)
+{ return mesh.alignment ? std::pow(mesh.alignment->scale, 3) * volume(mesh, mesh.source) : volume(mesh, mesh.target); }
+
 // Edges of a regular cell with the volume 1/3.
 inline Eigen::Matrix3d regular_edges()
 {
@@ -153,7 +192,7 @@ inline Eigen::Matrix3d regular_edges()
 
 // Lets regular cells of the mean volume in the target stand for those of the source.
 inline void set_regular_cell(Numbered_mesh_3& mesh)
-{ mesh.regular_cell = regular_edges() * std::cbrt(3 * volume(mesh, mesh.target) / mesh.global_number_of_cells()); }
+{ mesh.regular_cell = regular_edges() * std::cbrt(3 * target_volume(mesh) / mesh.global_number_of_cells()); }
 
 // Edges of a cell that its image is compared with, and the volume of all these cells.
 inline Eigen::Matrix3d source_edges(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)

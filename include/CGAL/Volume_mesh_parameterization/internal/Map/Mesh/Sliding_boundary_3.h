@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
@@ -46,10 +47,6 @@ private:
     const Eigen::Matrix<double, 3, 2> X = edges_of_facet(facet, [&](const int v) { return points.col(v); });
     return X.col(0).cross(X.col(1));
   }
-
-  // Along an axis, it is so exactly: a division by the length may be a multiplication by its rounded reciprocal.
-  static Eigen::Vector3d unit_normal(const Eigen::Vector3d& n)
-  { return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized(); }
 
   // Are two facets with a common edge coplanar, and on either side of it?
   static bool are_coplanar(const Matrix3Xd& points, const Facet& f, const Facet& g)
@@ -95,7 +92,7 @@ private:
     for(std::size_t f = 0; f < facets.size(); ++f)
       m_normal[m_region[f]] += area_vector(points, facets[f]);
     for(Eigen::Vector3d& normal : m_normal)
-      normal = unit_normal(normal);
+      normal = unit_vector_3(normal);
     for(std::size_t f = 0; f < facets.size(); ++f)
     {
       const std::size_t region = m_region[f];
@@ -125,57 +122,26 @@ public:
   template <typename Predicate>
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
     : m_mesh(mesh), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
-      m_regions(mesh.target, m_facets, planarity * target_diagonal(mesh)),
-      m_rounding(1e-14 * mesh.target.cwiseAbs().maxCoeff())
+      m_regions(mesh.target, m_facets, planarity * target_diagonal(mesh))
   {
     std::vector<std::vector<std::size_t> > regions(mesh.number_of_vertices());
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       for(const int v : m_facets[f])
         if(std::find(regions[v].begin(), regions[v].end(), m_regions.region(f)) == regions[v].end())
           regions[v].push_back(m_regions.region(f));
-    for(int v = 0; v < mesh.number_of_vertices(); ++v)
-      m_projectors.push_back(mesh.is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-                             : is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero())
-                             : projector(regions[v]));
+    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+      m_projectors.push_back(is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : projector(regions[v]));
     hold_lines();
   }
 
   std::size_t number_of_sliding_vertices() const
   {
-    return std::count_if(m_projectors.begin() + m_mesh.number_of_free_vertices, m_projectors.end(),
+    return std::count_if(m_projectors.begin(), m_projectors.end(),
                          [](const Eigen::Matrix3d& projector) { return !projector.isZero(0); });
   }
 
-  // Returns the projector of each vertex onto the directions in which it may move: all for a free one, none for one that stays.
-  const std::vector<Eigen::Matrix3d>& projectors() const { return m_projectors; }
-
-  // The positions with the vertices of the boundary moved back to where they belong, which rounding or scaling made
-  // them leave. A coordinate that cannot change keeps its bits.
-  Matrix3Xd restored(Matrix3Xd positions) const
-  {
-    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
-    {
-      positions.col(v) -= offset(positions, v);
-      for(int i = 0; i < 3; ++i)
-        if(m_projectors[v].row(i).isZero(0))
-          positions(i, v) = m_mesh.target(i, v);
-    }
-    return positions;
-  }
-
-  // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in
-  // directions along the axes there is none.
-  double residual(const Matrix3Xd& positions) const
-  {
-    double result = 0;
-    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
-    {
-      const double distance = offset(positions, v).stableNorm();
-      if(distance > (m_projectors[v].isDiagonal(0) ? 0 : m_rounding))
-        result = (std::max)(result, distance);
-    }
-    return result;
-  }
+  // Returns the projector of each prescribed vertex onto the directions in which it may move.
+  const Projectors_3& projectors() const { return m_projectors; }
 
   // Is each facet of a planar region oriented as in the target? Decided by exact predicates on the
   // coordinates, without the one in which the normal is the longest.
@@ -226,14 +192,11 @@ private:
         return;
       const Eigen::Matrix3d along = (p.array() != q.array()).cast<double>().matrix().asDiagonal();
       for(const int u : { v, w })
-        if(!m_mesh.is_free(u) && m_projectors[u] != along)
-          m_projectors[u] = m_projectors[u].trace() > 1.5 ? along : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
+        if(!m_mesh.is_free(u))
+          if(Eigen::Matrix3d& projector = m_projectors[u - m_mesh.number_of_free_vertices]; projector != along)
+            projector = projector.trace() > 1.5 ? along : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
     });
   }
-
-  // The vector from the nearest point where a vertex may be.
-  Eigen::Vector3d offset(const Matrix3Xd& positions, const int v) const
-  { return (Eigen::Matrix3d::Identity() - m_projectors[v]) * (positions.col(v) - m_mesh.target.col(v)); }
 
   CGAL::Orientation orientation(const Matrix3Xd& positions, const std::size_t facet) const
   {
@@ -251,16 +214,14 @@ private:
   const Numbered_mesh_3& m_mesh;
   std::vector<std::array<int, 3> > m_facets;
   Planar_regions_3 m_regions;
-  double m_rounding;
-  std::vector<Eigen::Matrix3d> m_projectors;
+  Projectors_3 m_projectors;
 };
 
 // Evaluates positions whose prescribed vertices may slide.
 inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Matrix3Xd positions)
 {
-  Map_3 map = evaluated_map(mesh, std::move(positions));
-  map.distance_to_boundary = boundary.residual(map.positions);
-  map.meets_boundary = map.distance_to_boundary == 0 && boundary.has_same_orientations(map.positions);
+  Map_3 map = evaluated_map(mesh, std::move(positions), boundary.projectors());
+  map.meets_boundary = map.meets_boundary && boundary.has_same_orientations(map.positions);
   return map;
 }
 

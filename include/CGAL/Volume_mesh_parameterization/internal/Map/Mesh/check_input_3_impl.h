@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
@@ -84,6 +85,9 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 // share the mesh, none knows the components, and they count as one.
 inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
+  if(mesh.alignment) // the volume is not prescribed, and follows from that of the source
+    return target_volume(mesh) > 0 ? Input_check_3()
+      : failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "A part of the boundary is free, and the source has no positive volume.");
   Disjoint_sets components(mesh.number_of_vertices());
   std::vector<double> volumes(mesh.number_of_vertices(), volume(mesh, mesh.target));
   if(mesh.is_whole())
@@ -109,7 +113,7 @@ inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 inline bool is_flat_facet(const Numbered_mesh_3& mesh, const std::array<int, 3>& facet)
 {
   const auto point = [&](const int i) { return exact_point(mesh.target.col(facet[i])); };
-  return std::none_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_free(v); })
+  return std::all_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_fixed(v); })
          && CGAL::collinear(point(0), point(1), point(2));
 }
 
@@ -147,7 +151,7 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
 {
   const Found_cells inverted = find_cells(mesh, [&](const std::array<int, 4>& cell)
   {
-    return std::none_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_free(v); })
+    return std::all_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_fixed(v); })
            && !is_positive(mesh.target, cell);
   });
   if(!inverted.first)
@@ -157,12 +161,29 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
                       mesh.user_number(*inverted.first), ".");
 }
 
+// Four vertices in one plane make their cell flat, wherever they are there.
+inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
+{
+  const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
+  {
+    return !mesh.projectors.empty()
+           && are_kept_in_one_plane(cell, [&](const int v) { return mesh.projector(v); },
+                                    [&](const int v) { return Eigen::Vector3d(mesh.target.col(v)); });
+  });
+  if(!flat.first)
+    return {};
+  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, "The conditions keep all vertices of ", flat.number,
+                      " cells in one plane; the first one is cell ", mesh.user_number(*flat.first), ", with a vertex at ",
+                      describe(mesh.source.col(mesh.cells[*flat.first][0])),
+                      ". Allow refinement (do_refine), or free one of its vertices.");
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget)
 {
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   for(const auto check : { check_coordinates, check_sizes, check_source_cells, check_source_determinants,
-                           check_target_volume, check_prescribed_facets, check_prescribed_cells })
+                           check_target_volume, check_prescribed_facets, check_prescribed_cells, check_planes })
   {
     const Input_check_3 result = check(mesh);
     const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);

@@ -52,8 +52,9 @@ inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_me
 }
 
 // By what the singular values of a map are multiplied where its image is scaled to the volume of the source.
+// Where a part of the boundary is free, to that by the scale that is prescribed, as in the energy.
 inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
-{ return std::cbrt(source_volume(mesh) / volume(mesh, image)); }
+{ return std::cbrt(source_volume(mesh) / (mesh.alignment ? target_volume(mesh) : volume(mesh, image))); }
 
 // The distortions of a map by its singular values in each cell, multiplied by a factor.
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
@@ -124,8 +125,8 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
   double result = 2;
   for(std::array<int, 4> cell : mesh.cells)
   {
-    // the prescribed vertices come first
-    const auto first_free = std::stable_partition(cell.begin(), cell.end(), [&](const int v) { return !mesh.is_free(v); });
+    // the vertices at their targets come first
+    const auto first_free = std::stable_partition(cell.begin(), cell.end(), [&](const int v) { return mesh.is_fixed(v); });
     const auto number_of_prescribed = first_free - cell.begin();
     if(number_of_prescribed < 3)
       continue;

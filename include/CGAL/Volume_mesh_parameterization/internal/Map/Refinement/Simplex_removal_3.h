@@ -27,7 +27,8 @@ inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const 
   { return v < is_prescribed.size() && is_prescribed[v]; });
 }
 
-// The prescribed simplices that no map with these images of its boundary can map well: their image, the
+// The prescribed simplices that no map with these images of its boundary can map well: conditions keep their vertices in a plane,
+// for a cell, or in that of a facet of the boundary; or their image, the
 // hull of the targets of their vertices, is degenerate, or inverted for a cell; or it begins in the image of the boundary,
 // as an edge does between two vertices of a side of a cube, though cells lie all around the simplex. With a coordinate that
 // is no number there is no image.
@@ -35,8 +36,9 @@ class Degenerate_simplices_3
 {
 public:
   Degenerate_simplices_3(const Body_3& body, const std::vector<bool>& is_prescribed,
-                         const std::vector<std::array<double, 3> >& targets)
-    : m_is_prescribed(is_prescribed), m_targets(targets), m_links(is_prescribed.size())
+                         const std::vector<std::array<double, 3> >& targets,
+                         const std::vector<Vertex_condition_3>& conditions = {})
+    : m_is_prescribed(is_prescribed), m_targets(targets), m_conditions(conditions), m_links(is_prescribed.size())
   {
     for(const std::array<std::size_t, 3>& facet : body.boundary)
       for(std::size_t i = 0; i < 3; ++i)
@@ -45,6 +47,8 @@ public:
 
   bool operator()(const Simplex_3& simplex) const
   {
+    if(is_kept_in_plane(simplex) && (simplex.size() == 4 || is_in_plane_of_boundary(simplex)))
+      return true;
     if(!is_prescribed_simplex(m_is_prescribed, simplex))
       return false;
     boost::container::static_vector<Exact_point_3, 4> points;
@@ -63,6 +67,28 @@ public:
 
 private:
   Exact_point_3 target(const std::size_t v) const { return exact_point(m_targets[v]); }
+
+  template <typename Points>
+  bool is_kept_in_plane(const Points& points) const
+  {
+    return std::all_of(points.begin(), points.end(), [&](const std::size_t v) { return v < m_conditions.size(); })
+      && are_kept_in_one_plane(points, [&](const std::size_t v) { return projector_3(m_conditions[v]); },
+                               [&](const std::size_t v) { return to_vector(m_targets[v]); });
+  }
+
+  // Do the conditions keep a facet of the boundary at one of the vertices in the same plane?
+  bool is_in_plane_of_boundary(const Simplex_3& simplex) const
+  {
+    return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
+    {
+      return std::any_of(m_links[v].begin(), m_links[v].end(), [&](const Simplex_3& edge)
+      {
+        boost::container::static_vector<std::size_t, 5> points(simplex.begin(), simplex.end());
+        points.insert(points.end(), edge.begin(), edge.end());
+        return is_kept_in_plane(points);
+      });
+    });
+  }
 
   // At one of the vertices, if it is no simplex of the boundary itself.
   bool begins_in_boundary(const Simplex_3& simplex) const
@@ -93,6 +119,7 @@ private:
 
   const std::vector<bool>& m_is_prescribed;
   const std::vector<std::array<double, 3> >& m_targets;
+  const std::vector<Vertex_condition_3> m_conditions; // none if all are at their targets or free
   std::vector<std::vector<Simplex_3> > m_links; // in the boundary, as edges
 };
 
@@ -196,8 +223,8 @@ private:
 inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription,
                                                             const Budget& budget)
 {
-  const std::vector<bool> is_prescribed = prescribed_points(body, prescription.is_constrained);
-  const Degenerate_simplices_3 is_bad(body, is_prescribed, prescription.targets);
+  const std::vector<bool> is_fixed = fixed_points(body, prescription);
+  const Degenerate_simplices_3 is_bad(body, is_fixed, prescription.targets, prescription.conditions);
   return Simplex_removal_3(body, is_bad).run(budget);
 }
 

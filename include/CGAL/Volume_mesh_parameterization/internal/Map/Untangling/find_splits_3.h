@@ -23,7 +23,7 @@ void for_each_prescribed_edge(const Numbered_mesh_3& mesh, const std::array<int,
 {
   for(const int a : cell)
     for(const int b : cell)
-      if(a < b && !mesh.is_free(a) && !mesh.is_free(b))
+      if(a < b && mesh.is_fixed(a) && mesh.is_fixed(b))
         f(std::array<int, 2>{a, b});
 }
 
@@ -86,7 +86,7 @@ inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const M
   Edges_3 result;
   for(const bool is_last : {false, true})
     for(const auto& [edge, is_of_inverted] : is_of_inverted_cell)
-      if(is_of_inverted == is_last && (patch.is_free(edge[0]) || is_inside(patch, edge)))
+      if(is_of_inverted == is_last && ((patch.is_free(edge[0]) && !patch.alignment) || is_inside(patch, edge)))
         result.push_back(edge);
   return result;
 }
@@ -256,7 +256,8 @@ inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solv
     std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, rings);
     for(; !patches.empty() && progress.may_continue(); patches.pop_back())
     {
-      const std::set<int>& moving = patches.back().moving;
+      std::set<int>& moving = patches.back().moving;
+      moving.erase(moving.lower_bound(mesh.number_of_free_vertices), moving.end()); // those in planes or on lines stay
       if(std::any_of(moving.begin(), moving.end(), [&](const int v) { return bool(is_solved[v]); }))
         continue;
       const Patch_mesh_3 patch(mesh, map.positions,

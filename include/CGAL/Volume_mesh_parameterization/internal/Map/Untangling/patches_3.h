@@ -21,7 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Some free vertices of a mesh, which may move, and all cells around them.
+// Some vertices of a mesh that may move, and all cells around them.
 struct Patch_3
 {
   std::set<int> moving;
@@ -32,7 +32,7 @@ struct Patch_3
 inline std::size_t maximal_number_of_exceptions(const double number_of_cells)
 { return static_cast<std::size_t>((std::max)(100., number_of_cells / 100)); }
 
-// The free vertices of those cells for which `is_chosen` is true.
+// The vertices that may move of those cells for which `is_chosen` is true.
 template <typename Condition>
 std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition& is_chosen)
 {
@@ -40,7 +40,7 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
   for(const std::array<int, 4>& cell : mesh.cells)
     if(is_chosen(cell))
       for(const int v : cell)
-        if(mesh.is_free(v))
+        if(!mesh.is_fixed(v))
           result[v] = true;
   return marked_by_any(mesh, std::move(result));
 }
@@ -66,7 +66,7 @@ std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Matrix3Xd& pos
   const std::vector<bool> is_moving = free_vertices_around(mesh, positions, is_chosen, number_of_rings);
   const auto moves = [&](const int v) { return bool(is_moving[v]); };
 
-  Disjoint_sets components(mesh.number_of_free_vertices);
+  Disjoint_sets components(mesh.number_of_vertices());
   std::vector<std::pair<std::size_t, int> > cells; // with one of their moving vertices
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
@@ -96,13 +96,16 @@ std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Matrix3Xd& pos
 struct Patch_mesh_3
 {
   Numbered_mesh_3 mesh;
-  std::vector<int> vertices; // their numbers in the mesh of the patch
+  std::vector<int> vertices; // their numbers in the whole mesh; those that move come first
+  int number_of_moving_vertices;
   Matrix3Xd positions;
 
   Patch_mesh_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Patch_3& patch)
     : vertices(patch.moving.begin(), patch.moving.end())
   {
-    const int number_of_free_vertices = static_cast<int>(vertices.size());
+    number_of_moving_vertices = static_cast<int>(vertices.size());
+    const auto first_prescribed = std::lower_bound(vertices.begin(), vertices.end(), whole.number_of_free_vertices);
+    const int number_of_free_vertices = static_cast<int>(first_prescribed - vertices.begin());
     std::map<int, int> number;
     for(const int v : vertices)
       number.emplace(v, static_cast<int>(number.size()));
@@ -128,12 +131,17 @@ struct Patch_mesh_3
     mesh = Numbered_mesh_3(std::move(source), std::move(cells), number_of_free_vertices);
     mesh.set_targets(positions, whole.base_point);
     mesh.regular_cell = whole.regular_cell;
+    mesh.alignment = whole.alignment;
+    if(number_of_free_vertices < number_of_moving_vertices)
+      for(int i = number_of_free_vertices; i < mesh.number_of_vertices(); ++i)
+        mesh.projectors.push_back(i < number_of_moving_vertices ? whole.projector(vertices[i])
+                                                                : Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
   }
 
   // Puts the images of the vertices that move back to the whole mesh.
   void write(Matrix3Xd& image) const
   {
-    for(int i = 0; i < mesh.number_of_free_vertices; ++i)
+    for(int i = 0; i < number_of_moving_vertices; ++i)
       image.col(vertices[i]) = positions.col(i);
   }
 };

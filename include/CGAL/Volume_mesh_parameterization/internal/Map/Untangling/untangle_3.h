@@ -173,6 +173,14 @@ inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_sol
   return result;
 }
 
+// Returns the images from which displacements of prescribed vertices to their targets are extended if there is no initial map: the
+// source near these targets if a part of the boundary is free, and otherwise one point, which gives the harmonic map.
+inline Matrix3Xd first_images_3(const Numbered_mesh_3& mesh)
+{
+  return mesh.alignment ? moved(*mesh.alignment, mesh.source)
+                        : Matrix3Xd(mesh.base_point.replicate(1, mesh.number_of_vertices()));
+}
+
 // Starts from `initial`, moves the prescribed vertices to their targets, extends the displacements harmonically, and
 // untangles. With one point for `initial` this starts from the harmonic map, which recovers affine maps. If it inverts cells,
 // so may that with respect to regular cells, but mostly fewer, so that patches suffice.
@@ -219,7 +227,7 @@ inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3
     found.may_be_near_minimum = found.status == OK && progress.number_of_steps() == 0;
   }
   if(!continues && found.status == ERROR_NOT_FLIP_FREE && !found.is_stuck())
-    found = untangle_from_3(system, mesh.base_point.replicate(1, mesh.number_of_vertices()), may_split, progress);
+    found = untangle_from_3(system, first_images_3(mesh), may_split, progress);
   if(found.untangling_method.empty())
     found.untangling_method = start.method;
   return found;

@@ -192,6 +192,8 @@ private:
     }
     m_unknowns.project(gradient);
     m_unknowns.project(hessian);
+    if(m_mesh.alignment)
+      hessian.set_points(m_unknowns.points(u));
   }
 
   Newton_direction_3 solve(Linear_system_3& system, const Positions& columns, const double tolerance, const Budget& budget,

@@ -70,6 +70,15 @@ public:
     return result;
   }
 
+  // The positions of the rows.
+  std::vector<std::array<double, 3> > points(const Matrix3Xd& positions) const
+  {
+    std::vector<std::array<double, 3> > result;
+    for(const int v : m_vertices)
+      result.push_back({ positions(0, v), positions(1, v), positions(2, v) });
+    return result;
+  }
+
   // Newton steps stay in the directions P if P H P d = -P g is solved in place of H d = -g.
   void project(Matrix3Xd& columns) const
   {
@@ -104,10 +113,17 @@ private:
   std::vector<Eigen::Matrix3d> m_projectors; // of each row; none if all directions are free
 };
 
-inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh)
+// The free vertices, and those of the others that may move in the directions of their projectors.
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors)
 {
-  return Unknowns_3(mesh.number_of_vertices(), [&](const int v) { return mesh.is_free(v); });
+  if(projectors.empty())
+    return Unknowns_3(mesh.number_of_vertices(), [&](const int v) { return mesh.is_free(v); });
+  std::vector<Eigen::Matrix3d> of_all(mesh.number_of_free_vertices, Eigen::Matrix3d::Identity());
+  of_all.insert(of_all.end(), projectors.begin(), projectors.end());
+  return Unknowns_3(of_all);
 }
+
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh) { return free_vertices(mesh, mesh.projectors); }
 
 inline Unknowns_3 all_vertices(const Numbered_mesh_3& mesh)
 {
