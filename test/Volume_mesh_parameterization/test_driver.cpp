@@ -2504,6 +2504,60 @@ TEST_CASE("Only the part that moves needs targets, which may be displacements")
   CHECK(folder.run("source.mesh displacements.txt --displacements") == 0);
 }
 
+TEST_CASE("Vertices of the boundary are free, in planes and on lines")
+{
+  const Folder folder;
+  Soup source = cube(3);
+  for(const std::array<std::size_t, 4>& cell : source.cells)
+    for(int i = 0; i < 4; ++i)
+      for(const int z : { 0, 3 })
+        if(const std::array<std::size_t, 3> facet = { cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4] };
+           std::all_of(facet.begin(), facet.end(), [&](const std::size_t v) { return source.points[v][2] == z; }))
+        {
+          source.facets.push_back(facet);
+          source.facet_references.push_back(z + 1);
+        }
+  folder.write("source.mesh", source);
+  std::ostringstream handles;
+  for(std::size_t v = 0; v < source.points.size(); ++v)
+    if(const Point& p = source.points[v]; p[2] == 0 || p[2] == 3)
+      handles << v << " " << p[0] << " " << p[1] << " " << (p[2] == 3 ? 4 : 0) << "\n";
+  folder.write("handles.txt", handles.str());
+  REQUIRE(folder.run("source.mesh handles.txt --others free -o map.mesh") == 0);
+  CHECK(folder.text("stdout").find("boundary: 32 at targets, 0 in planes, 0 on lines, 24 free") != std::string::npos);
+  const std::vector<Point> stretched = folder.soup("map.mesh").points;
+  for(std::size_t v = 0; v < stretched.size(); ++v)
+  {
+    const Point& p = source.points[v];
+    if(p[2] == 0 || p[2] == 3)
+      CHECK(stretched[v] == Point{p[0], p[1], p[2] == 3 ? 4. : 0.});
+    CHECK(stretched[v][2] == Approx(p[2] * 4 / 3).margin(0.05));
+  }
+  CHECK(folder.run("source.mesh handles.txt --others free --energy stretch") == 2);
+  CHECK(folder.text("stderr").find("--energy symmetric_dirichlet has a minimum") != std::string::npos);
+
+  folder.write("conditions.txt", "# depths\n1 z=0\n4 z=1.5\n");
+  REQUIRE(folder.run("source.mesh --conditions conditions.txt -o map.mesh") == 0);
+  CHECK(folder.text("stdout").find("0 at targets, 32 in planes, 0 on lines, 24 free") != std::string::npos);
+  const std::vector<Point> depths = folder.soup("map.mesh").points;
+  for(std::size_t v = 0; v < depths.size(); ++v)
+    if(const double z = source.points[v][2]; z == 0 || z == 3)
+      CHECK(depths[v][2] == z / 2);
+
+  for(const auto& [line, message] : std::vector<std::pair<std::string, std::string> >{
+        { "1 z=0\n1 z=1", "contradict each other" }, { "7 fixed", "the reference or the name '7'" },
+        { "1 held", "'held' is not a condition" },
+        { "vertex 99 fixed", "there is no vertex 99" }, { "1 z=a", "'a' is not a coordinate" }, { "1 plane 0 0 0", "is zero" },
+        { "1 free 2", "follows the condition" } })
+  {
+    folder.write("bad.txt", line);
+    CHECK(folder.run("source.mesh --conditions bad.txt") == 2);
+    CHECK(folder.text("stderr").find("bad.txt: ") != std::string::npos);
+    CHECK(folder.text("stderr").find(message) != std::string::npos);
+  }
+  CHECK(folder.run("source.mesh --to cube --conditions conditions.txt") == 2);
+}
+
 TEST_CASE("A map nearby is a start")
 {
   const Folder folder;

@@ -17,7 +17,7 @@
 
 struct Options
 {
-  std::string source, target, domain, polycube_axes, features, regions, landmarks, others, inside, initial;
+  std::string source, target, domain, polycube_axes, features, regions, landmarks, others, conditions, inside, initial;
   std::string output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
@@ -38,6 +38,7 @@ struct Command_line
 constexpr const char* help_before_options =
 R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [options]
        parameterize_mesh_file SOURCE.mesh TARGET [options]
+       parameterize_mesh_file SOURCE.mesh --conditions FILE [options]
        parameterize_mesh_file SOURCE.mesh --improve [options]
 
 Maps a tetrahedral mesh onto another domain. The boundary goes to the domain with that name, or where TARGET
@@ -156,7 +157,12 @@ inline Command_line command_line(Options& options)
     ("displacements", po::bool_switch(&options.are_displacements), "TARGET tells by what vertices move, and not where they go")
     ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
      "what vertices of the boundary without a target do: missing: there is no map; stay: they stay where they are; slide: they "
-     "move in the planes and along the straight edges of the boundary, and those with a target do not")
+     "move in the planes and along the straight edges of the boundary, and those with a target do not; free: they go where the "
+     "energy is lowest")
+    ("conditions", po::value(&options.conditions)->value_name("FILE"),
+     "lines for vertices that are free in part, others are free: the reference or the name of triangles, or 'vertex' and an "
+     "index; and fixed, free, plane with a normal, or a coordinate such as z=1. What stays, or the point of a plane, is the "
+     "target of a vertex if there is one, and its place in SOURCE.mesh otherwise")
     ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
      "what vertices inside with a target do: met: they meet it; free: they do not; auto: they meet it if others have none, and "
      "where all have one, as in a copy of SOURCE.mesh, those between cells of different references do, if one of them has moved")
@@ -229,7 +235,8 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
               << ")\n";
     return false;
   }
-  for(std::string* name : { &options.source, &options.target, &options.features, &options.landmarks, &options.initial })
+  for(std::string* name : { &options.source, &options.target, &options.features, &options.landmarks, &options.conditions,
+                            &options.initial })
     if(*name == "-")
       *name = "/dev/stdin";
   if(!options.hexahedra.empty() && options.hexahedra.back() == "-")
@@ -237,8 +244,14 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   for(std::string* name : { &options.output, &options.refined_source, &options.report })
     if(*name == "-")
       *name = "/dev/stdout";
-  if(options.source.empty() || !options.target.empty() + !options.domain.empty() + options.do_improve != 1)
-    throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET, --to DOMAIN and --improve; --help tells more");
+  const int number_of_ways = !options.target.empty() + !options.domain.empty() + options.do_improve;
+  if(options.source.empty() || number_of_ways > 1 || (number_of_ways == 0 && options.conditions.empty()))
+    throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET, --to DOMAIN, --improve and --conditions FILE; --help "
+                             "tells more");
+  if(!options.conditions.empty() && given["others"].defaulted())
+    options.others = "free";
+  if(options.others == "free" && given["energy"].defaulted())
+    options.energy = "symmetric_dirichlet"; // which has a minimum
   if(options.do_improve && given["energy"].defaulted())
     options.energy = "mips"; // which does not compare sizes, so small cells stay small
   return true;

@@ -34,6 +34,7 @@ struct Outcome
   std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0;
   std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0;
   std::size_t number_of_targets_inside = 0, number_of_missed_targets = 0, number_of_free_targets = 0;
+  std::array<std::size_t, 4> numbers_of_conditions = {}; // vertices of the boundary: free, in planes, on lines, at targets
   std::optional<CGAL::Volume_mesh_parameterization::Polycube_result> polycube = {};
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
@@ -45,6 +46,7 @@ inline std::string with_names_of_options(std::string message)
   boost::replace_all(message, "do_refine", "--refine");
   boost::replace_all(message, "Conjugate_gradient_solver_traits_3", "--solver cg");
   boost::replace_all(message, "CHOLMOD_solver_traits_3", "--solver cholmod");
+  boost::replace_all(message, "Symmetric_Dirichlet_energy_3", "--energy symmetric_dirichlet");
   boost::replace_all(message, "vertices that slide", "vertices that slide (--slide)");
   return message;
 }
@@ -77,6 +79,7 @@ inline JSON_object json(const Options& options)
                       .add("merge_points", options.do_merge_points)
                       .add("separate", options.do_separate).add("displacements", options.are_displacements)
                       .add("staircases", options.are_staircases).add("others", options.others).add("inside", options.inside)
+                      .add("conditions", options.conditions)
                       .add("initial", options.initial)
                       .add("boundary", options.boundary).add("refine", options.refinement)
                       .add("slide", options.do_slide).add("energy", options.energy)
@@ -201,6 +204,8 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
           .add("targets_inside", outcome.number_of_targets_inside)
           .add("missed_targets", outcome.number_of_missed_targets)
           .add("free_targets", outcome.number_of_free_targets)
+          .add("conditions", std::vector<double>(outcome.numbers_of_conditions.begin(), outcome.numbers_of_conditions.end()))
+          .add("boundary_crosses_itself", result.boundary_crosses_itself)
           .add("seconds_reading", outcome.seconds_reading)
           .add("seconds_boundary", outcome.seconds_boundary)
           .add("seconds_hexahedra", outcome.seconds_hexahedra);

@@ -6,6 +6,7 @@
 #include "find_name.h"
 #include "mend_source.h"
 
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
 #include <algorithm>
@@ -15,12 +16,13 @@
 #include <string>
 #include <vector>
 
-enum class Others { MISSING, STAY, SLIDE };
+enum class Others { MISSING, STAY, SLIDE, FREE };
 
 inline Others named_others(const std::string& name)
 {
   return find_name<Others>("way for other vertices", name,
-                           { {"missing", Others::MISSING}, {"stay", Others::STAY}, {"slide", Others::SLIDE} });
+                           { {"missing", Others::MISSING}, {"stay", Others::STAY}, {"slide", Others::SLIDE},
+                             {"free", Others::FREE} });
 }
 
 // Which vertices inside meet their targets.
@@ -37,6 +39,7 @@ struct Target_points
   Points points;                    // not numbers for a vertex without a target
   std::vector<char> is_constrained; // vertices inside that meet theirs, and those of the boundary that must not slide
   std::vector<std::size_t> inside = {}; // vertices inside that are to meet theirs
+  std::vector<CGAL::Volume_mesh_parameterization::Vertex_condition_3> conditions = {}; // in place of these marks, if there are any
 };
 
 inline bool has_target(const Points& points, const std::size_t v) { return !std::isnan(points[v][0]); }
@@ -93,7 +96,7 @@ inline void complete_boundary(const CGAL::Volume_mesh_parameterization::Tetrahed
   {
     is_met[v] = false;
     target.is_constrained[v] = others == Others::SLIDE && has_target(target.points, v);
-    if(others != Others::MISSING && !has_target(target.points, v))
+    if((others == Others::STAY || others == Others::SLIDE) && !has_target(target.points, v))
       target.points[v] = soup.points[v];
   }
 }

@@ -39,7 +39,10 @@ inline std::vector<std::string> without_empty(std::vector<std::string> names)
 }
 
 inline std::vector<std::string> inputs(const Options& options)
-{ return without_empty({ options.source, options.target, options.features, options.landmarks, options.initial }); }
+{
+  return without_empty({ options.source, options.target, options.features, options.landmarks, options.conditions,
+                         options.initial });
+}
 
 inline std::vector<std::string> outputs(const Options& options)
 {
@@ -76,7 +79,12 @@ inline void check(const Options& options)
     throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
   if(!options.hexahedra.empty() && options.domain == "ball")
     throw std::runtime_error("hexahedra fill a box or a polycube: --to cube, --to box=X,Y,Z or --to polycube in place of ball");
-  if(named_others(options.others) != Others::MISSING && options.target.empty())
+  if(!options.conditions.empty()
+     && (!options.domain.empty() || options.do_improve || options.do_slide || options.others == "slide"))
+    throw std::runtime_error("--conditions tells what vertices do, and is not for --to, --improve and those that slide");
+  if(options.others == "free" && options.do_slide)
+    throw std::runtime_error("vertices slide in the planes of a boundary that is not free: --conditions tells other planes");
+  if(named_others(options.others) != Others::MISSING && options.target.empty() && options.conditions.empty())
     throw std::runtime_error("other vertices than those of TARGET are told by --others, which is missing");
   if(named_inside(options.inside) != Inside::AUTO && options.target.empty())
     throw std::runtime_error("vertices inside with a target are told by --inside, which is missing");

@@ -51,6 +51,8 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
   const std::size_t n = mapped.mesh.points.size();
   mapped.target.points.resize(n, { nan, nan, nan });
   mapped.target.is_constrained.resize(n, false);
+  if(!mapped.target.conditions.empty())
+    mapped.target.conditions.resize(n);
   if(!mapped.initial.empty())
     mapped.initial.resize(n, { nan, nan, nan });
   return result;
@@ -65,7 +67,6 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
       = params::boundary_mode(named_boundary_mode(options.boundary))
         .do_refine(refinement.do_refine)
         .refinement_mode(refinement.mode)
-        .do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE)
         .energy(named_energy(options.energy))
         .use_regular_references(options.do_improve)
         .use_volume_weights(options.use_volume_weights)
@@ -76,18 +77,23 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .maximum_running_time(options.time_limit - progress.seconds())
         .visitor(std::ref(progress));
+    const auto map_to = [&](const auto& np)
+    {
+      return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mapped.mesh, mapped.target.points, mapped.uvw, np);
+    };
     const auto map = [&](const auto& np)
     {
+      if(!mapped.target.conditions.empty())
+        return map_to(np.vertex_condition_map(CGAL::make_property_map(mapped.target.conditions)));
+      const auto sliding = np.do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE);
       if(options.domain.empty())
-        return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
-          mapped.mesh, mapped.target.points, mapped.uvw,
-          np.vertex_is_constrained_map(CGAL::make_property_map(mapped.target.is_constrained)));
+        return map_to(sliding.vertex_is_constrained_map(CGAL::make_property_map(mapped.target.is_constrained)));
       const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes),
                               &mapped.polycube);
       return std::visit([&](const auto& boundary)
       {
         return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mapped.mesh, mapped.uvw,
-                                                                                 np.boundary_parameterizer(boundary));
+                                                                                 sliding.boundary_parameterizer(boundary));
       }, named_boundary_parameterizer(options.domain, polycube, landmarks));
     };
     return mapped.initial.empty() ? map(np) : map(np.initial_map(CGAL::make_property_map(mapped.initial)));

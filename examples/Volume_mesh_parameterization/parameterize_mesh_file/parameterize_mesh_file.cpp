@@ -8,6 +8,7 @@
 #include "Target_points.h"
 #include "boundary_targets_of.h"
 #include "check_options.h"
+#include "conditions_of_file.h"
 #include "mapped_to_targets.h"
 #include "read_source.h"
 
@@ -141,6 +142,7 @@ Outcome run(const Options& options, Progress_line& progress)
                                                            number_of_threads(options));
   CGAL_USE(limit);
 #endif
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   progress.begin("reading " + options.source);
   Source source = read_source(options, progress);
   VMP::Tetrahedron_soup_3& mesh = source.soup;
@@ -170,6 +172,12 @@ Outcome run(const Options& options, Progress_line& progress)
     const Points points = read_points(options.target);
     target = naming(options.source, [&] { return target_points(source, points, options); });
   }
+  if(!has_file && !options.conditions.empty())
+    target = { Points(mesh.points.size(), { nan, nan, nan }), std::vector<char>(mesh.points.size(), false) };
+  if(named_others(options.others) == Others::FREE)
+    naming(options.source, [&] { free_others(mesh, target); return 0; });
+  if(!options.conditions.empty())
+    naming(options.conditions, [&] { read_conditions(options.conditions, mesh, target); return 0; });
   if(options.do_improve)
     target = naming(options.source, [&] { return targets_to_improve(mesh); });
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
@@ -191,13 +199,15 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.number_of_turned_cells = source.number_of_turned_cells;
   outcome.number_of_tangled_cells = source.number_of_tangled_cells;
   outcome.number_of_separated_vertices = source.origins.size();
+  outcome.numbers_of_conditions = numbers_of_conditions(mesh, target);
   if(!result.has_valid_map && result.status != VMP::ERROR_INTERRUPTED)
     outcome.result.message = options.source + ": " + result.message;
   if(!result.has_valid_map)
     return outcome;
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
-  if(has_file && outcome.exit_code == SUCCESS && !options.do_slide && named_others(options.others) != Others::SLIDE)
+  if(has_file && outcome.exit_code == SUCCESS && target.conditions.empty() && !options.do_slide
+     && named_others(options.others) != Others::SLIDE)
     outcome.number_of_free_targets = number_of_free_targets(target, mapped.uvw);
   source.complete_images(mapped.uvw);
   progress.show("writing"); // also if the computation was interrupted
@@ -258,6 +268,11 @@ int main(int argc, char* argv[])
         std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
       if(outcome.number_of_missed_targets > 0)
         std::cout << outcome.number_of_missed_targets << " targets of vertices inside are missed\n";
+      if(const auto& [free, in_planes, on_lines, at_targets] = outcome.numbers_of_conditions; free + in_planes + on_lines > 0)
+        std::cout << "vertices of the boundary: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
+                  << " on lines, " << free << " free\n";
+      if(result.boundary_crosses_itself)
+        std::cout << "the image of the free boundary intersects itself\n";
       if(outcome.number_of_free_targets > 0)
         std::cout << outcome.number_of_free_targets
                   << " targets of vertices inside are not asked for; --inside met asks for them\n";
