@@ -28,6 +28,12 @@ Do not branch on values of type `T`. Comparisons with `<`, `<=`, `>` and `>=` ha
 `CGAL/Volume_mesh_parameterization/select.h` also has `minimum()` and `maximum()`. Several threads call the
 functions. Therefore, they must not have side effects.
 
+If a part of the boundary is free, the function needs a minimum. Consider similar cells,
+\f$\psi(t\sigma_1, t\sigma_2, t\sigma_3)\f$ for \f$t > 0\f$: the lowest value must not belong to \f$t \to 0\f$ or \f$t \to \infty\f$
+alone. The function for maps evaluates such cells, and refuses an energy without a minimum. `Stretch_energy_3` and
+`Lp_stretch_energy_3` fall as cells grow. `Dirichlet_energy_3` and `LSCM_energy_3` fall as cells shrink.
+`Symmetric_Dirichlet_energy_3`, `ARAP_energy_3`, `LPM_energy_3` and `MIPS_energy_3` have a minimum.
+
 An evaluation should take constant time, because all three functions are called for each cell in each Newton step.
 Models must be copy constructible. Objects are copied, and should be small.
 
