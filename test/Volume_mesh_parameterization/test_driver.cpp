@@ -316,7 +316,7 @@ std::vector<std::string> keys(const std::string& json)
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
   "options", "source", "target", "to", "polycube_axes", "improve", "features", "regions", "landmarks", "merge_points",
-  "separate", "displacements", "staircases", "others", "inside", "initial", "boundary", "refine", "slide", "energy",
+  "separate", "displacements", "staircases", "others", "inside", "conditions", "initial", "boundary", "refine", "slide", "energy",
   "volume_weights", "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "added_boundary_vertices", "sliding_vertices",
@@ -328,7 +328,7 @@ const std::vector<std::string> report_keys = {
   "distortion_at_source_volume", "angle_mean", "angle_max", "volume_mean", "volume_max", "boundary_distortion",
   "unavoidable_angle_distortion", "missed_angle_distortion",
   "coinciding_points", "merged_points", "turned_cells", "tangled_cells", "separated_vertices", "targets_inside", "missed_targets",
-  "free_targets",
+  "free_targets", "conditions", "boundary_crosses_itself",
   "seconds_reading", "seconds_boundary", "seconds_hexahedra",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 
@@ -924,7 +924,8 @@ TEST_CASE("Hexahedra are positive at all points, not only at their corners")
     for(Point& p : source.points)
       p = { p[0], p[1] + shear * p[2], p[2] };
     folder.write("source.mesh", source);
-    REQUIRE(folder.run("source.mesh --to cube --refine=all --hexahedra 0.25 hexahedra.mesh --report report.json") == 0);
+    const int code = folder.run("source.mesh --to cube --refine=all --hexahedra 0.25 hexahedra.mesh --report report.json");
+    REQUIRE((code == 0 || code == 1)); // valid in both cases; 1 if the boundary of the body is farther than an edge
     CHECK(number(hexahedra_of(folder.text("report.json")), "inverted_hexahedra") == 0);
     CHECK(smallest_determinant_of_hexahedra(folder.text("hexahedra.mesh")) > 0);
   }

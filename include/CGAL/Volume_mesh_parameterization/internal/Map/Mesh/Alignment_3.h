@@ -89,6 +89,33 @@ inline std::optional<double> stretch_of_prescribed_edges_3(const Numbered_mesh_3
   return *median;
 }
 
+using Vector_7 = Eigen::Matrix<double, 7, 1>;
+using Matrix_7 = Eigen::Matrix<double, 7, 7>;
+
+// Solves A x = b by Jacobi rotations, for a symmetric matrix without negative eigenvalues. The solution has no part in the
+// directions in which A vanishes. Eigen's own solver allocates memory by the flags of a unit.
+inline Vector_7 least_solution_7(Matrix_7 A, const Vector_7& b)
+{
+  constexpr int maximal_number_of_sweeps = 30; // a guess; convergence is quadratic
+  Matrix_7 directions = Matrix_7::Identity();
+  for(int sweep = 0; sweep < maximal_number_of_sweeps; ++sweep)
+    for(int p = 0; p < 7; ++p)
+      for(int q = p + 1; q < 7; ++q)
+      {
+        Eigen::JacobiRotation<double> rotation;
+        if(!rotation.makeJacobi(A, p, q))
+          continue;
+        A.applyOnTheLeft(p, q, rotation.adjoint());
+        A.applyOnTheRight(p, q, rotation);
+        directions.applyOnTheRight(p, q, rotation);
+      }
+  Vector_7 x = directions.transpose() * b;
+  const double largest = A.diagonal().maxCoeff();
+  for(int i = 0; i < 7; ++i)
+    x[i] = A(i, i) > 1e-9 * largest ? x[i] / A(i, i) : 0;
+  return directions * x;
+}
+
 // Moves a body by Gauss-Newton steps such that its prescribed vertices come nearest to their targets, planes and lines. What
 // these leave open does not change. Returns the sum of the squared distances.
 inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, const bool has_scale, Similarity_3& similarity)
@@ -99,9 +126,8 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, const bool has_sc
   double squares = 0;
   for(int step = 0; step < maximal_number_of_steps; ++step)
   {
-    using Vector_7 = Eigen::Matrix<double, 7, 1>; // a rotation, the logarithm of the scale, and a translation
-    Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();
-    Vector_7 b = Vector_7::Zero();
+    Matrix_7 A = Matrix_7::Zero();
+    Vector_7 b = Vector_7::Zero(); // for a rotation, the logarithm of the scale, and a translation
     const double unit = similarity.scale * radius; // of translations
     squares = 0;
     for(int v = first; v < n; ++v)
@@ -116,12 +142,7 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, const bool has_sc
       b -= J.transpose() * r;
       squares += r.squaredNorm();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 7, 7> > eigen(A);
-    const Vector_7 values = eigen.eigenvalues();
-    Vector_7 d = eigen.eigenvectors().transpose() * b;
-    for(int i = 0; i < 7; ++i)
-      d[i] = values[i] > 1e-9 * values[6] ? d[i] / values[i] : 0;
-    d = eigen.eigenvectors() * d;
+    Vector_7 d = least_solution_7(A, b);
     if(!(d.norm() > 1e-12))
       break;
     d *= (std::min)(1., 0.5 / d.head<4>().norm()); // no turn is larger than half a radian
