@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Dense>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
