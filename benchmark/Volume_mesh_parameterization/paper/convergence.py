@@ -1,12 +1,13 @@
-"""The experiments on convergence: Fig. 2 and 3, Fig. 6 and 7, Table 1, and relaxation on several models."""
+"""The experiments on convergence: Fig. 2 and 3, weights and initial guess, Fig. 6 and 7, Table 1, and relaxation."""
+import math
 from pathlib import Path
 
-from page import claims, figures, heading, paragraph, table
+from page import claim, figures, heading, number, paragraph, table
 
 import printed_values as printed
 from plots import plot
 from render import image_of, picture, read, surface
-from runs import distortions
+from runs import distortions, iterations, measure
 from views import view
 
 ENERGIES = ("dirichlet", "arap", "stretch", "lscm", "lpm")
@@ -15,6 +16,18 @@ D_COLUMNS = ["Daa", "Dma", "Dav", "Dmv"]
 
 def curve(run, *keys):
     return [(row["step"], sum(row[key] for key in keys)) for row in run.log]
+
+
+def end_of(run):
+    """The energy with the penalty, and the distance to the targets, after the last step."""
+    if not run.log:
+        return math.inf, math.inf
+    end = run.log[-1]
+    return end["distortion_energy"] + end["position_energy"], end["distance"]
+
+
+def against(pairs):
+    return ", ".join(f"{number(a)} against {number(b)}" for a, b in pairs)
 
 
 class Relaxation_figures:
@@ -31,6 +44,7 @@ class Relaxation_figures:
     def parts(self, output):
         result = {name: job.result() for name, job in self.jobs.items()}
         shapes = {name: self._submit_shapes(run) for name, run in result.items()}
+        self.claims = self._claims(result)
         parts = [heading("Fig. 2: with and without relaxation, w = 1e4"), self._numbers(output, result)]
         panels = []
         for name, run in result.items():
@@ -48,28 +62,36 @@ class Relaxation_figures:
                 pictures.append((picture(filename, [surface(image_of(read(run.vtu)))], *view(self.case)),
                                  f"{name} relaxation, step {run.steps}"))
             parts.append(figures(pictures, 210))
-            self._remove_shapes(result[name])
         return parts
 
-    @staticmethod
-    def _remove_shapes(run):
-        prefix = Path(run.prefix)
-        for shape in prefix.parent.glob(prefix.name + "_*"):
-            shape.unlink()
-
     def _submit_shapes(self, run):
-        """As in the paper, the first step, the last one and three between them."""
+        """As in the paper, the first step, the last one and three between them; the other shapes are removed."""
         steps = sorted({max(1, round(run.steps * i / 4)) for i in range(5)})
+        prefix = Path(run.prefix)
+        for shape in prefix.parent.glob(prefix.name + "_*.mesh"):
+            if int(shape.stem.rsplit("_", 1)[1]) not in steps:
+                shape.unlink()
         return [self.runs.shape(self.case, run.prefix, step) for step in steps]
 
     def _numbers(self, output, result):
         rows = [(f"paper, cow, {name} relaxation", values["steps"], float(values["seconds"]), "", "")
                 for name, values in printed.FIGURE_2.items()]
-        rows += [(f"ours, {self.case.name}, {name} relaxation", run.steps, run.seconds,
-                  run.log[-1]["distortion_energy"] + run.log[-1]["position_energy"], run.log[-1]["distance"])
+        rows += [(f"ours, {self.case.name}, {name} relaxation", run.steps, run.seconds, *end_of(run))
                  for name, run in result.items()]
         columns = ["", "iterations", "seconds", "energy at the end", "|P(u)| at the end"]
         return table(output / "figure_2.csv", columns, rows, (0, 1))
+
+    def _claims(self, result):
+        stretch = {name: [value for _, value in curve(run, "distortion_energy")] for name, run in result.items()}
+        peak = {name: f"peak {max(values):.4g} at step {values.index(max(values))}, end {values[-1]:.4g}"
+                for name, values in stretch.items()}
+        steps = [iterations(result[name]) for name in ("with", "without")]
+        increases = all(b >= a for a, b in zip(stretch["with"], stretch["with"][1:]))
+        return [claim("Fig. 2a", "with relaxation, the stretch energy increases monotonously", [increases], peak["with"]),
+                claim("Fig. 2c", "without relaxation, the stretch energy reaches a peak before it decreases",
+                      [max(stretch["without"]) > 2 * stretch["without"][-1]], peak["without"]),
+                claim("Fig. 2", "relaxation needs fewer iterations", [steps[0] < steps[1]],
+                      f"{against([steps])}; in the paper 46 against 500")]
 
 
 class Relaxation_table:
@@ -82,27 +104,63 @@ class Relaxation_table:
                ("no relaxation, full Hessian where it is definite", ["--full-hessian", "--relaxations", 0]),
                ("relaxation, partly projected Hessian (our default)", []),
                ("no relaxation, partly projected Hessian", ["--relaxations", 0]))
+    SHIFTED, PROJECTED = 1, 4
 
     def __init__(self, runs):
-        self.jobs = [(model, name, runs.soft(runs.case(model, domain), f"solver{i}", "--weight", "1e4",
-                                             "--steps", self.STEPS, *options))
-                     for model, domain in self.CASES for i, (name, options) in enumerate(self.SOLVERS)]
+        self.jobs = [[runs.soft(runs.case(model, domain), f"solver{i}", "--weight", "1e4", "--steps", self.STEPS, *options)
+                      for i, (_, options) in enumerate(self.SOLVERS)] for model, domain in self.CASES]
 
     def parts(self, output):
-        rows = []
-        for i, (model, domain) in enumerate(self.CASES):
-            for _, name, job in self.jobs[len(self.SOLVERS) * i:len(self.SOLVERS) * (i + 1)]:
-                run = job.result()
-                end = run.log[-1]
-                rows.append((f"{model} to {domain}, {name}", run.steps, int(sum(r["is_relaxing"] for r in run.log)),
-                             run.seconds, end["distortion_energy"] + end["position_energy"], end["distance"]))
+        results = [[job.result() for job in jobs] for jobs in self.jobs]
+        rows = [(f"{model} to {domain}, {name}", run.steps, int(sum(r["is_relaxing"] for r in run.log)), run.seconds,
+                 *end_of(run), run.message)
+                for (model, domain), runs in zip(self.CASES, results) for (name, _), run in zip(self.SOLVERS, runs)]
+        self.claims = [self._claim(results, i, name) for i, name in
+                       ((self.SHIFTED, "the shifted Hessian without relaxation"),
+                        (self.PROJECTED, "the projected Hessian without relaxation"))]
         return [heading("Relaxation against plain Newton, w = 1e4"),
                 paragraph(f"At most {self.STEPS} iterations, from the aligned source. With relaxation a step must decrease "
                           "the norm of the gradient, too. A Hessian that is not definite leads to relaxation, or it is "
                           "shifted by a multiple of the identity, or the Hessian of each cell loses its negative "
                           "eigenvalues."),
                 table(output / "relaxation.csv",
-                      ["", "iterations", "of them relaxing", "seconds", "energy", "|P(u)|"], rows)]
+                      ["", "iterations", "of them relaxing", "seconds", "energy", "|P(u)|", ""], rows)]
+
+    @staticmethod
+    def _claim(results, i, name):
+        pairs = [(iterations(runs[0]), iterations(runs[i])) for runs in results]
+        return claim("4.2", f"relaxation needs fewer iterations than {name}", [a < b for a, b in pairs], against(pairs))
+
+
+class Weights_and_guesses:
+    """The weight of the positions, and the initial guess, in the solver of the paper."""
+    CASES = (("bone", "tet"), ("bone", "cube"), ("duck", "cube"), ("max", "polycube"))
+    GROWING = ["--full-hessian", "--weight", 100, "--raises", 5]
+    CHOICES = (("weights from 100 by factors of 25", GROWING),
+               ("weight 1e8", ["--full-hessian"]),
+               ("weights from 100 by factors of 25, from the source as it is", [*GROWING, "--unaligned"]))
+
+    def __init__(self, runs):
+        self.jobs = [[runs.soft(runs.case(model, domain), f"choice{i}", *options)
+                      for i, (_, options) in enumerate(self.CHOICES)] for model, domain in self.CASES]
+
+    def parts(self, output):
+        results = [[job.result() for job in jobs] for jobs in self.jobs]
+        rows = [(f"{model} to {domain}, {name}", run.steps, run.seconds, *end_of(run), measure(run, "inverted_cells"))
+                for (model, domain), runs in zip(self.CASES, results) for (name, _), run in zip(self.CHOICES, runs)]
+        growing, single = results[0][:2]
+        guesses = [(iterations(runs[0]), iterations(runs[2])) for runs in results]
+        self.claims = [
+            claim("4.2", "for acute boundary constraints, weights that grow from 100 by factors of 25 work better than 1e8",
+                  [iterations(growing) < iterations(single), end_of(growing)[1] < end_of(single)[1]],
+                  "; ".join(f"{name} for bone to tet: {run.steps} iterations, |P(u)| = {end_of(run)[1]:.2g}, energy "
+                            f"{end_of(run)[0]:.4g}" for name, run in (("growing", growing), ("1e8", single)))),
+            claim("4.2", "the solver behaves better if the initial mesh approximates the target",
+                  [a < b for a, b in guesses], f"iterations: {against(guesses)}")]
+        return [heading("Weight of the positions, and initial guess"),
+                paragraph("At most 500 iterations with the full Hessian and relaxation. The source as it is has been scaled to "
+                          "the volume of the target, but neither turned nor moved."),
+                table(output / "weights.csv", ["", "iterations", "seconds", "energy", "|P(u)|", "inverted cells"], rows)]
 
 
 class Energies:
@@ -110,9 +168,8 @@ class Energies:
 
     def __init__(self, runs):
         self.case = runs.case("duck", "cube")
-        self.soft = {energy: runs.soft(self.case, "soft_" + energy, "--energy", energy) for energy in ENERGIES}
-        cases = {"duck": self.case, "max": runs.case("max", "polycube"), "sphinx": runs.case("sphinx", "cube"),
-                 "hand": runs.refined(runs.case("hand", "polycube"))}
+        self.soft = {energy: runs.soft(self.case, "soft_" + energy, "--energy", energy, "--full-hessian") for energy in ENERGIES}
+        cases = {"duck": self.case, "max": runs.case("max", "polycube"), "sphinx": runs.case("sphinx", "cube")}
         self.fixed = {(model, energy): runs.ours(case, "fixed_" + energy, "--energy", energy, "--max-iterations", 300)
                       for model, case in cases.items() for energy in ENERGIES}
 
@@ -120,13 +177,14 @@ class Energies:
         soft = {energy: job.result() for energy, job in self.soft.items()}
         fixed = {key: job.result() for key, job in self.fixed.items()}
         keys = ("distortion_energy", "position_energy")
+        self.claims = self._claims(soft)
         parts = [heading("Fig. 6 and 7: convergence with five energies, duck to the cube, w = 1e8"),
                  self._steps(output, soft)]
         for name, energies in (("figure_6", ENERGIES[:3]), ("figure_7", ENERGIES[3:])):
             panels = [(energy, "energy", [("total", curve(soft[energy], *keys))]) for energy in energies]
             parts.append(figures([(plot(output / f"{name}.svg", panels, len(panels)), name.replace("_", " "))],
                                  370 * len(panels)))
-        parts += [heading("Table 1: distortions and time with five energies"), self._claims(soft)]
+        parts.append(heading("Table 1: distortions and time with five energies"))
         rows, indices = [], []
         for energy in ENERGIES:
             row = printed.TABLE_1[energy]
@@ -134,7 +192,7 @@ class Energies:
             rows.append((f"paper, duck, {row.method}", *row.D, row.seconds, ""))
             rows.append((f"ours, duck, {row.method}, soft boundary", *self._row(soft[energy])))
             rows += [(f"ours, {model}, {row.method}, fixed boundary", *self._row(fixed[model, energy]))
-                     for model in ("duck", "max", "sphinx", "hand")]
+                     for model in ("duck", "max", "sphinx")]
         parts.append(table(output / "table_1.csv", ["", *D_COLUMNS, "seconds", "inverted cells"], rows, indices))
         return parts
 
@@ -145,14 +203,27 @@ class Energies:
 
     @staticmethod
     def _row(run):
-        return (*distortions(run), run.seconds, run.measures["inverted_cells"])
+        return (*distortions(run), run.seconds, measure(run, "inverted_cells"))
 
     @staticmethod
     def _claims(soft):
-        largest = {energy: distortions(run)[1] for energy, run in soft.items()}
-        factor = min(x for energy, x in largest.items() if energy != "stretch") / largest["stretch"]
-        inverted = [run.measures["inverted_cells"] for run in soft.values()]
-        return claims([("the stretch energy has the lowest maximal distortion of angles, by a factor of 5 or more",
-                        factor >= 5, f"factor {factor:.1f}; in the paper 19.2"),
-                       ("all five maps of the duck are without inverted cells", not any(inverted),
-                        f"inverted cells: {inverted}")])
+        D = {energy: distortions(run) for energy, run in soft.items()}
+        factor = min(D[energy][1] for energy in ENERGIES if energy != "stretch") / D["stretch"][1]
+        volumes = [D[energy][3] for energy in ENERGIES]
+        steps = {energy: iterations(run) for energy, run in soft.items()}
+        seconds = {energy: run.seconds for energy, run in soft.items()}
+        three = [steps[energy] for energy in ENERGIES[:3]]
+        return [
+            claim("Fig. 6", "Dirichlet, ARAP and stretch converge alike, within a factor of 2", [max(three) <= 2 * min(three)],
+                  f"{', '.join(map(number, three))} iterations; in the paper about 18, 12, 14"),
+            claim("Table 1", "stretch has much lower distortions of angles, at least by a factor of 5 in Dma", [factor >= 5],
+                  f"factor {factor:.1f}; in the paper 19.2"),
+            claim("Table 1", "the volumes are distorted alike by all energies, within a factor of 1.2 in Dmv",
+                  [max(volumes) <= 1.2 * min(volumes)], ", ".join(f"{name} {x:.4g}" for name, x in zip(ENERGIES, volumes))),
+            claim("Table 1", "stretch takes longer than Dirichlet and ARAP",
+                  [seconds["stretch"] > seconds[energy] for energy in ENERGIES[:2]],
+                  ", ".join(f"{energy} {seconds[energy]:.2f} s" for energy in ENERGIES[:3])),
+            claim("Fig. 7", "LPM converges faster than LSCM", [steps["lpm"] < steps["lscm"]],
+                  f"{against([(steps['lpm'], steps['lscm'])])} iterations; in the paper about 25 against 70"),
+            claim("Table 1", "LPM has lower distortions than LSCM", [a < b for a, b in zip(D["lpm"], D["lscm"])],
+                  against(zip(D["lpm"], D["lscm"])) + " for Daa, Dma, Dav, Dmv")]

@@ -1,13 +1,23 @@
 """The parts of an HTML page, and the tables also as CSV files."""
 import csv
+import math
+from collections import namedtuple
 from html import escape
 from pathlib import Path
 
 STYLE = """body{font:15px/1.5 sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#222}
 table{border-collapse:collapse;margin:1em 0}td,th{padding:.25em .8em;border-bottom:1px solid #ddd;text-align:right}
 th{background:#f3f3f3}td:first-child,th:first-child{text-align:left}tr.printed td{color:#666;font-style:italic}
-figure{display:inline-block;margin:.4em;text-align:center;vertical-align:top}figcaption{font-size:13px;color:#444}
-.yes{color:#176f2c}.no{color:#b00020}"""
+figure{display:inline-block;margin:.4em;text-align:center;vertical-align:top}figcaption{font-size:13px;color:#444}"""
+
+Claim = namedtuple("Claim", "place text verdict numbers")
+
+
+def claim(place, text, conditions, numbers):
+    """Holds if all conditions do, and in part if some do; cannot be tested without conditions."""
+    verdict = "cannot be tested" if not conditions else "holds" if all(conditions) else \
+        "holds in part" if any(conditions) else "does not hold"
+    return Claim(place, text, verdict, numbers)
 
 
 def page(title, parts):
@@ -28,6 +38,8 @@ def number(x):
         return x or ""
     if isinstance(x, int):
         return str(x)
+    if math.isinf(x):
+        return "-"
     return f"{x:.4g}" if abs(x) >= 1000 or 0 < abs(x) < 0.01 else f"{x:.3f}".rstrip("0").rstrip(".")
 
 
@@ -46,9 +58,3 @@ def figures(items, width=270):
     """items: (file, caption), side by side."""
     return "<div>" + "".join(f"<figure><img src='{escape(name)}' width='{width}' alt='{escape(caption)}'>"
                              f"<figcaption>{escape(caption)}</figcaption></figure>" for name, caption in items) + "</div>"
-
-
-def claims(items):
-    """items: (what is claimed, whether it is met, the numbers)."""
-    return "<ul>" + "".join(f"<li><b class='{'yes' if met else 'no'}'>{'met' if met else 'NOT met'}</b>: "
-                            f"{escape(claim)} ({escape(numbers)})</li>" for claim, met, numbers in items) + "</ul>"

@@ -3,7 +3,7 @@
 // METHOD is
 // - dirichlet or arap: these energies without a barrier, where all cells count alike, as in the paper,
 // - dirichlet_by_volume or arap_by_volume: the same where cells count by their volume,
-// - injective: locally injective mapping of the ARAP energy,
+// - injective or injective_dirichlet: locally injective mapping of the ARAP or the Dirichlet energy,
 // - bounded: bounded distortion mapping with the bound K.
 // Writes the map NAME.mesh, and NAME.csv with a row for each step.
 #include "As_rigid_as_possible_map_3.h"
@@ -14,8 +14,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 
 #include <Eigen/Dense>
 
@@ -31,21 +32,34 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 // Calls `row`, which writes the rest of a row, after each step; returns the map.
 template <typename Method, typename Row>
 Eigen::Matrix3Xd run(Method& method, const int maximal_number_of_steps, std::ostream& log,
-                     const CGAL::Real_timer& timer, const Row& row)
+                     const CGAL::Timer& timer, const Row& row)
 {
   for(int i = 0; i < maximal_number_of_steps && method.is_running(); ++i)
   {
     method.step();
     log << i + 1 << "," << timer.time() << ",";
     row();
-    log << "\n";
+    log << std::endl; // the rows of a run that is ended remain
   }
   return method.positions();
 }
 
+// Locally injective mapping of an energy, with its barrier.
+template <typename Energy>
+Eigen::Matrix3Xd run_injective(const Map_problem::Mesh& mesh, std::ostream& log, const CGAL::Timer& timer)
+{
+  log << "step,seconds,energy,distance,weight,shift,step_length\n";
+  Locally_injective_map_3<VMP::Barrier_energy_3<Energy> > map(mesh);
+  return run(map, 200, log, timer, [&]()
+  {
+    log << map.newton().energy() << "," << map.newton().distance() << "," << map.weight() << ","
+        << map.newton().shift() << "," << map.newton().step_length();
+  });
+}
+
 Eigen::Matrix3Xd run(const std::string& method, const Map_problem& problem, const double K, std::ostream& log)
 {
-  CGAL::Real_timer timer;
+  CGAL::Timer timer; // of the processor
   timer.start();
   log.precision(std::numeric_limits<double>::max_digits10);
   Map_problem::Mesh mesh = problem.mesh();
@@ -64,15 +78,9 @@ Eigen::Matrix3Xd run(const std::string& method, const Map_problem& problem, cons
     return run(map, 1000, log, timer, [&]() { log << map.energy(); });
   }
   if(method == "injective")
-  {
-    log << "step,seconds,energy,distance,weight,shift,step_length\n";
-    Locally_injective_map_3<VMP::Barrier_energy_3<VMP::ARAP_energy_3> > map(mesh);
-    return run(map, 200, log, timer, [&]()
-    {
-      log << map.newton().energy() << "," << map.newton().distance() << "," << map.weight() << ","
-          << map.newton().shift() << "," << map.newton().step_length();
-    });
-  }
+    return run_injective<VMP::ARAP_energy_3>(mesh, log, timer);
+  if(method == "injective_dirichlet")
+    return run_injective<VMP::Dirichlet_energy_3>(mesh, log, timer);
   if(method == "bounded")
   {
     log << "step,seconds,distance,violating_cells\n";

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 
 #include <boost/program_options.hpp>
 
@@ -38,7 +38,7 @@ struct Options
 {
   std::string source, target, name, energy;
   std::size_t number_of_steps, shape_interval;
-  bool is_plain;
+  bool is_plain, is_unaligned;
   VMP::Soft_boundary_parameters parameters;
 };
 
@@ -86,6 +86,8 @@ bool parse(int argc, char* argv[], Options& options)
     ("full-hessian", po::bool_switch(&parameters.use_full_hessian), "do not project the Hessian of a cell")
     ("shifted-newton", po::bool_switch(&options.is_plain),
      "the solver of [39] without relaxation: adds to the Hessian of the whole mesh where it is not positive definite")
+    ("unaligned", po::bool_switch(&options.is_unaligned),
+     "begin with the source as it is, scaled to the volume of the target, instead of aligned to the target")
     ("steps", po::value(&options.number_of_steps)->default_value(500), "the maximal number of steps")
     ("shape-interval", po::value(&options.shape_interval)->default_value(0),
      "write NAME_STEP.mesh each time so many steps have been taken");
@@ -104,7 +106,7 @@ bool parse(int argc, char* argv[], Options& options)
 // Takes the steps of `map`, and writes the log, the shapes and the map.
 template <typename Map>
 void run(Map& map, const Options& options, const Map_problem& problem, const Mean_energy& mean_energy,
-         CGAL::Real_timer& timer)
+         CGAL::Timer& timer)
 {
   std::ofstream log(options.name + ".csv");
   log.precision(std::numeric_limits<double>::max_digits10);
@@ -118,7 +120,8 @@ void run(Map& map, const Options& options, const Map_problem& problem, const Mea
     const double distance = map.residual(), weight = map.weight();
     log << step << "," << timer.time() << "," << map.is_relaxing() << "," << weight << "," << distance << ","
         << map.last_step().step_length << "," << mean_energy.value(u) << "," << weight * distance * distance << ","
-        << mean_energy.squared_gradient_norm(u) << "," << std::pow(2 * weight * distance, 2) << "\n";
+        << mean_energy.squared_gradient_norm(u) << "," << std::pow(2 * weight * distance, 2)
+        << std::endl; // the rows of a run that is ended remain
     if(options.shape_interval > 0 && step % options.shape_interval == 0)
       problem.write(options.name + "_" + std::to_string(step) + ".mesh", u);
     if(!map.is_running() || step >= options.number_of_steps)
@@ -137,7 +140,7 @@ void run(const Options& options)
   const VMP::Any_energy_3 energy = named_energy(options.energy);
   const VMP::internal::Cell_energy_3& cell_energy = cell_energy_3(energy);
   const Mean_energy mean_energy(problem.mesh(), cell_energy);
-  CGAL::Real_timer timer;
+  CGAL::Timer timer; // of the processor
   timer.start();
   if(options.is_plain)
   {
@@ -148,7 +151,13 @@ void run(const Options& options)
   {
     VMP::CHOLMOD_solver_traits_3 cholmod;
     VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> solver(cholmod);
-    VMP::internal::Soft_boundary_search_3 map(problem.mesh(), cell_energy, solver, options.parameters);
+    VMP::internal::Search_start_3 start;
+    if(options.is_unaligned)
+    {
+      start.stage = VMP::internal::Search_start_3::Stage::SOFT_BOUNDARY;
+      start.positions = problem.mesh().source;
+    }
+    VMP::internal::Soft_boundary_search_3 map(problem.mesh(), cell_energy, solver, options.parameters, {}, start);
     run(map, options, problem, mean_energy, timer);
   }
 }

@@ -1,30 +1,34 @@
-"""Runs the programs on the cases, two at a time, and keeps what they write in one folder."""
+"""Runs the programs on the cases, two at a time, and keeps what they write in one folder, from which a second start goes on."""
 import csv
+import ctypes
+import hashlib
 import json
+import math
 import os
+import resource
+import signal
 import subprocess
 import sys
 from collections import namedtuple
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
-from check_map import boundary_facets, read_mesh  # noqa: E402
-
 Case = namedtuple("Case", "name source target")
-# `measures`: of measure_map, for each program alike; `log`: a row a step; `vtu`: the map for pictures
+# `measures`: of measure_map, for each program alike, or none if there is no map; `log`: a row a step; `vtu`: the map for
+# pictures; `message`: why there is no map
 Run = namedtuple("Run", "measures log vtu seconds steps message prefix")
-
-TIME_LIMIT = 900
 
 
 class Runs:
-    def __init__(self, build, data, folder):
-        self.build, self.data, self.folder = Path(build), Path(data), Path(folder)
+    def __init__(self, build, data, folder, time_limit):
+        """`time_limit` is in seconds of the processor, for each program."""
+        self.build, self.data, self.folder, self.time_limit = Path(build), Path(data), Path(folder), time_limit
         self.folder.mkdir(parents=True, exist_ok=True)
         self.pool = ThreadPoolExecutor(2)
         self.driver = self.build / "examples/Volume_mesh_parameterization/parameterize_mesh_file"
         self.programs = self.build / "benchmark/Volume_mesh_parameterization/paper"
+        self.jobs = {}
+        self.seconds = 0  # of all runs, those of an earlier start included
 
     def case(self, model, domain):
         """A case of VOLMAP, or of the pairs if the domain is polycube."""
@@ -34,30 +38,17 @@ class Runs:
         volmap = self.data / "volmap"
         return Case(f"{model}_{domain}", volmap / f"{model}.mesh", volmap / f"{model}_{domain}.txt")
 
-    def refined(self, case):
-        """The case with the vertices that make it possible, for methods that cannot add them by themselves."""
-        source, target = self.folder / f"{case.name}_refined.mesh", self.folder / f"{case.name}_refined.txt"
-        refined = Case(case.name + "_refined", source, target)
-        if target.exists():
-            return refined
-        self._execute([self.driver, case.source, case.target, "--quiet", "--refine", "--boundary", "fixed",
-                       "--max-iterations", 100, "--refined-source", source])
-        boundary = {v for facet in boundary_facets(read_mesh(case.source).cells) for v in facet}
-        points = read_mesh(case.target).points
-        target.write_text("".join("%d %r %r %r\n" % (v, *points[v]) for v in sorted(boundary)))
-        return refined
-
     def ours(self, case, label, *options):
         """The driver."""
+        prefix = self._prefix(case, label)
+
         def run():
-            prefix = self._prefix(case, label)
-            process = self._execute([self.driver, case.source, case.target, "--quiet",
-                                     "--output", f"{prefix}.mesh", "--report", f"{prefix}.report.json", *options])
-            report = json.loads(Path(f"{prefix}.report.json").read_text())
-            if not Path(f"{prefix}.mesh").exists():
-                sys.exit(f"{case.name}, {label}: {process.stderr}")
-            return self._checked(case, prefix, [], report["seconds_total"], report["iterations"], report["status"])
-        return self.pool.submit(run)
+            kept = self._kept_run([self.driver, case.source, case.target, "--quiet", "--output", f"{prefix}.mesh",
+                                   "--report", f"{prefix}.report.json", *options], prefix)
+            report = Path(f"{prefix}.report.json")
+            steps = 0 if kept["message"] or not report.exists() else json.loads(report.read_text())["iterations"]
+            return self._measured(case, prefix, [], kept["seconds"], steps, kept["message"])
+        return self._job(prefix, run)
 
     def soft(self, case, label, *options):
         """The method of the paper, with soft boundary, step by step."""
@@ -68,34 +59,93 @@ class Runs:
 
     def shape(self, case, prefix, step):
         """The map after one of the steps of a run that wrote them all."""
-        return self.pool.submit(lambda: self._checked(case, f"{prefix}_{step}", [], 0, step, ""))
+        return self.pool.submit(lambda: self._measured(case, f"{prefix}_{step}", [], 0, step, ""))
 
     def _submit(self, case, label, program, before, after):
-        def run():
-            prefix = self._prefix(case, label)
-            self._execute([self.programs / program, *before, case.source, case.target, prefix, *after])
-            with open(f"{prefix}.csv", newline="") as file:
-                log = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
-            last = log[-1] if log else {"seconds": 0, "step": 0}
-            return self._checked(case, prefix, log, last["seconds"], int(last["step"]), "")
-        return self.pool.submit(run)
+        prefix = self._prefix(case, label)
 
-    def _checked(self, case, prefix, log, seconds, steps, message):
+        def run():
+            kept = self._kept_run([self.programs / program, *before, case.source, case.target, prefix, *after], prefix)
+            log = read_log(f"{prefix}.csv")
+            last = log[-1] if log else {"seconds": kept["seconds"], "step": 0}
+            return self._measured(case, prefix, log, last["seconds"], int(last["step"]), kept["message"])
+        return self._job(prefix, run)
+
+    def _job(self, prefix, run):
+        """Experiments may share a run."""
+        if prefix not in self.jobs:
+            self.jobs[prefix] = self.pool.submit(run)
+        return self.jobs[prefix]
+
+    def _kept_run(self, command, prefix):
+        """Runs the program, unless the same program has ended before with the same arguments and limit."""
+        words = list(map(str, command))
+        key = {"command": words, "program": digest(words[0]), "time_limit": self.time_limit}
+        record = Path(prefix + ".run.json")
+        kept = json.loads(record.read_text()) if record.exists() else {}
+        if kept.get("key") != key:
+            Path(prefix + ".mesh").unlink(missing_ok=True)
+            kept = {"key": key, **self._execute(words)}
+            if kept["status"] >= 0 and Path(prefix + ".mesh").exists():  # whatever the program thinks of its map
+                kept["message"] = ""
+            unfinished = Path(prefix + ".unfinished.json")
+            unfinished.write_text(json.dumps(kept))
+            unfinished.rename(record)  # whole, or not at all
+        self.seconds += kept["seconds"]
+        return kept
+
+    def _measured(self, case, prefix, log, seconds, steps, message):
+        if message:
+            return Run(None, log, None, seconds, steps, message, prefix)
         name = f"{prefix}.measured"
-        process = self._execute([self.programs / "measure_map", case.source, case.target, f"{prefix}.mesh", name])
-        if process.returncode != 0:
-            sys.exit(process.stderr)
-        measures = json.loads(Path(name + ".json").read_text())
-        return Run(measures, log, name + ".vtu", seconds, steps, message, prefix)
+        measured = self._execute([self.programs / "measure_map", case.source, case.target, f"{prefix}.mesh", name])
+        if measured["status"] != 0:
+            sys.exit(f"{prefix}.mesh: {measured['message']}")
+        return Run(json.loads(Path(name + ".json").read_text()), log, name + ".vtu", seconds, steps, "", prefix)
 
     def _prefix(self, case, label):
         return str(self.folder / f"{case.name}.{label}")
 
     def _execute(self, command):
+        """The processor time, the exit status or minus the signal that ended it, and a sentence on them."""
         print("  " + " ".join(Path(str(word)).name for word in command[:6]), flush=True)
-        return subprocess.run(list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-                              timeout=TIME_LIMIT, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+
+        def prepare():
+            resource.setrlimit(resource.RLIMIT_CPU, (self.time_limit, self.time_limit + 1))
+            ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: does not outlive a killed script
+        with subprocess.Popen(list(map(str, command)), stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              preexec_fn=prepare, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}) as process:
+            errors = process.stderr.read().strip().splitlines()
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode == -signal.SIGXCPU:
+            message = f"ended after {self.time_limit} s"
+        else:
+            message = errors[-1] if errors else f"exit status {process.returncode}"
+        return {"seconds": usage.ru_utime + usage.ru_stime, "status": process.returncode, "message": message}
+
+
+def digest(filename):
+    return hashlib.sha256(Path(filename).read_bytes()).hexdigest()
+
+
+def read_log(filename):
+    """The rows that are whole."""
+    if not Path(filename).exists():
+        return []
+    with open(filename, newline="") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file) if None not in row.values()]
+
+
+def measure(run, key):
+    """Infinite without a map."""
+    return run.measures[key] if run.measures else math.inf
 
 
 def distortions(run):
-    return tuple(run.measures[key] for key in ("angle_mean", "angle_max", "volume_mean", "volume_max"))
+    return tuple(measure(run, key) for key in ("angle_mean", "angle_max", "volume_mean", "volume_max"))
+
+
+def iterations(run):
+    """Infinite if the run was ended."""
+    return math.inf if run.message else run.steps
