@@ -36,9 +36,9 @@ namespace po = boost::program_options;
 
 struct Options
 {
-  std::string source, target, name, energy;
+  std::string source, target, name, energy, start;
   std::size_t number_of_steps, shape_interval;
-  bool is_plain, is_unaligned;
+  bool is_plain;
   VMP::Soft_boundary_parameters parameters;
 };
 
@@ -70,6 +70,22 @@ private:
   VMP::internal::Cell_packs_3 m_packs;
 };
 
+// The source that the options name; nothing if it is to be aligned.
+VMP::internal::Search_start_3 start_of(const std::string& name, const Map_problem::Mesh& mesh)
+{
+  VMP::internal::Search_start_3 start;
+  if(name == "aligned")
+    return start;
+  if(name != "source" && name != "turned")
+    throw std::runtime_error("there is no start '" + name + "'");
+  start.stage = VMP::internal::Search_start_3::Stage::SOFT_BOUNDARY;
+  start.positions = mesh.source;
+  if(name == "turned")
+    for(int i = 0; i < 3; ++i)
+      start.positions.row(i) = mesh.source.row((i + 1) % 3);
+  return start;
+}
+
 bool parse(int argc, char* argv[], Options& options)
 {
   VMP::Soft_boundary_parameters& parameters = options.parameters;
@@ -86,8 +102,9 @@ bool parse(int argc, char* argv[], Options& options)
     ("full-hessian", po::bool_switch(&parameters.use_full_hessian), "do not project the Hessian of a cell")
     ("shifted-newton", po::bool_switch(&options.is_plain),
      "the solver of [39] without relaxation: adds to the Hessian of the whole mesh where it is not positive definite")
-    ("unaligned", po::bool_switch(&options.is_unaligned),
-     "begin with the source as it is, scaled to the volume of the target, instead of aligned to the target")
+    ("start", po::value(&options.start)->default_value("aligned"),
+     "the source to begin with: aligned, or of the volume of the target and as it is (source) or turned by a third about the "
+     "diagonal (turned)")
     ("steps", po::value(&options.number_of_steps)->default_value(500), "the maximal number of steps")
     ("shape-interval", po::value(&options.shape_interval)->default_value(0),
      "write NAME_STEP.mesh each time so many steps have been taken");
@@ -151,13 +168,8 @@ void run(const Options& options)
   {
     VMP::CHOLMOD_solver_traits_3 cholmod;
     VMP::internal::Linear_solver_of<VMP::CHOLMOD_solver_traits_3> solver(cholmod);
-    VMP::internal::Search_start_3 start;
-    if(options.is_unaligned)
-    {
-      start.stage = VMP::internal::Search_start_3::Stage::SOFT_BOUNDARY;
-      start.positions = problem.mesh().source;
-    }
-    VMP::internal::Soft_boundary_search_3 map(problem.mesh(), cell_energy, solver, options.parameters, {}, start);
+    VMP::internal::Soft_boundary_search_3 map(problem.mesh(), cell_energy, solver, options.parameters, {},
+                                              start_of(options.start, problem.mesh()));
     run(map, options, problem, mean_energy, timer);
   }
 }
