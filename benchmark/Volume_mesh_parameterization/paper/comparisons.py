@@ -102,16 +102,18 @@ class Locally_injective:
         paper, arap, paper_dirichlet, dirichlet = ([row[i] for row in distances] for i in range(4))
         missed = [x > self.REACHED for x in arap]
         reached = [x <= self.REACHED for x in paper]
-        pairs = list(zip(paper, paper_dirichlet, dirichlet))
+        # among boundaries that one of both misses, as others are met up to rounding or up to the largest weight
+        by_solver, by_energy = ([a < b for a, b in zip(*both) if max(a, b) > self.REACHED]
+                                for both in ((paper_dirichlet, dirichlet), (paper, paper_dirichlet)))
         return [
             claim("Fig. 5c", "[8] misses acute boundaries, by more than 5 % of the diagonal",
                   [any(missed), max(arap) > 0.05], f"missed {counted(missed)} cases, by at most {100 * max(arap):.2g} %"),
             claim("Fig. 5b", "the solver of the paper aligns the boundary in most examples, to 0.01 % of the diagonal",
                   [sum(reached) > len(reached) / 2], f"{counted(reached)} cases; the largest distance is {100 * max(paper):.2g} %"),
             claim("Fig. 5f", "the solver of the paper fulfils the constraints better than the solver of [8], both with the "
-                  "Dirichlet energy and its barrier", [b < c for _, b, c in pairs], counted([b < c for _, b, c in pairs])),
+                  "Dirichlet energy and its barrier", by_solver, f"{counted(by_solver)} cases that one of both misses"),
             claim("Fig. 5e", "the solver of the paper fulfils the constraints better with stretch than with the Dirichlet energy "
-                  "and its barrier", [a < b for a, b, _ in pairs], counted([a < b for a, b, _ in pairs]))]
+                  "and its barrier", by_energy, f"{counted(by_energy)} cases that one of both misses")]
 
 
 class Bounded_distortion:
@@ -171,7 +173,7 @@ class Bounded_distortion:
         return [claim("Table 2", "[7] achieves lower maximal distortions of angles than the solver of the paper", lower,
                       counted(lower)),
                 claim("Table 2", "[7] has higher average distortions of angles", higher, counted(higher)),
-                claim("Table 2", "the paper has lower distortions of volumes in most cases", [sum(volumes) > len(volumes) / 2],
+                claim("Table 2", "the solver of the paper has lower distortions of volumes in most cases", [sum(volumes) > len(volumes) / 2],
                       f"{counted(volumes)} numbers Dav, Dmv"),
                 claim("ours", "the driver with the bound of [7] has no higher Daa, Dma, Dav, Dmv than [7]", no_worse,
                       counted(no_worse))]
