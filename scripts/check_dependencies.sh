@@ -18,6 +18,7 @@ package_of()
     Named_function_parameters.h | algorithm.h | assertions.h | exceptions.h | iterator.h | tags.h) echo STL_Extension ;;
     AABB_*) echo AABB_tree ;;
     Box_intersection_d/* | box_intersection_d.h) echo Box_intersection_d ;;
+    IO/polygon_soup_io.h) echo Stream_support ;;
     Intersections_3/*) echo Intersections_3 ;;
     Rational_traits.h | number_utils.h) echo Algebraic_foundations ;;
     Exact_integer.h | Exact_rational.h | Gmpzf.h | MP_Float.h) echo Number_types ;;

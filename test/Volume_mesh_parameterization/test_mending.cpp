@@ -4,6 +4,7 @@
 #include "cube_complex.h"
 
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/merge_coinciding_cells.h>
 #include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
@@ -60,6 +61,26 @@ TEST_CASE("Points at one place become the first of them")
   CHECK(VMP::merge_coinciding_points(soup) == VMP::first_coinciding_points(soup.points)); // nothing changes any more
   CHECK(soup.cells == two_cells().cells);
   CHECK(VMP::first_coinciding_points({{0., 0, 0}, {-0., 0, 0}, {1e-300, 0, 0}}) == std::vector<std::size_t>{0, 0, 2});
+}
+
+TEST_CASE("Cells with the same vertices become the first of them, with the references of all")
+{
+  Soup soup = two_cells();
+  soup.cells.insert(soup.cells.end(), { { 1, 0, 2, 3 }, { 3, 2, 1, 0 } });
+  soup.cell_references.insert(soup.cell_references.end(), { 9, 5 });
+  soup.cell_data = { { "f", 2, false, { 0, 1, 2, 3, 4, 5, 6, 7 } } };
+  CHECK(VMP::first_coinciding_cells(soup.cells) == std::vector<std::size_t>{ 0, 1, 0, 0 });
+  CHECK(VMP::merge_coinciding_cells(soup) == std::vector<std::size_t>{ 0, 1, 0, 0 });
+  CHECK(soup.cells == two_cells().cells);
+  CHECK(soup.cell_references == std::vector<int>{ 1, 2 });
+  REQUIRE(soup.cell_data.size() == 3);
+  CHECK(soup.cell_data[0].values == std::vector<double>{ 0, 1, 2, 3 });
+  CHECK((soup.cell_data[1].name == "reference_2" && soup.cell_data[1].values == std::vector<double>{ 5, 0 }));
+  CHECK((soup.cell_data[2].name == "reference_3" && soup.cell_data[2].values == std::vector<double>{ 9, 0 }));
+  REQUIRE(soup.notes.size() == 1);
+  CHECK(soup.notes[0].find("2 cells have the vertices of an earlier cell, such as cell 2 those of cell 0") == 0);
+  VMP::merge_coinciding_cells(soup);
+  CHECK((soup.notes.size() == 1 && soup.cell_data.size() == 3));
 }
 
 TEST_CASE("A body that touches itself gets a vertex for each fan")
@@ -129,6 +150,11 @@ TEST_CASE("Cells are turned where facets tell that this is right")
   CHECK(sentence().find("cell 1 (counted from 0) has the negative volume -0.083") == 0);
   CHECK(soup.cells == tangled.cells);
 
+  std::swap(soup.cells[1][0], soup.cells[1][1]); // reversed, beside inverted
+  CHECK(VMP::orient_tetrahedron_soup_by_facets(soup) == 1);
+  CHECK(VMP::orient_tetrahedron_soup_by_facets(soup) == 0);
+
+  soup = tangled;
   soup.points[4] = {1, 1, 0};
   soup.points[3] = {2, 2, 0};
   CHECK(sentence() == "2 cells have zero volume, among them cells 0 and 1 (counted from 0)");

@@ -1,6 +1,9 @@
 // The module that gmsh_module() loads.
 #include "Gmsh_module.h"
-#include "Gmsh_writer.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/Gmsh.h>
+
+namespace IO = CGAL::Volume_mesh_parameterization::IO;
 
 extern "C" const Gmsh_module functions_of_Gmsh_module;
-const Gmsh_module functions_of_Gmsh_module = { read_by_Gmsh, write_MSH, write_MSH };
+const Gmsh_module functions_of_Gmsh_module = { IO::read_by_Gmsh, IO::write_MSH, IO::write_MSH };

@@ -16,10 +16,10 @@
 
 struct Gmsh_module
 {
-  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 (*read)(const std::string& filename);
-  void (*write)(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, bool is_old);
+  void (*read)(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup);
+  void (*write)(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, double version);
   void (*write_hexahedra)(std::ostream& os, const CGAL::Volume_mesh_parameterization::Hexahedron_soup_3& mesh,
-                          const std::map<std::pair<int, int>, std::string>& names, bool is_old);
+                          const std::map<std::pair<int, int>, std::string>& names, double version);
 };
 
 inline const Gmsh_module& gmsh_module()

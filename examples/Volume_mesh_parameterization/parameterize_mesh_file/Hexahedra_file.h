@@ -3,11 +3,11 @@
 #define HEXAHEDRA_FILE_H
 
 #include "Mesh_format.h"
-#include "Output_file.h"
 #include "Progress_line.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/INP.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
@@ -34,7 +34,7 @@ public:
     m_name = words[1];
     if(*end != '\0' || !(m_spacing > 0) || !std::isfinite(m_spacing))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a finite positive number");
-    if(!is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
+    if(!CGAL::Volume_mesh_parameterization::IO::Output_file::is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
       throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with " + mesh_extensions + " nor with .inp");
   }
 
@@ -52,18 +52,18 @@ public:
       source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases));
     if(result.has_valid_mesh)
     {
-      Output_file file(m_name);
+      VMP::IO::Output_file file(m_name);
       if(extension() == ".vtu")
         VMP::IO::write_VTU(file.stream(), mesh);
       else if(extension() == ".inp")
         VMP::IO::write_INP(file.stream(), mesh, "C3D8", source.group_names);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
       else if(is_Gmsh_name(m_name))
-        gmsh_module().write_hexahedra(file.stream(), mesh, source.group_names, is_old_Gmsh_name(m_name));
+        gmsh_module().write_hexahedra(file.stream(), mesh, source.group_names, version_of_Gmsh_name(m_name));
 #endif
       else
         VMP::IO::write_MEDIT(file.stream(), mesh);
-      file.commit(progress);
+      file.commit(CGAL::parameters::visitor(std::ref(progress)));
     }
     return result;
   }

@@ -82,8 +82,8 @@ inline std::string advice_to_refine(const std::string& filename)
 }
 
 // The formats that are written: MEDIT, VTU and, with Gmsh, its own, of the versions 4.1 and 2.2.
-inline bool is_old_Gmsh_name(const std::string& name) { return extension_of(name) == ".msh2"; }
-inline bool is_Gmsh_name(const std::string& name) { return extension_of(name) == ".msh" || is_old_Gmsh_name(name); }
+inline double version_of_Gmsh_name(const std::string& name) { return extension_of(name) == ".msh2" ? 2.2 : 4.1; }
+inline bool is_Gmsh_name(const std::string& name) { return extension_of(name) == ".msh" || extension_of(name) == ".msh2"; }
 
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
 constexpr bool can_write_by_Gmsh = true;

@@ -2,8 +2,8 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H
 
 #include <CGAL/Real_timer.h>
+#include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
 
 #include <signal.h>
 #include <unistd.h>
@@ -110,7 +110,7 @@ private:
   {
     if(is_end_requested != 0)
     {
-      CGAL::Volume_mesh_parameterization::internal::Whole_file::remove_unfinished();
+      CGAL::Volume_mesh_parameterization::IO::Output_file::remove_unfinished();
       signal(number, SIG_DFL);
       raise(number);
     }

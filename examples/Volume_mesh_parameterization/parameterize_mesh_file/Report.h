@@ -3,7 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REPORT_H
 
 #include "Command_line.h"
-#include "Output_file.h"
+#include "Progress_line.h"
 #include "Result_report.h"
 #include "mend_source.h"
 
@@ -184,7 +184,7 @@ inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::P
 }
 
 // Without a map, there is nothing to tell of bad input but the message and the options.
-inline void write_report(const Options& options, const Outcome& outcome, const Progress_line& progress)
+inline void write_report(const Options& options, const Outcome& outcome, Progress_line& progress)
 {
   const CGAL::Volume_mesh_parameterization::Parameterization_result& result = outcome.result;
   JSON_object report;
@@ -216,9 +216,9 @@ inline void write_report(const Options& options, const Outcome& outcome, const P
     report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());
   }
 
-  Output_file file(options.report);
+  CGAL::Volume_mesh_parameterization::IO::Output_file file(options.report);
   file.stream() << report.text() << "\n";
-  file.commit(progress);
+  file.commit(CGAL::parameters::visitor(std::ref(progress)));
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REPORT_H

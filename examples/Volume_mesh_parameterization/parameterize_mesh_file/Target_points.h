@@ -10,6 +10,7 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -146,6 +147,20 @@ inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization
   return result;
 }
 
+// Tells which vertices are at their targets and which are free: a vertex of the boundary is at its target if it has one, and one
+// inside if this is asked for.
+inline void free_others(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, Target_points& target)
+{
+  using Condition = CGAL::Volume_mesh_parameterization::Vertex_condition_3;
+  target.conditions.resize(soup.points.size());
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(target.is_constrained[v])
+      target.conditions[v] = Condition::at_target();
+  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+    if(has_target(target.points, v))
+      target.conditions[v] = Condition::at_target();
+}
+
 // Counts the targets inside that a map meets of those it is to meet.
 inline std::size_t number_of_met_targets(const Target_points& target, const Points& images)
 {
@@ -159,6 +174,17 @@ inline std::size_t number_of_free_targets(const Target_points& target, const Poi
   std::size_t result = 0;
   for(std::size_t v = 0; v < target.points.size(); ++v)
     result += has_target(target.points, v) && target.points[v] != images[v];
+  return result;
+}
+
+// Counts the vertices of cells that have each condition, in the order of its kinds.
+inline std::array<std::size_t, 4> numbers_of_conditions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
+                                                        const Target_points& target)
+{
+  std::array<std::size_t, 4> result = {};
+  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+    if(v < target.conditions.size()) // not one of refinement
+      ++result[target.conditions[v].kind()];
   return result;
 }
 

@@ -3,41 +3,21 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_cells.h>
 
 #include <vtkCallbackCommand.h>
-#include <vtkCellData.h>
 #include <vtkCommand.h>
-#include <vtkDataArray.h>
-#include <vtkIdList.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
-#include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <sstream>
 #include <string>
-#include <vector>
-
-inline std::vector<CGAL::Volume_mesh_parameterization::Data_array_3> data_of_VTK(vtkFieldData& data)
-{
-  std::vector<CGAL::Volume_mesh_parameterization::Data_array_3> result;
-  for(int a = 0; a < data.GetNumberOfArrays(); ++a)
-  {
-    vtkDataArray* const array = data.GetArray(a);
-    if(array == nullptr || array->GetName() == nullptr) // text, for instance
-      continue;
-    const bool has_integers = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-    result.push_back({ array->GetName(), static_cast<std::size_t>(array->GetNumberOfComponents()), has_integers, {} });
-    for(vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-      for(int k = 0; k < array->GetNumberOfComponents(); ++k)
-        result.back().values.push_back(array->GetComponent(i, k));
-  }
-  return result;
-}
 
 // The first error and the first warning of VTK.
 struct VTK_messages
@@ -60,7 +40,7 @@ inline void keep_message(vtkObject*, const unsigned long event, void* const mess
     first = sentence;
 }
 
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_VTK(const std::string& filename)
+inline void read_by_VTK(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   static VTK_messages messages;
@@ -82,26 +62,18 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_VTK(const 
   if(reader->GetErrorCode() != 0 || !messages.error.empty() || grid.GetNumberOfPoints() == 0)
     throw VMP::Input_error("VTK cannot read the file. " + messages.error);
 
-  VMP::Tetrahedron_soup_3 soup;
+  // as VTK's newer format, which the library reads
+  grid.GetFieldData()->Initialize();
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetInputData(&grid);
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToNone();
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  std::istringstream is(writer->GetOutputString());
+  VMP::IO::read_VTU(is, soup);
   if(!messages.warning.empty())
-    soup.notes.push_back("VTK says: " + messages.warning);
-  for(vtkIdType v = 0; v < grid.GetNumberOfPoints(); ++v)
-  {
-    const double* const p = grid.GetPoint(v);
-    soup.points.push_back({ VMP::internal::checked_coordinate(p[0]), VMP::internal::checked_coordinate(p[1]),
-                            VMP::internal::checked_coordinate(p[2]) });
-  }
-  soup.point_data = data_of_VTK(*grid.GetPointData());
-  VMP::internal::VTK_cells_reader cells(soup, data_of_VTK(*grid.GetCellData()));
-  vtkNew<vtkIdList> vertices;
-  for(vtkIdType c = 0; c < grid.GetNumberOfCells(); ++c)
-  {
-    grid.GetCellPoints(c, vertices);
-    cells.add(static_cast<std::size_t>(c), grid.GetCellType(c), vertices->begin(),
-              static_cast<std::size_t>(vertices->GetNumberOfIds()));
-  }
-  cells.finish();
-  return soup;
+    soup.notes.insert(soup.notes.begin(), "VTK says: " + messages.warning);
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H

@@ -103,7 +103,8 @@ inline Landmarks landmarks_of_file(const std::string& filename,
   Landmarks landmarks;
   if(filename.empty())
     return landmarks;
-  const Points points = targets_of_file(filename, mesh, progress).points;
+  std::vector<std::string> notes;
+  const Points points = targets_of_file(filename, mesh, progress, notes);
   for(std::size_t v = 0; v < points.size(); ++v)
     if(!std::isnan(points[v][0]))
       landmarks.emplace_back(v, points[v]);

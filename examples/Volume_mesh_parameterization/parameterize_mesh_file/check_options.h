@@ -5,12 +5,9 @@
 #include "Command_line.h"
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
-#include "Output_file.h"
 #include "Target_points.h"
 #include "boundary_targets_of.h"
 #include "check_roles.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -53,12 +50,12 @@ inline bool writes_to_standard_output(const Options& options)
 {
   const std::vector<std::string> names = outputs(options);
   return std::any_of(names.begin(), names.end(), [](const std::string& name)
-    { return CGAL::Volume_mesh_parameterization::internal::descriptor_of_name(name) == STDOUT_FILENO; });
+    { return name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1"; });
 }
 
 inline void check_files(const Options& options)
 {
-  if(!options.output.empty() && !is_stream(options.output) && !is_mesh_name(options.output))
+  if(!options.output.empty() && !Output_file::is_stream(options.output) && !is_mesh_name(options.output))
     throw std::runtime_error(options.output + ": the name of the output ends neither with " + mesh_extensions + "; "
                              "other formats can be made of both: meshio convert map.vtu map.OTHER");
   check_roles(inputs(options), outputs(options));

@@ -2,9 +2,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_ROLES_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_ROLES_H
 
-#include "Output_file.h"
-
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
+#include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 
 #include <sys/stat.h>
 
@@ -13,6 +11,8 @@
 #include <string>
 #include <system_error>
 #include <vector>
+
+using CGAL::Volume_mesh_parameterization::IO::Output_file;
 
 // Tells whether two names stand for one file. A file that is not there yet has only its name.
 inline bool is_same_file(const std::string& a, const std::string& b)
@@ -24,8 +24,7 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   const auto path = [](const std::string& name)
   {
     std::error_code ignored;
-    return std::filesystem::weakly_canonical(
-      std::filesystem::absolute(CGAL::Volume_mesh_parameterization::internal::path_behind_links(name)), ignored);
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(Output_file::path(name)), ignored);
   };
   return is_a_there == is_b_there && path(a) == path(b);
 }
@@ -43,7 +42,7 @@ inline void check_roles(const std::vector<std::string>& inputs, const std::vecto
 {
   for(std::size_t i = 0; i < inputs.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
-      if(is_stream(inputs[i]) && is_stream(inputs[j]) && is_same_file(inputs[i], inputs[j]))
+      if(Output_file::is_stream(inputs[i]) && Output_file::is_stream(inputs[j]) && is_same_file(inputs[i], inputs[j]))
         throw std::runtime_error(inputs[i] + ": this has two roles, it can be read only once");
 
   for(std::size_t i = 0; i < outputs.size(); ++i)

@@ -4,11 +4,12 @@
 
 #include "Command_line.h"
 #include "Named_choices.h"
-#include "merge_repeated_cells.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/merge_coinciding_cells.h>
 #include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
@@ -98,8 +99,12 @@ inline std::size_t number_of_tangled_cells(const CGAL::Volume_mesh_parameterizat
   std::size_t result = 0;
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
   {
-    const auto [p, q, r, s] = CGAL::Volume_mesh_parameterization::internal::cell_points(soup, c);
-    result += CGAL::orientation(p, q, r, s) != CGAL::POSITIVE;
+    const auto point = [&](const std::size_t i)
+    {
+      const auto& [x, y, z] = soup.points[soup.cells[c][i]];
+      return CGAL::Exact_predicates_inexact_constructions_kernel::Point_3(x, y, z);
+    };
+    result += CGAL::orientation(point(0), point(1), point(2), point(3)) != CGAL::POSITIVE;
   }
   return result;
 }
@@ -114,7 +119,7 @@ inline void turn_cells(Source& source, const bool may_be_tangled)
   }
   catch(const VMP::Input_error&)
   {
-    source.number_of_turned_cells = VMP::internal::orient_by_facets(source.soup);
+    source.number_of_turned_cells = VMP::orient_tetrahedron_soup_by_facets(source.soup);
     source.number_of_tangled_cells = number_of_tangled_cells(source.soup);
   }
   note_turned_cells(source);
@@ -140,13 +145,13 @@ inline void separate(Source& source)
 // Leaves out cells with the vertices of one before them. Numbers of cells in messages do not count them.
 inline void merge_cells(Source& source)
 {
-  constexpr bool is_parallel = CGAL::Volume_mesh_parameterization::internal::is_parallel<Concurrency_tag>();
-  const std::vector<std::size_t> first = first_equal_cells(source.soup.cells, is_parallel);
-  if(repeated(first).empty())
+  namespace VMP = CGAL::Volume_mesh_parameterization;
+  if(repeated(VMP::first_coinciding_cells<Concurrency_tag>(source.soup.cells)).empty())
     return;
   if(!source.unmended)
     source.unmended = source.soup;
-  source.notes.push_back(merge_repeated_cells(first, source.soup));
+  VMP::merge_coinciding_cells<Concurrency_tag>(source.soup);
+  source.notes.push_back(source.soup.notes.back());
 }
 
 // Counts boundary vertices with the same coordinates: perhaps the body should be one there. Facets are matched only where any
@@ -172,8 +177,6 @@ inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup
 {
   Source source = { std::move(soup) };
   source.notes = source.soup.notes;
-  CGAL::Volume_mesh_parameterization::internal::check_points(source.soup);
-  CGAL::Volume_mesh_parameterization::internal::check_simplices(source.soup);
   if(options.do_merge_points)
     merge_points(source);
   merge_cells(source);

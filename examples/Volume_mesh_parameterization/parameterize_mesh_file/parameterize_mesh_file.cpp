@@ -2,18 +2,18 @@
 #include "Command_line.h"
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
-#include "Output_file.h"
 #include "Progress_line.h"
 #include "Report.h"
 #include "Target_points.h"
 #include "boundary_targets_of.h"
 #include "check_options.h"
-#include "conditions_of_file.h"
 #include "mapped_to_targets.h"
 #include "read_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -21,35 +21,36 @@
 
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <string>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
-void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, const Progress_line& progress)
+void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
-  Output_file file(filename);
+  VMP::IO::Output_file file(filename);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
   if(is_Gmsh_name(filename))
-    gmsh_module().write(file.stream(), mesh, is_old_Gmsh_name(filename));
+    gmsh_module().write(file.stream(), mesh, version_of_Gmsh_name(filename));
   else
 #endif
     VMP::IO::write_MEDIT(file.stream(), mesh);
-  file.commit(progress);
+  file.commit(CGAL::parameters::visitor(std::ref(progress)));
 }
 
 // Writes the image with its own data if it is an improved mesh: its source may be tangled, and tells nothing.
 void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw, const bool is_improved,
-               const Progress_line& progress)
+               Progress_line& progress)
 {
   VMP::Tetrahedron_soup_3 image = source;
   image.points = uvw;
   if(extension_of(filename) != ".vtu")
     return write_mesh(filename, image, progress);
-  Output_file file(filename);
+  VMP::IO::Output_file file(filename);
   VMP::IO::write_VTU(file.stream(), is_improved ? image : source, uvw);
-  file.commit(progress);
+  file.commit(CGAL::parameters::visitor(std::ref(progress)));
 }
 
 // Makes hexahedra of a map that has been written, if the map meets the boundary, and adds their result to the outcome.
@@ -120,7 +121,7 @@ void write_files(const Options& options, const Source& source, const Points& uvw
     if(!options.hexahedra.empty())
       make_hexahedra(options, source.soup, uvw, progress, outcome);
   }
-  catch(const Unread_output& error)
+  catch(const VMP::IO::Unread_output& error)
   {
     fail(NOT_FLIP_FREE, error_code_name(VMP::ERROR_INTERRUPTED), progress.reason() + std::string(" ") + error.what());
   }
@@ -162,9 +163,11 @@ Outcome run(const Options& options, Progress_line& progress)
     progress.begin("reading " + options.target);
   const auto read_points = [&](const std::string& name)
   {
-    const Read_targets targets = targets_of_file(name, source.in_file(), progress);
-    print_note(name, targets.note);
-    return source.carried(targets.points);
+    std::vector<std::string> notes;
+    Points points = targets_of_file(name, source.in_file(), progress, notes);
+    for(const std::string& note : notes)
+      print_note(name, note);
+    return source.carried(std::move(points));
   };
   Target_points target;
   if(has_file)
@@ -176,8 +179,9 @@ Outcome run(const Options& options, Progress_line& progress)
     target = { Points(mesh.points.size(), { nan, nan, nan }), std::vector<char>(mesh.points.size(), false) };
   if(named_others(options.others) == Others::FREE)
     naming(options.source, [&] { free_others(mesh, target); return 0; });
-  if(!options.conditions.empty())
-    naming(options.conditions, [&] { read_conditions(options.conditions, mesh, target); return 0; });
+  if(!options.conditions.empty() && !VMP::IO::read_vertex_conditions(options.conditions, mesh, target.conditions, target.points,
+                                                                     CGAL::parameters::visitor(std::ref(progress))))
+    throw Interruption();
   if(options.do_improve)
     target = naming(options.source, [&] { return targets_to_improve(mesh); });
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
@@ -295,7 +299,7 @@ int main(int argc, char* argv[])
     std::cerr << "There is not enough memory." << std::endl;
     return NOT_FLIP_FREE;
   }
-  catch(const Unread_output& error) // the report
+  catch(const VMP::IO::Unread_output& error) // the report
   {
     std::cerr << error.what() << std::endl;
     return NOT_FLIP_FREE;

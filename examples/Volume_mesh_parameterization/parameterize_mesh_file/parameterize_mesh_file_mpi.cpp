@@ -2,7 +2,6 @@
 // mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [PETSc's options, with one dash]
 #include "Command_line.h"
 #include "Named_choices.h"
-#include "Output_file.h"
 #include "Progress_line.h"
 #include "Result_report.h"
 #include "check_roles.h"
@@ -187,7 +186,7 @@ std::vector<double> of_processes(const double x)
 }
 
 // Writes the report, which is the message alone for bad input.
-void write_report(const std::string& filename, const Result& result, const Exit_code code, const Progress_line& progress)
+void write_report(const std::string& filename, const Result& result, const Exit_code code, Progress_line& progress)
 {
   rusage usage;
   getrusage(RUSAGE_SELF, &usage);
@@ -202,9 +201,9 @@ void write_report(const std::string& filename, const Result& result, const Exit_
   }
   if(rank() != 0)
     return;
-  Output_file file(filename);
+  VMP::IO::Output_file file(filename);
   file.stream() << report.text() << "\n";
-  file.commit(progress);
+  file.commit(params::visitor(std::ref(progress)));
 }
 
 // Rank 0 speaks, and decides about the options.

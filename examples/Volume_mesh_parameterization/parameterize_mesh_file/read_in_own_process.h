@@ -7,9 +7,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -24,7 +24,6 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -105,7 +104,8 @@ template <typename Read>
   std::string bytes;
   try
   {
-    auto soup = read();
+    CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
+    read(soup);
     bytes = Soup_bytes(soup).bytes();
   }
   catch(const std::bad_alloc&)
@@ -144,10 +144,31 @@ inline std::string note_of_large_number(const std::string& filename, const std::
   return largest > size_of_file ? "; the file contains the number " + std::to_string(largest) : "";
 }
 
-// Returns the mesh that `read()` reads from a file by a library, in a process of its own.
+// Returns what comes from a pipe until it is closed.
+inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress)
+{
+  constexpr int milliseconds = 50; // a guess; between two questions whether to go on
+  constexpr std::size_t chunk = 1 << 16;
+  std::string bytes;
+  while(progress.goes_on())
+  {
+    pollfd state = { pipe, POLLIN, 0 };
+    if(poll(&state, 1, milliseconds) <= 0)
+      continue;
+    const std::size_t begin = bytes.size();
+    bytes.resize(begin + chunk);
+    const ssize_t size = read(pipe, &bytes[begin], chunk);
+    bytes.resize(begin + static_cast<std::size_t>((std::max)(size, ssize_t(0))));
+    if(size == 0)
+      return bytes;
+  }
+  throw Interruption();
+}
+
+// Returns the mesh that `read(mesh)` reads from a file by a library, in a process of its own.
 template <typename Read>
 CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3
-read_in_own_process(const std::string& filename, const std::string& library, Progress_line& progress, const Read& read)
+read_in_own_process(const std::string& filename, const std::string& library, const Progress_line& progress, const Read& read)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   std::error_code no_file;
@@ -164,13 +185,8 @@ read_in_own_process(const std::string& filename, const std::string& library, Pro
     read_and_exit(read, ends[1]);
   }
   close(ends[1]);
-  std::string bytes;
-  const bool is_complete = VMP::internal::read_within_limits(
-    CGAL::parameters::visitor(std::ref(progress)), "", [&](const VMP::internal::Budget& budget)
-    { bytes = VMP::internal::read_file("/dev/fd/" + std::to_string(ends[0]), budget); });
+  std::string bytes = bytes_of_pipe(ends[0], progress);
   close(ends[0]);
-  if(!is_complete)
-    throw Interruption();
   const int status = child.status();
   if(WIFEXITED(status) && WEXITSTATUS(status) == MESH_READ)
     return Soup_bytes(std::move(bytes)).restored();

@@ -5,11 +5,12 @@
 #include "Progress_line.h"
 #include "check_coordinate_systems.h"
 #include "mend_source.h"
-#include "read_features.h"
+#include "notes_on_features.h"
 #include "read_in_own_process.h"
 #include "regions_of_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/IO/features.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
@@ -40,12 +41,12 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
   if(format_of(filename) == Mesh_format::GMSH)
     return naming(filename, [&]
-    { return read_in_own_process(filename, "Gmsh", progress, [&] { return gmsh_module().read(filename); }); });
+    { return read_in_own_process(filename, "Gmsh", progress, [&](auto& soup) { gmsh_module().read(filename, soup); }); });
 #endif
 #ifdef PARAMETERIZE_MESH_FILE_USES_VTK
   if(format_of(filename) == Mesh_format::VTK)
     return naming(filename, [&]
-    { return read_in_own_process(filename, "VTK", progress, [&] { return read_by_VTK(filename); }); });
+    { return read_in_own_process(filename, "VTK", progress, [&](auto& soup) { read_by_VTK(filename, soup); }); });
 #endif
   VMP::Tetrahedron_soup_3 soup;
   try
@@ -65,8 +66,10 @@ inline Source read_source(const Options& options, Progress_line& progress)
   auto soup = read_mesh(options.source, progress);
   if(!options.regions.empty())
     naming(options.source, [&] { take_regions(options.regions, soup); });
-  if(!options.features.empty())
-    naming(options.features, [&] { mark_features(options.features, soup); });
+  if(!options.features.empty()
+     && !CGAL::Volume_mesh_parameterization::IO::read_features(options.features, soup,
+                                                               CGAL::parameters::visitor(std::ref(progress))))
+    throw Interruption();
   Source source = naming(options.source, [&] { return mended_source(std::move(soup), options); });
   for(std::string& note : notes_of_unused_regions(source.soup))
     source.notes.push_back(std::move(note));

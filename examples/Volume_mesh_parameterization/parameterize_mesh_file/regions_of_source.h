@@ -6,16 +6,21 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
+
+// Returns whether each cell has one integer. Some programs write integers as floating-point numbers.
+inline bool has_one_integer(const CGAL::Volume_mesh_parameterization::Data_array_3& array)
+{
+  const auto is_integer = [](const double x) { return std::floor(x) == x && std::abs(x) <= (std::numeric_limits<int>::max)(); };
+  return array.number_of_components == 1 && std::all_of(array.values.begin(), array.values.end(), is_integer);
+}
 
 // Makes cell data the references of the cells. Names of groups of cells belong to other references, and are removed.
 inline void take_regions(const std::string& name, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
@@ -31,10 +36,10 @@ inline void take_regions(const std::string& name, CGAL::Volume_mesh_parameteriza
     throw VMP::Input_error("there are no cell data '" + name + "' for --regions; " + (names.empty() ? "there are none at all"
                                                                                                     : "there are " + names));
   }
-  if(!VMP::internal::has_one_integer(*found))
+  if(!has_one_integer(*found))
     throw VMP::Input_error("the cell data '" + name + "' for --regions are not one integer for each cell");
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
-    soup.cell_references[c] = VMP::internal::checked_reference(static_cast<std::int64_t>(found->values[c]));
+    soup.cell_references[c] = static_cast<int>(found->values[c]);
   soup.group_names.erase(soup.group_names.lower_bound({ 3, (std::numeric_limits<int>::min)() }), soup.group_names.end());
 }
 
@@ -53,7 +58,7 @@ inline std::vector<std::string> notes_of_unused_regions(const CGAL::Volume_mesh_
   const std::size_t number_of_references = number_of_values(soup.cell_references);
   for(const CGAL::Volume_mesh_parameterization::Data_array_3& array : soup.cell_data)
   {
-    if(!CGAL::Volume_mesh_parameterization::internal::has_one_integer(array))
+    if(!has_one_integer(array))
       continue;
     const std::size_t number = number_of_values(array.values);
     if(2 * number > soup.cells.size()) // as many numbers of cells as cells, for example

@@ -13,6 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -89,6 +91,27 @@ returns the points where the boundary of a mesh that is given by arrays is not a
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points, const CellRange& cells)
 { return internal::non_manifold_points(internal::body_of(points, cells)); }
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFunctions
+
+returns the sharp edges of the boundary of a mesh that is given by arrays, which polycubes and hexahedra follow: those among marked
+edges, or if no edge of the boundary is marked, those whose facets have normals with an angle of more than 60 degrees.
+
+\param points the points
+\param cells four indices of points for each cell, such that all cells are positive
+\param marked_edges two indices of points for each edge
+
+\return two indices of points for each edge, the smaller one first, in ascending order. The time is O(n log n) for n cells.
+*/
+inline std::vector<std::array<std::size_t, 2> >
+sharp_boundary_edges(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >& cells,
+                     const std::vector<std::array<std::size_t, 2> >& marked_edges = {})
+{
+  internal::check_cells(cells, points.size());
+  return internal::sharp_edges_3(internal::boundary_facets_3(cells), marked_edges,
+                                 [&](const std::size_t v) { return internal::to_vector(points[v]); });
+}
 
 } // namespace CGAL::Volume_mesh_parameterization
 

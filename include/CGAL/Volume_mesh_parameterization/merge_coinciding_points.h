@@ -12,9 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 
-#include <algorithm>
 #include <numeric>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -40,8 +39,11 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
 /// that indices have their meaning, and have no cell any more.
 ///
 /// \return that of `first_coinciding_points()`
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
 inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup)
 {
+  internal::check_simplices(soup);
   std::vector<std::size_t> first = first_coinciding_points(soup.points);
   for(std::array<std::size_t, 4>& cell : soup.cells)
     for(std::size_t& v : cell)

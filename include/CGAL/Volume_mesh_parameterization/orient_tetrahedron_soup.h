@@ -43,67 +43,6 @@ inline void turn_cells(const std::vector<std::size_t>& cells, Tetrahedron_soup_3
     std::swap(soup.cells[c][2], soup.cells[c][3]);
 }
 
-// Turns cells such that two at a facet lie on different sides of it, and that the volumes of cells that facets join have a
-// positive sum. Cells may be inverted or flat then. Returns the number of cells that are turned; if facets rule an
-// orientation out, throws `Input_error`, and the soup is unchanged.
-inline std::size_t orient_by_facets(Tetrahedron_soup_3& soup)
-{
-  struct Neighbor
-  {
-    std::size_t cell;
-    bool is_reversed; // relative to the other cell
-  };
-  std::vector<std::vector<Neighbor> > neighbors(soup.cells.size());
-  for_each_group(4 * soup.cells.size(), [&](const std::size_t side)
-  { return std::make_pair(sorted(facet_of_cell(soup.cells[side / 4], side % 4)), side); }, [&](const auto begin, const auto end)
-  {
-    if(end - begin != 2)
-      return;
-    const std::size_t side = begin->second, other = (begin + 1)->second;
-    const bool is_reversed = is_odd_facet(facet_of_cell(soup.cells[side / 4], side % 4))
-                          == is_odd_facet(facet_of_cell(soup.cells[other / 4], other % 4));
-    neighbors[side / 4].push_back({ other / 4, is_reversed });
-    neighbors[other / 4].push_back({ side / 4, is_reversed });
-  });
-
-  std::vector<char> is_known(soup.cells.size(), false), is_turned(soup.cells.size(), false);
-  for(std::size_t first = 0; first < soup.cells.size(); ++first)
-  {
-    if(is_known[first])
-      continue;
-    std::vector<std::size_t> component = { first };
-    is_known[first] = true;
-    double volume = 0;
-    for(std::size_t i = 0; i < component.size(); ++i)
-    {
-      const std::size_t c = component[i];
-      const auto [p, q, r, s] = cell_points(soup, c);
-      volume += is_turned[c] ? -CGAL::volume(p, q, r, s) : CGAL::volume(p, q, r, s);
-      for(const Neighbor& neighbor : neighbors[c])
-        if(!is_known[neighbor.cell])
-        {
-          is_known[neighbor.cell] = true;
-          is_turned[neighbor.cell] = is_turned[c] != neighbor.is_reversed;
-          component.push_back(neighbor.cell);
-        }
-    }
-    for(const std::size_t c : component)
-      is_turned[c] = is_turned[c] != (volume < 0);
-  }
-  std::vector<std::size_t> turned;
-  for(std::size_t c = 0; c < soup.cells.size(); ++c)
-    if(is_turned[c])
-      turned.push_back(c);
-  turn_cells(turned, soup);
-  try { Facet_matching_3 matching(soup); }
-  catch(const Input_error&)
-  {
-    turn_cells(turned, soup);
-    throw;
-  }
-  return turned.size();
-}
-
 } // namespace internal
 
 /// \ingroup PkgVolumeMeshParameterizationIO
@@ -136,6 +75,77 @@ std::size_t orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
     }
   }
   return negative.size();
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// turns cells of a soup that may be tangled, such that two cells at a facet lie on different sides of it, and such that the
+/// cells that facets join have a positive volume in all. Cells that are negative or flat then are inverted by vertices at a wrong
+/// place. The time is O(n log n) for n cells.
+///
+/// \return the number of cells that have been turned, by an exchange of their last two vertices
+///
+/// \exception Input_error tells that facets do not determine the orientation, for instance as three cells share one; the soup is
+///            then unchanged.
+inline std::size_t orient_tetrahedron_soup_by_facets(Tetrahedron_soup_3& soup)
+{
+  internal::check_points(soup);
+  internal::check_simplices(soup);
+  struct Neighbor
+  {
+    std::size_t cell;
+    bool is_reversed; // relative to the other cell
+  };
+  std::vector<std::vector<Neighbor> > neighbors(soup.cells.size());
+  const auto facet = [&](const std::size_t side) { return internal::facet_of_cell(soup.cells[side / 4], side % 4); };
+  internal::for_each_group(4 * soup.cells.size(),
+                           [&](const std::size_t side) { return std::make_pair(internal::sorted(facet(side)), side); },
+                           [&](const auto begin, const auto end)
+  {
+    if(end - begin != 2)
+      return;
+    const std::size_t side = begin->second, other = (begin + 1)->second;
+    const bool is_reversed = internal::is_odd_facet(facet(side)) == internal::is_odd_facet(facet(other));
+    neighbors[side / 4].push_back({ other / 4, is_reversed });
+    neighbors[other / 4].push_back({ side / 4, is_reversed });
+  });
+
+  std::vector<char> is_known(soup.cells.size(), false), is_turned(soup.cells.size(), false);
+  for(std::size_t first = 0; first < soup.cells.size(); ++first)
+  {
+    if(is_known[first])
+      continue;
+    std::vector<std::size_t> component = { first };
+    is_known[first] = true;
+    double volume = 0;
+    for(std::size_t i = 0; i < component.size(); ++i)
+    {
+      const std::size_t c = component[i];
+      const auto [p, q, r, s] = internal::cell_points(soup, c);
+      volume += is_turned[c] ? -CGAL::volume(p, q, r, s) : CGAL::volume(p, q, r, s);
+      for(const Neighbor& neighbor : neighbors[c])
+        if(!is_known[neighbor.cell])
+        {
+          is_known[neighbor.cell] = true;
+          is_turned[neighbor.cell] = is_turned[c] != neighbor.is_reversed;
+          component.push_back(neighbor.cell);
+        }
+    }
+    for(const std::size_t c : component)
+      is_turned[c] = is_turned[c] != (volume < 0);
+  }
+  std::vector<std::size_t> turned;
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    if(is_turned[c])
+      turned.push_back(c);
+  internal::turn_cells(turned, soup);
+  try { internal::Facet_matching_3 matching(soup); }
+  catch(const Input_error&)
+  {
+    internal::turn_cells(turned, soup);
+    throw;
+  }
+  return turned.size();
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -13,50 +13,15 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/match_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/targets_of_text.h>
 
-#include <filesystem>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/iterator.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
-
-struct Target_of_vertex
-{
-  std::size_t vertex, line;
-  std::array<double, 3> point;
-};
-
-// Reads lines `vertex_index x y z`.
-inline std::vector<Target_of_vertex> read_targets(Text_scanner scanner, const std::size_t number_of_vertices)
-{
-  std::vector<Target_of_vertex> targets;
-  while(!scanner.rest().empty())
-  {
-    Text_scanner line = scanner.next_line();
-    const long long v = line.next_number<long long>("the index of a vertex");
-    if(v < 0 || static_cast<unsigned long long>(v) >= number_of_vertices)
-      line.fail("vertex " + std::to_string(v) + " does not exist, the mesh has " + std::to_string(number_of_vertices)
-                + " vertices, counted from 0");
-    targets.push_back({ static_cast<std::size_t>(v), line.line(), next_point(line) });
-    line.expect_end("the three coordinates of vertex " + std::to_string(v));
-  }
-  return targets;
-}
-
-// The points of `number` vertices from the first one on; those without a target have coordinates that are not numbers.
-inline std::vector<std::array<double, 3> > points_of_vertices(const std::vector<Target_of_vertex>& targets,
-                                                              const std::size_t first, const std::size_t number)
-{
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  std::vector<std::array<double, 3> > points(number, {none, none, none});
-  for(const Target_of_vertex& target : targets)
-  {
-    std::array<double, 3>& point = points[target.vertex - first];
-    if(!std::isnan(point[0]))
-      Text_scanner::fail(target.line, "vertex " + std::to_string(target.vertex) + " has a second line");
-    point = target.point;
-  }
-  return points;
-}
 
 inline bool is_MEDIT_file(const std::string& filename) { return std::filesystem::path(filename).extension() == ".mesh"; }
 
@@ -87,12 +52,95 @@ void check_same_connectivity(const std::array<std::size_t, 2>& target, const std
     throw Input_error("the cells of the target join other vertices than those of the source");
 }
 
-// The points of a mesh with the vertices and cells of the source.
-inline std::vector<std::array<double, 3> > targets_of_mesh(Tetrahedron_soup_3 target, const Tetrahedron_soup_3& source)
+// The points of a mesh with the vertices and cells of the source, or of a surface.
+inline Read_targets targets_of_mesh(Tetrahedron_soup_3 target, const Tetrahedron_soup_3& source, const Budget& budget)
 {
+  if(target.cells.empty())
+    return targets_of_surface(target.points, target.facets, source, budget);
   check_same_connectivity({ target.points.size(), target.cells.size() }, { source.points.size(), source.cells.size() }, [&]
   { return target.cells == source.cells || sorted_cells(target.cells) == sorted_cells(source.cells); });
-  return std::move(target.points);
+  return { std::move(target.points) };
+}
+
+// Returns a surface as a soup without cells.
+inline Tetrahedron_soup_3 surface_of_polygons(Points points, const std::vector<std::vector<std::size_t> >& polygons)
+{
+  Tetrahedron_soup_3 result;
+  result.points = std::move(points);
+  for(const std::vector<std::size_t>& polygon : polygons)
+  {
+    if(polygon.size() != 3)
+      throw Input_error("the surface has a face with " + std::to_string(polygon.size()) + " vertices");
+    result.facets.emplace_back();
+    for(std::size_t i = 0; i < 3; ++i)
+      result.facets.back()[i] = checked_vertex(static_cast<std::int64_t>(polygon[i]), 0, result.points.size());
+  }
+  return result;
+}
+
+// Reads a surface in one of the formats of CGAL.
+inline Tetrahedron_soup_3 read_surface(const std::string& filename)
+{
+  std::vector<Simple_cartesian<double>::Point_3> points_of_file;
+  std::vector<std::vector<std::size_t> > polygons;
+  if(!CGAL::IO::read_polygon_soup(filename, points_of_file, polygons))
+    throw Input_error("the surface cannot be read");
+  Points points;
+  for(const auto& p : points_of_file)
+    points.push_back(coordinates(p));
+  return surface_of_polygons(std::move(points), polygons);
+}
+
+// Reads the polygons of an XML file of VTK of the type PolyData, in one piece.
+inline Tetrahedron_soup_3 read_VTP(const std::string& text, const Budget& budget)
+{
+  const VTK_arrays arrays(text, budget, "PolyData");
+  Points points;
+  const std::vector<double> coordinates = arrays.numbers<double>("Points", 3);
+  for(std::size_t i = 0; i < coordinates.size(); i += 3)
+    points.push_back({ coordinates[i], coordinates[i + 1], coordinates[i + 2] });
+  const auto vertices = arrays.numbers<std::int64_t>("Polys/connectivity");
+  std::vector<std::vector<std::size_t> > polygons;
+  std::size_t begin = 0;
+  for(const std::int64_t end : arrays.numbers<std::int64_t>("Polys/offsets"))
+  {
+    polygons.emplace_back();
+    for(; begin < vertices.size() && static_cast<std::int64_t>(begin) < end; ++begin)
+      polygons.back().push_back(static_cast<std::size_t>(vertices[begin]));
+  }
+  return surface_of_polygons(std::move(points), polygons);
+}
+
+inline Read_targets targets_of_file(const std::string& filename, const Tetrahedron_soup_3& source, const Budget& budget)
+{
+  const std::string extension = std::filesystem::path(filename).extension().string();
+  for(const char* surface : { ".off", ".stl", ".ply", ".obj" })
+    if(extension == surface)
+      return targets_of_mesh(read_surface(filename), source, budget);
+  const std::string text = read_file(filename, budget);
+  if(extension == ".csv")
+    return { targets_of_CSV(text, source.points.size(), budget) };
+  if(extension == ".vtp")
+    return targets_of_mesh(read_VTP(text, budget), source, budget);
+  if(!is_MEDIT_file(filename) && !is_mesh(text))
+    return { points_of_vertices(read_targets(Text_scanner(text, budget), source.points.size()), 0, source.points.size()) };
+  const bool may_be_surface = is_MEDIT_file(filename) && !Binary_MEDIT_reader::is_binary(text) && !VTK_arrays::is_VTU(text);
+  return targets_of_mesh(may_be_surface ? MEDIT_reader(single_process(), Text_scanner(text, budget), false).read(true)
+                                        : read_soup(text, budget), source, budget);
+}
+
+// Sets targets to those of `read(budget)`, and passes the note on them on.
+template <typename NamedParameters, typename Read>
+bool set_targets(Points& targets, const NamedParameters& np, const std::string& filename, const Read& read)
+{
+  return read_within_limits<internal_np::output_iterator_t>(np, filename, [&](const Budget& budget)
+  {
+    Read_targets result = read(budget);
+    targets = std::move(result.points);
+    auto out = parameter_or(np, internal_np::output_iterator, Emptyset_iterator());
+    if(!result.note.empty())
+      *out++ = result.note;
+  });
 }
 
 } // namespace internal
@@ -127,13 +175,47 @@ bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads target points from a file: from a mesh, as `read_tetrahedron_soup()` reads it, with the vertices and cells of
-/// `source` (cells in any order) its points, from any other file lines `vertex_index x y z`.
+/// finds target points for the boundary of a mesh: the points of another mesh with its vertices and cells (cells in any order),
+/// or those of a surface, a soup without cells.
+///
+/// The facets of a surface are the boundary of `source`, or a part of it. If its vertices are those of `source`, or those of the
+/// boundary in the order of `source`, these are the vertices. Otherwise the facets identify them: of several ways, the one with
+/// the least displacement is taken. Then a walk over the facets begins at each edge of the boundary, and most walks end after a
+/// few facets.
+///
+/// \param target the mesh, or the surface
+/// \param source the mesh whose boundary is to be mapped
+/// \param targets gets a point for each vertex of `source`; a vertex without one gets not-a-number coordinates
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `read_MEDIT()`, and `output_iterator`,
+///        an output iterator for `std::string` that gets a note if there are several ways
+///
+/// \return `false` if the time is over or the visitor ends the search; `targets` is then unchanged.
+///
+/// \exception Input_error tells why `target` does not fit; \c targets is then unchanged.
+template <typename NamedParameters = parameters::Default_named_parameters>
+bool boundary_targets_of_mesh(const Tetrahedron_soup_3& target, const Tetrahedron_soup_3& source,
+                              std::vector<std::array<double, 3> >& targets,
+                              const NamedParameters& np = parameters::default_values())
+{
+  internal::check_simplices(target);
+  internal::check_simplices(source);
+  return internal::set_targets(targets, np, "", [&](const internal::Budget& budget)
+  { return internal::targets_of_mesh(target, source, budget); });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// reads target points from a file. The extension tells the format:
+/// - `.csv`: a table, for instance of ParaView, with the columns `Points:0` to `Points:2`, or `x`, `y` and `z`, and perhaps
+///   `Point ID`; without a line of names, the columns are the index and the coordinates, or the coordinates alone;
+/// - `.off`, `.stl`, `.ply`, `.obj`, `.vtp`: a surface, for `boundary_targets_of_mesh()`;
+/// - any other: a mesh, as `read_tetrahedron_soup()` reads it, or a MEDIT file of a surface, for `boundary_targets_of_mesh()`; or
+///   lines `vertex_index x y z`.
 ///
 /// \param filename the name of the file
 /// \param source the mesh whose boundary is to be mapped
 /// \param targets gets a point for each vertex of `source`; a vertex without a line gets not-a-number coordinates
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+/// \param np the named parameters of `boundary_targets_of_mesh()`
 ///
 /// \return `false` if the time is over or the visitor ends the reading; `targets` is then unchanged.
 ///
@@ -143,17 +225,8 @@ bool read_boundary_targets(const std::string& filename, const Tetrahedron_soup_3
                            std::vector<std::array<double, 3> >& targets,
                            const NamedParameters& np = parameters::default_values())
 {
-  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
-  {
-    const std::string text = internal::read_file(filename, budget);
-    if(!internal::is_MEDIT_file(filename) && !internal::is_mesh(text))
-    {
-      const auto lines = internal::read_targets(internal::Text_scanner(text, budget), source.points.size());
-      targets = internal::points_of_vertices(lines, 0, source.points.size());
-      return;
-    }
-    targets = internal::targets_of_mesh(internal::read_soup(text, budget), source);
-  });
+  return internal::set_targets(targets, np, filename, [&](const internal::Budget& budget)
+  { return internal::targets_of_file(filename, source, budget); });
 }
 
 } // namespace IO

@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #ifndef _WIN32
-#  include <CGAL/Volume_mesh_parameterization/internal/IO/open_file.h>
+#  include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #  include <poll.h>
 #  include <cerrno>
 #endif
@@ -40,12 +40,12 @@ inline void go_on(const Budget& budget)
     throw Interruption();
 }
 
-// Calls `read(budget)` with the limits of the named parameters, and returns false if they end it. Puts the name of the file, if
-// there is one, in front of the sentence of a failure.
-template <typename NamedParameters, typename Read>
+// Calls `read(budget)` with the limits of the named parameters, and returns false if they end it. `Tags` are other parameters.
+// Puts the name of the file, if there is one, in front of the sentence of a failure.
+template <typename... Tags, typename NamedParameters, typename Read>
 bool read_within_limits(const NamedParameters& np, const std::string& filename, const Read& read)
 {
-  check_named_parameters(np);
+  check_named_parameters<Tags...>(np);
   Limits<NamedParameters> limits(np);
   const Budget budget = limits.budget();
   try { read(budget); }
@@ -54,14 +54,26 @@ bool read_within_limits(const NamedParameters& np, const std::string& filename, 
   return true;
 }
 
-// Writes a file by `write(stream)`, and returns whether it is complete. What throws in between leaves the file as it was.
+// Writes a file by `write(stream)`, and returns whether it is complete. If it is not, it stays as it was.
 template <typename Write>
 bool write_file(const std::string& filename, const Write& write)
 {
+#ifdef _WIN32
   std::stringstream content;
   write(content);
   std::ofstream file(filename, std::ios::binary);
   return file << content.rdbuf() && file.flush();
+#else
+  try
+  {
+    IO::Output_file file(filename);
+    write(file.stream());
+    file.commit();
+    return true;
+  }
+  catch(const Input_error&) { throw; } // of the mesh
+  catch(const std::runtime_error&) { return false; }
+#endif
 }
 
 // The rest of a stream, or its next `size` characters.

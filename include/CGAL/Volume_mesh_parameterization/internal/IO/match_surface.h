@@ -1,27 +1,24 @@
-// Matches a surface with the boundary of a mesh, or a part of it, by their triangles.
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MATCH_SURFACE_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MATCH_SURFACE_H
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
 
-#include "Progress_line.h"
-#include "Triangulated_surface.h"
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MATCH_SURFACE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MATCH_SURFACE_H
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Triangulated_surface.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <optional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Targets of vertices, and a note on the way in which the file is understood, if there are several.
 struct Read_targets
@@ -64,7 +61,7 @@ inline Triangulated_surface::Edge rare_edge(const Triangulated_surface& part)
 
 // Finds the best way by walks that begin at edges of the boundary, near ones first: few walks after those go far.
 inline Best_matching best_matching(const Triangulated_surface& part, const Points& points, const Boundary_to_match& boundary,
-                                   const Progress_line& progress)
+                                   const Budget& budget)
 {
   using Edge = Triangulated_surface::Edge;
   const Edge first = rare_edge(part);
@@ -88,8 +85,7 @@ inline Best_matching best_matching(const Triangulated_surface& part, const Point
   Best_matching best;
   for(const auto& [displacement, start] : starts)
   {
-    if(!progress.goes_on())
-      throw Interruption();
+    go_on(budget);
     auto matching = matching_from(part, boundary.surfaces[start.first], first, start.second, points, boundary.points,
                                   best.next_displacement);
     if(!matching || !boundary.is_free(*matching))
@@ -109,9 +105,8 @@ inline Best_matching best_matching(const Triangulated_surface& part, const Point
 // Finds the vertices of the boundary by triangles alone, for one part of the surface after the other: first the one with the least
 // displacement.
 inline Read_targets targets_by_triangles(const Points& points, const Triangles& triangles, Boundary_to_match& boundary,
-                                         const Progress_line& progress)
+                                         const Budget& budget)
 {
-  using CGAL::Volume_mesh_parameterization::Input_error;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Read_targets result = { Points(boundary.points.size(), { nan, nan, nan }) };
   std::vector<Triangulated_surface> parts;
@@ -129,7 +124,7 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
       if(is_placed[i])
         continue;
       if(!matchings[i].matching || !boundary.is_free(*matchings[i].matching))
-        matchings[i] = best_matching(parts[i], points, boundary, progress);
+        matchings[i] = best_matching(parts[i], points, boundary, budget);
       if(!matchings[i].matching)
         throw Input_error("the surface has " + std::to_string(parts[i].number_of_triangles()) + " triangles that match no part of "
                           "the boundary of the source, which has " + std::to_string(boundary.surfaces[0].number_of_triangles())
@@ -152,7 +147,7 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
   }
   constexpr double relative_difference = 1e-9; // of ways that differ by rounding alone
   const auto mean = [&](const double sum)
-  { return CGAL::Volume_mesh_parameterization::internal::sentence(std::sqrt(sum / static_cast<double>(number_of_vertices))); };
+  { return sentence(std::sqrt(sum / static_cast<double>(number_of_vertices))); };
   if(least_increase <= relative_difference * displacement)
     throw Input_error("the triangles of the surface match the boundary of the source in several ways with the least displacement; "
                       "write it with the vertices in the order of the source");
@@ -165,14 +160,13 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
 // Finds the point of a surface for each vertex on the boundary of a mesh, or on a part of it, and none for the others. The
 // vertices of the surface are those of the mesh, or those of the boundary in the order of the mesh; or triangles identify them.
 inline Read_targets targets_of_surface(const Points& points, const Triangles& triangles,
-                                       const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
-                                       const Progress_line& progress)
+                                       const Tetrahedron_soup_3& mesh,
+                                       const Budget& budget)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
-  const Triangles facets = VMP::internal::boundary_facets_3(mesh.cells);
+  const Triangles facets = boundary_facets_3(mesh.cells);
   std::set<std::array<std::size_t, 3> > set_of_facets;
   for(const auto& facet : facets)
-    set_of_facets.insert(VMP::internal::sorted(facet));
+    set_of_facets.insert(sorted(facet));
   Boundary_to_match boundary = { mesh.points, { Triangulated_surface(facets), Triangulated_surface(reversed(facets)) } };
   const Triangulated_surface surface(triangles);
   const std::vector<std::size_t> vertices = surface.vertices(), boundary_vertices = boundary.surfaces[0].vertices();
@@ -185,7 +179,7 @@ inline Read_targets targets_of_surface(const Points& points, const Triangles& tr
   const auto are_facets = [&](const std::vector<std::size_t>& vertex)
   {
     return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t)
-    { return set_of_facets.count(VMP::internal::sorted(std::array{ vertex[t[0]], vertex[t[1]], vertex[t[2]] })) != 0; });
+    { return set_of_facets.count(sorted(std::array{ vertex[t[0]], vertex[t[1]], vertex[t[2]] })) != 0; });
   };
   for(const auto& [vertex, can_be] : { std::make_pair(same, is_whole || points.size() == mesh.points.size()),
                                        std::make_pair(in_order, is_whole) })
@@ -198,9 +192,11 @@ inline Read_targets targets_of_surface(const Points& points, const Triangles& tr
       return result;
     }
   if(triangles.empty() || !surface.is_oriented() || !boundary.surfaces[0].is_oriented())
-    throw VMP::Input_error("the triangles of the surface do not identify the vertices of the source, because they are no oriented "
+    throw Input_error("the triangles of the surface do not identify the vertices of the source, because they are no oriented "
                            "manifold; write the surface with the vertices in the order of the source");
-  return targets_by_triangles(points, triangles, boundary, progress);
+  return targets_by_triangles(points, triangles, boundary, budget);
 }
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MATCH_SURFACE_H
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MATCH_SURFACE_H

@@ -1,18 +1,60 @@
-// Targets in a table of comma-separated values, as ParaView exports the points of a mesh.
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CSV_TARGETS_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CSV_TARGETS_H
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_TEXT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_TEXT_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <iterator>
-#include <string>
-#include <string_view>
-#include <vector>
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+struct Target_of_vertex
+{
+  std::size_t vertex, line;
+  std::array<double, 3> point;
+};
+
+// Reads lines `vertex_index x y z`.
+inline std::vector<Target_of_vertex> read_targets(Text_scanner scanner, const std::size_t number_of_vertices)
+{
+  std::vector<Target_of_vertex> targets;
+  while(!scanner.rest().empty())
+  {
+    Text_scanner line = scanner.next_line();
+    const long long v = line.next_number<long long>("the index of a vertex");
+    if(v < 0 || static_cast<unsigned long long>(v) >= number_of_vertices)
+      line.fail("vertex " + std::to_string(v) + " does not exist, the mesh has " + std::to_string(number_of_vertices)
+                + " vertices, counted from 0");
+    targets.push_back({ static_cast<std::size_t>(v), line.line(), next_point(line) });
+    line.expect_end("the three coordinates of vertex " + std::to_string(v));
+  }
+  return targets;
+}
+
+// The points of `number` vertices from the first one on; those without a target have coordinates that are not numbers.
+inline std::vector<std::array<double, 3> > points_of_vertices(const std::vector<Target_of_vertex>& targets,
+                                                              const std::size_t first, const std::size_t number)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::array<double, 3> > points(number, {none, none, none});
+  for(const Target_of_vertex& target : targets)
+  {
+    std::array<double, 3>& point = points[target.vertex - first];
+    if(!std::isnan(point[0]))
+      Text_scanner::fail(target.line, "vertex " + std::to_string(target.vertex) + " has a second line");
+    point = target.point;
+  }
+  return points;
+}
 
 // Returns the cells of a line, without blanks and quotes around them.
 inline std::vector<std::string> cells_of_line(const std::string_view line, const char separator)
@@ -39,10 +81,9 @@ struct Columns_of_targets
 // Finds the columns by the names in the first line.
 inline Columns_of_targets columns_of_header(const std::vector<std::string>& header)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   std::vector<std::string> names;
   for(const std::string& name : header)
-    names.push_back(VMP::internal::letters_of_name(name));
+    names.push_back(letters_of_name(name));
   const auto column = [&](const std::string& name)
   {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -61,26 +102,24 @@ inline Columns_of_targets columns_of_header(const std::vector<std::string>& head
     if(std::count(result.coordinates.begin(), result.coordinates.end(), Columns_of_targets::none) == 0)
       return result;
   }
-  throw VMP::Input_error("line 1: there are no columns 'Points:0', 'Points:1' and 'Points:2', or 'x', 'y' and 'z'");
+  throw Input_error("line 1: there are no columns 'Points:0', 'Points:1' and 'Points:2', or 'x', 'y' and 'z'");
 }
 
 // Reads a table. Without a line of names, its columns are the index of a vertex and three coordinates, or the coordinates alone.
 inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view text, const std::size_t number_of_vertices,
-                                                          const CGAL::Volume_mesh_parameterization::internal::Budget& budget)
+                                                          const Budget& budget)
 {
-  namespace internal = CGAL::Volume_mesh_parameterization::internal;
-  using internal::Text_scanner;
   const std::string_view first_line = text.substr(0, text.find('\n'));
   const char separator = first_line.find(',') != first_line.npos ? ',' : first_line.find(';') != first_line.npos ? ';' : '\t';
   const std::vector<std::string> header = cells_of_line(first_line, separator);
   const bool has_names = header[0].find_first_of("+-.0123456789") != 0;
   const Columns_of_targets columns = has_names ? columns_of_header(header)
     : header.size() == 3 ? Columns_of_targets{ Columns_of_targets::none, { 0, 1, 2 } } : Columns_of_targets{ 0, { 1, 2, 3 } };
-  std::vector<internal::Target_of_vertex> targets;
+  std::vector<Target_of_vertex> targets;
   std::size_t number = 0;
   for(std::size_t begin = 0, end; begin < text.size(); begin = end + 1)
   {
-    internal::go_on(budget);
+    go_on(budget);
     end = (std::min)(text.find('\n', begin), text.size());
     const std::vector<std::string> cells = cells_of_line(text.substr(begin, end - begin), separator);
     if((++number == 1 && has_names) || (cells.size() == 1 && cells[0].empty()))
@@ -104,10 +143,12 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
     targets.push_back({ v, number, { coordinate(0), coordinate(1), coordinate(2) } });
   }
   if(columns.index == Columns_of_targets::none && targets.size() != number_of_vertices)
-    throw CGAL::Volume_mesh_parameterization::Input_error(
+    throw Input_error(
       "there is no column with the indices of vertices, such as 'Point ID', and there are " + std::to_string(targets.size())
       + " rows for " + std::to_string(number_of_vertices) + " vertices");
-  return internal::points_of_vertices(targets, 0, number_of_vertices);
+  return points_of_vertices(targets, 0, number_of_vertices);
 }
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CSV_TARGETS_H
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_TEXT_H

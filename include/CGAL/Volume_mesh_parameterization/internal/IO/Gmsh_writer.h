@@ -1,32 +1,25 @@
-// Meshes in the format of Gmsh, which writes them.
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
 
-#include "Gmsh_reader.h"
-#include "merge_repeated_cells.h"
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_GMSH_WRITER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_GMSH_WRITER_H
 
-#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
-
-#include <gmsh.h>
+#include <CGAL/Volume_mesh_parameterization/merge_coinciding_cells.h>
 
 #include <stdlib.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <numeric>
-#include <ostream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Makes elements of Gmsh. Those with a reference are a group of that number, whatever their dimension is.
 class Gmsh_writer
@@ -84,7 +77,7 @@ public:
     return result;
   }
 
-  static void add_data(const std::string& kind, const std::vector<CGAL::Volume_mesh_parameterization::Data_array_3>& arrays,
+  static void add_data(const std::string& kind, const std::vector<Data_array_3>& arrays,
                        const std::vector<std::size_t>& tags)
   {
     for(const auto& array : arrays)
@@ -105,10 +98,10 @@ public:
   }
 
   // Gmsh tells formats by names, hence a file in a folder of its own.
-  void write(std::ostream& os, const bool is_old) const
+  void write(std::ostream& os, const double version) const
   {
     namespace fs = std::filesystem;
-    std::string folder = (fs::temp_directory_path() / "parameterize_mesh_file.XXXXXX").string();
+    std::string folder = (fs::temp_directory_path() / "Gmsh.XXXXXX").string();
     if(mkdtemp(folder.data()) == nullptr)
       throw std::runtime_error(folder + ": the folder for a temporary file cannot be made");
     struct Remover
@@ -117,8 +110,8 @@ public:
       ~Remover() { std::error_code ignored; fs::remove_all(folder, ignored); }
     } const remover = { folder };
     const fs::path path = fs::path(folder) / "mesh.msh";
-    gmsh::option::setNumber("Mesh.MshFileVersion", is_old ? 2.2 : 4.1);
-    gmsh::option::setNumber("Mesh.Binary", is_old ? 0 : 1);
+    gmsh::option::setNumber("Mesh.MshFileVersion", version);
+    gmsh::option::setNumber("Mesh.Binary", version > 4 ? 1 : 0);
     gmsh::option::setNumber("PostProcessing.SaveMesh", 0);
     gmsh::write(path.string());
     std::vector<int> views;
@@ -146,8 +139,8 @@ private:
   std::size_t m_number_of_elements = 0, m_number_of_entities = 0;
 };
 
-// Takes the further references of cells in several groups, as merge_repeated_cells() makes them, out of the cell data.
-inline std::vector<std::vector<double> > take_further_references(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+// Takes the further references of cells in several groups, as merge_coinciding_cells() makes them, out of the cell data.
+inline std::vector<std::vector<double> > take_further_references(Tetrahedron_soup_3& soup)
 {
   std::vector<std::vector<double> > result;
   for(auto it = soup.cell_data.begin(); it != soup.cell_data.end();)
@@ -161,57 +154,6 @@ inline std::vector<std::vector<double> > take_further_references(CGAL::Volume_me
   return result;
 }
 
-// Writes a mesh in the format 4.1, binary, or 2.2, as text of 16 digits.
-inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, const bool is_old)
-{
-  with_Gmsh([&]
-  {
-    auto soup = mesh;
-    const std::vector<std::vector<double> > further_references = take_further_references(soup);
-    Gmsh_writer writer(soup.points, soup.group_names);
-    std::vector<std::size_t> points(soup.points.size());
-    std::iota(points.begin(), points.end(), std::size_t(1));
-    const auto cells = writer.add(3, 4, soup.cells, soup.cell_references, further_references);
-    const auto facets = writer.add(2, 2, soup.facets, soup.facet_references);
-    const auto edges = writer.add(1, 1, soup.edges, soup.edge_references);
-    writer.add_data("NodeData", soup.point_data, points);
-    std::vector<std::size_t> elements = cells;
-    elements.insert(elements.end(), facets.begin(), facets.end());
-    elements.insert(elements.end(), edges.begin(), edges.end());
-    writer.add_data("ElementData", CGAL::Volume_mesh_parameterization::internal::joined_cell_data(soup), elements);
-    writer.write(os, is_old);
-  });
-}
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
-inline void write_MSH(std::ostream& os, const CGAL::Volume_mesh_parameterization::Hexahedron_soup_3& mesh,
-                      const std::map<std::pair<int, int>, std::string>& names, const bool is_old)
-{
-  with_Gmsh([&]
-  {
-    std::map<std::pair<int, int>, std::string> names_of_groups = names;
-    Gmsh_writer writer(mesh.points, names_of_groups);
-    writer.add(3, 5, mesh.cells, mesh.cell_references);
-    std::vector<std::array<std::size_t, 4> > facets; // of groups: meshio 5.0 reads no file with others beside them
-    std::vector<int> references;
-    for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-      if(mesh.facet_references[f] > 0)
-      {
-        facets.push_back(mesh.facets[f]);
-        references.push_back(mesh.facet_references[f]);
-      }
-    const std::vector<int> at_interfaces
-      = CGAL::Volume_mesh_parameterization::internal::references_at_interfaces(mesh, mesh.facet_references);
-    for(std::size_t i = 0; i < at_interfaces.size(); ++i)
-    {
-      const auto [first, second] = CGAL::Volume_mesh_parameterization::internal::subdomains_at_interface(mesh, i);
-      names_of_groups.emplace(std::make_pair(2, at_interfaces[i]),
-                              "interface_" + std::to_string(first) + "_" + std::to_string(second));
-      facets.push_back(mesh.interface_facets[i]);
-      references.push_back(at_interfaces[i]);
-    }
-    writer.add(2, 3, facets, references);
-    writer.write(os, is_old);
-  });
-}
-
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_WRITER_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_GMSH_WRITER_H

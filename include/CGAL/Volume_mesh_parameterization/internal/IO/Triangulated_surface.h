@@ -1,21 +1,26 @@
-// Triangles of a surface, and the walk over those of two surfaces at once.
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TRIANGULATED_SURFACE_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TRIANGULATED_SURFACE_H
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
 
-#include "mend_source.h"
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TRIANGULATED_SURFACE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TRIANGULATED_SURFACE_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
-#include <vector>
 
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+using Points = std::vector<std::array<double, 3> >;
 using Triangles = std::vector<std::array<std::size_t, 3> >;
 
 constexpr std::size_t no_vertex = (std::numeric_limits<std::size_t>::max)();
@@ -80,9 +85,8 @@ private:
 // Returns the parts of a surface that edges join.
 inline std::vector<Triangles> components(const Triangles& triangles)
 {
-  namespace internal = CGAL::Volume_mesh_parameterization::internal;
-  internal::Disjoint_sets sets(triangles.size());
-  internal::for_each_edge(triangles, [&](const auto begin, const auto end)
+  Disjoint_sets sets(triangles.size());
+  for_each_edge(triangles, [&](const auto begin, const auto end)
   {
     for(auto it = begin; it != end; ++it)
       sets.unite(begin->second[0] / 3, it->second[0] / 3);
@@ -141,7 +145,7 @@ inline std::optional<Matching> matching_from(const Triangulated_surface& part, c
     const std::size_t third = boundary.third_vertex({ result.vertices[u], result.vertices[v] });
     if(third == no_vertex || !match(w, third) || result.displacement > bound)
       return std::nullopt;
-    result.triangles.push_back(CGAL::Volume_mesh_parameterization::internal::sorted(
+    result.triangles.push_back(sorted(
       std::array{ result.vertices[u], result.vertices[v], third }));
     for(const Triangulated_surface::Edge& edge : { Triangulated_surface::Edge{ u, v }, { v, w }, { w, u } })
     {
@@ -152,4 +156,6 @@ inline std::optional<Matching> matching_from(const Triangulated_surface& part, c
   return result;
 }
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TRIANGULATED_SURFACE_H
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TRIANGULATED_SURFACE_H

@@ -1,25 +1,28 @@
-// Meshes in the formats that Gmsh reads.
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_READER_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_READER_H
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_GMSH_READER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_GMSH_READER_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
 #include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
 
 #include <gmsh.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <map>
 #include <numeric>
-#include <string>
-#include <utility>
-#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Gmsh with an empty model, without messages, from here to the end of the scope.
 class Gmsh_session
@@ -49,19 +52,15 @@ auto with_Gmsh(const Function& f)
   }
   catch(const std::string& message)
   {
-    throw CGAL::Volume_mesh_parameterization::Input_error("Gmsh says: " + message);
+    throw Input_error("Gmsh says: " + message);
   }
 }
 
 // Makes a soup of the model that Gmsh has read.
 class Gmsh_reader
 {
-  using Soup = CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3;
-  using Data = std::vector<CGAL::Volume_mesh_parameterization::Data_array_3>;
-  using Input_error = CGAL::Volume_mesh_parameterization::Input_error;
-
 public:
-  Soup read()
+  Tetrahedron_soup_3 read()
   {
     read_points();
     std::array<bool, 4> has_groups = {};
@@ -78,12 +77,12 @@ public:
     gmsh::model::getEntities(entities);
     for(const auto& [dimension, tag] : entities)
       read_entity(dimension, has_groups[dimension] ? groups_of(dimension, tag) : std::vector<int>{ tag }, tag);
-    CGAL::Volume_mesh_parameterization::internal::require_tetrahedra(
+    require_tetrahedra(
       m_soup.cells.size(), m_soup.facets.size(),
       "gmsh FILE.msh -save -o FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
     read_data();
     if(m_has_higher_order)
-      CGAL::Volume_mesh_parameterization::internal::remove_nodes_of_higher_order(m_soup);
+      remove_nodes_of_higher_order(m_soup);
     return std::move(m_soup);
   }
 
@@ -132,7 +131,7 @@ private:
       gmsh::model::mesh::getElementProperties(types[t], name, type_dimension, order, number_of_nodes, coordinates,
                                               number_of_corners);
       if(dimension == 3 && number_of_corners != 4)
-        throw Input_error(CGAL::Volume_mesh_parameterization::internal::sentence_on_other_cells(
+        throw Input_error(sentence_on_other_cells(
           "elements of Gmsh's type '" + name + "'"));
       if(dimension == 0 || number_of_corners != dimension + 1)
         continue;
@@ -184,7 +183,7 @@ private:
       std::map<std::size_t, const std::vector<double>*> values;
       for(std::size_t k = 0; k < tags.size(); ++k)
         values[tags[k]] = &data[k];
-      const auto add_to = [&](Data& arrays, const std::vector<std::size_t>& elements)
+      const auto add_to = [&](std::vector<Data_array_3>& arrays, const std::vector<std::size_t>& elements)
       {
         arrays.push_back({ name, static_cast<std::size_t>(number_of_components), false, {} });
         for(const std::size_t tag : elements)
@@ -205,24 +204,12 @@ private:
     }
   }
 
-  Soup m_soup;
+  Tetrahedron_soup_3 m_soup;
   std::map<std::size_t, std::size_t> m_points;          // by their tags, in the order of these
   std::vector<std::size_t> m_edges, m_facets, m_cells;  // their tags
   bool m_has_higher_order = false;
 };
 
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_by_Gmsh(const std::string& filename)
-{
-  if(!std::filesystem::is_regular_file(filename))
-    throw CGAL::Volume_mesh_parameterization::Input_error("Gmsh reads regular files only");
-  // Gmsh takes other files with such a name for scripts, and runs them
-  if(std::filesystem::path(filename).extension().string().find(".msh") == 0 && std::ifstream(filename).peek() != '$')
-    throw CGAL::Volume_mesh_parameterization::Input_error("this is not a mesh of Gmsh");
-  return with_Gmsh([&]
-  {
-    gmsh::merge(filename);
-    return Gmsh_reader().read();
-  });
-}
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_READER_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_GMSH_READER_H

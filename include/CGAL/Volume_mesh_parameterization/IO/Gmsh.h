@@ -1,0 +1,121 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_IO_GMSH_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_IO_GMSH_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_writer.h>
+
+namespace CGAL::Volume_mesh_parameterization::IO {
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// reads a tetrahedral mesh from a file by \gmsh, of which `gmsh.h` and the library are needed: its own format (`.msh`), I-deas
+/// (`.unv`) or Nastran (`.bdf`). References are physical groups, with their names, or entities if there are no groups in a
+/// dimension. A simplex in several groups comes once for each: `merge_coinciding_cells()` joins cells. The first steps of views
+/// are data.
+///
+/// \param filename the name of the file, which must be a regular one
+/// \param soup gets the mesh
+///
+/// \exception Input_error tells what is wrong, in the words of Gmsh where it knows; \c soup is then unchanged. On a damaged file,
+///            Gmsh may crash or never finish.
+inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
+{
+  if(!std::filesystem::is_regular_file(filename))
+    throw Input_error("Gmsh reads regular files only");
+  // Gmsh takes other files with such a name for scripts, and runs them
+  if(std::filesystem::path(filename).extension().string().find(".msh") == 0 && std::ifstream(filename).peek() != '$')
+    throw Input_error("this is not a mesh of Gmsh");
+  internal::with_Gmsh([&]
+  {
+    gmsh::merge(filename);
+    soup = internal::Gmsh_reader().read();
+  });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// writes a tetrahedral mesh in the format of Gmsh, by Gmsh. References are physical groups, with their names. Data of points and
+/// of cells become views.
+///
+/// \param os the stream
+/// \param mesh the mesh
+/// \param version 4.1 for a binary file, or 2.2 for text of 16 digits
+///
+/// \exception Input_error has the sentence of Gmsh if it fails.
+inline void write_MSH(std::ostream& os, const Tetrahedron_soup_3& mesh, const double version = 4.1)
+{
+  internal::check_simplices(mesh);
+  internal::with_Gmsh([&]
+  {
+    auto soup = mesh;
+    const std::vector<std::vector<double> > further_references = internal::take_further_references(soup);
+    internal::Gmsh_writer writer(soup.points, soup.group_names);
+    std::vector<std::size_t> points(soup.points.size());
+    std::iota(points.begin(), points.end(), std::size_t(1));
+    const auto cells = writer.add(3, 4, soup.cells, soup.cell_references, further_references);
+    const auto facets = writer.add(2, 2, soup.facets, soup.facet_references);
+    const auto edges = writer.add(1, 1, soup.edges, soup.edge_references);
+    writer.add_data("NodeData", soup.point_data, points);
+    std::vector<std::size_t> elements = cells;
+    elements.insert(elements.end(), facets.begin(), facets.end());
+    elements.insert(elements.end(), edges.begin(), edges.end());
+    writer.add_data("ElementData", internal::joined_cell_data(soup), elements);
+    writer.write(os, version);
+  });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationHexahedra
+///
+/// writes hexahedra in the format of Gmsh, by Gmsh, with the quadrangles of the boundary that have a reference, and those of
+/// interfaces, each with its group.
+///
+/// \param os the stream
+/// \param mesh the hexahedra
+/// \param names the names of groups, as `Tetrahedron_soup_3::group_names` has them
+/// \param version 4.1 for a binary file, or 2.2 for text of 16 digits
+///
+/// \exception Input_error has the sentence of Gmsh if it fails.
+inline void write_MSH(std::ostream& os, const Hexahedron_soup_3& mesh,
+                      const std::map<std::pair<int, int>, std::string>& names = {}, const double version = 4.1)
+{
+  internal::check_hexahedra(mesh);
+  internal::with_Gmsh([&]
+  {
+    std::map<std::pair<int, int>, std::string> names_of_groups = names;
+    internal::Gmsh_writer writer(mesh.points, names_of_groups);
+    writer.add(3, 5, mesh.cells, mesh.cell_references);
+    std::vector<std::array<std::size_t, 4> > facets; // of groups: meshio 5.0 reads no file with others beside them
+    std::vector<int> references;
+    for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+      if(mesh.facet_references[f] > 0)
+      {
+        facets.push_back(mesh.facets[f]);
+        references.push_back(mesh.facet_references[f]);
+      }
+    const std::vector<int> at_interfaces = internal::references_at_interfaces(mesh, mesh.facet_references);
+    for(std::size_t i = 0; i < at_interfaces.size(); ++i)
+    {
+      const auto [first, second] = internal::subdomains_at_interface(mesh, i);
+      names_of_groups.emplace(std::make_pair(2, at_interfaces[i]),
+                              "interface_" + std::to_string(first) + "_" + std::to_string(second));
+      facets.push_back(mesh.interface_facets[i]);
+      references.push_back(at_interfaces[i]);
+    }
+    writer.add(2, 3, facets, references);
+    writer.write(os, version);
+  });
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::IO
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_GMSH_H

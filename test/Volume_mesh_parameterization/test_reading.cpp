@@ -1,0 +1,195 @@
+// Files beside a mesh: targets by a surface, conditions of vertices, features; and files that are written as a whole.
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/IO/features.h>
+#include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+namespace params = CGAL::parameters;
+
+namespace { namespace of_reading {
+
+using Soup = VMP::Tetrahedron_soup_3;
+using Points = std::vector<std::array<double, 3> >;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Soup cube_soup(const int n) { return source_soup(cube_mesh(n)); }
+
+// The boundary of a mesh of 27 vertices with these in another order, moved by a vector.
+Soup moved_surface(const Soup& soup, const std::array<double, 3>& d)
+{
+  Soup result;
+  result.points.resize(27);
+  const auto index = [](const std::size_t v) { return 5 * v % 27; };
+  for(std::size_t v = 0; v < 27; ++v)
+    for(std::size_t i = 0; i < 3; ++i)
+      result.points[index(v)][i] = soup.points[v][i] + d[i];
+  for(const auto& facet : VMP::internal::boundary_facets_3(soup.cells))
+  {
+    result.facets.emplace_back();
+    for(std::size_t i = 0; i < 3; ++i)
+      result.facets.back()[i] = index(facet[i]);
+  }
+  result.facet_references.resize(result.facets.size());
+  return result;
+}
+
+std::string content_of(const std::string& name)
+{
+  std::ifstream is(name, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>());
+}
+
+// Calls `read(name)` with a file of this content. Returns the sentence of its exception, or none.
+template <typename Read>
+std::string message_of(const std::string& content, const Read& read)
+{
+  const std::string name = "file_of_test_reading.txt";
+  std::ofstream(name) << content;
+  std::string result;
+  try { read(name); }
+  catch(const VMP::Input_error& error) { result = error.what(); }
+  std::remove(name.c_str());
+  return result;
+}
+
+
+TEST_CASE("Facets of a surface tell its vertices, by the way with the least displacement, which is noted")
+{
+  const Soup soup = cube_soup(2);
+  Points targets;
+  std::vector<std::string> notes;
+  const auto np = params::output_iterator(std::back_inserter(notes));
+  const Soup surface = moved_surface(soup, { 0.25, 0.125, 0 });
+  REQUIRE(VMP::IO::boundary_targets_of_mesh(surface, soup, targets, np));
+  for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
+    CHECK(targets[v] == std::array{ soup.points[v][0] + 0.25, soup.points[v][1] + 0.125, soup.points[v][2] });
+  CHECK(std::count_if(targets.begin(), targets.end(), [](const auto& p) { return std::isnan(p[0]); }) == 1);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0].find("in several ways; the one with the least displacement is used") != std::string::npos);
+
+  Soup mesh = soup; // with the same cells, in another order
+  std::reverse(mesh.cells.begin(), mesh.cells.end());
+  mesh.points[0][0] = 7;
+  REQUIRE(VMP::IO::boundary_targets_of_mesh(mesh, soup, targets, np));
+  CHECK(targets == mesh.points);
+  CHECK(notes.size() == 1);
+  CHECK_FALSE(VMP::IO::boundary_targets_of_mesh(surface, soup, targets, params::maximum_running_time(0)));
+  CHECK(targets == mesh.points);
+  mesh.facets = { { 0, 1, 99 } };
+  mesh.facet_references = { 0 };
+  CHECK_THROWS_AS(VMP::IO::boundary_targets_of_mesh(mesh, soup, targets), VMP::Input_error);
+}
+
+TEST_CASE("Conditions of vertices are read from lines, and a vertex of several lines has all of them")
+{
+  Soup soup = cube_soup(1);
+  soup.facets = { { 0, 1, 2 } };
+  soup.facet_references = { 5 };
+  soup.group_names = { { { 2, 5 }, "wall" } };
+  std::vector<VMP::Vertex_condition_3> conditions;
+  Points targets(8, { nan, nan, nan });
+  targets[7] = { 4, 5, 6 };
+  const auto read = [&](const std::string& name) { VMP::IO::read_vertex_conditions(name, soup, conditions, targets); };
+  CHECK(message_of("wall plane 0 0 2\n5 y=3 # the other way\nvertex 7 fixed\nvertex 0 x=-1\nvertex 4 free\n", read) == "");
+  REQUIRE(conditions.size() == 8);
+  const VMP::Vertex_condition_3::Kind kinds[] = { VMP::Vertex_condition_3::AT_TARGET, VMP::Vertex_condition_3::ON_LINE,
+    VMP::Vertex_condition_3::ON_LINE, VMP::Vertex_condition_3::FREE, VMP::Vertex_condition_3::FREE,
+    VMP::Vertex_condition_3::FREE, VMP::Vertex_condition_3::FREE, VMP::Vertex_condition_3::AT_TARGET };
+  for(std::size_t v = 0; v < 8; ++v)
+    CHECK(conditions[v].kind() == kinds[v]);
+  CHECK(targets[0] == std::array<double, 3>{ -1, 3, soup.points[0][2] });
+  CHECK(targets[1] == std::array<double, 3>{ soup.points[1][0], 3, soup.points[1][2] });
+  CHECK(targets[7] == std::array<double, 3>{ 4, 5, 6 });
+
+  CHECK(message_of("vertex 3 fixed\nvertex 0 x=2\nvertex 0 x=3\n", read).find("contradict") != std::string::npos);
+  CHECK(conditions[3].kind() == VMP::Vertex_condition_3::FREE);
+  CHECK(message_of("vertex 8 fixed\n", read).find(": line 1: there is no vertex 8") != std::string::npos);
+  CHECK(message_of("vertex 1 fixed\nfloor free\n", read).find(": line 2: no triangle") != std::string::npos);
+}
+
+TEST_CASE("Sharp edges are those of an angle, or those that are marked, for example by a file")
+{
+  Soup soup = cube_soup(2);
+  const auto sharp_edges = [&] { return VMP::sharp_boundary_edges(soup.points, soup.cells, soup.edges); };
+  CHECK(sharp_edges().size() == 24);
+  for(const auto& [v, w] : sharp_edges()) // on two faces of the cube
+  {
+    std::size_t number_of_faces = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      number_of_faces += soup.points[v][i] == soup.points[w][i] && std::fmod(soup.points[v][i], 2) == 0;
+    CHECK(number_of_faces == 2);
+  }
+  const auto [v, w] = sharp_edges()[5];
+  const auto read = [&](const std::string& name) { VMP::IO::read_features(name, soup); };
+  CHECK(message_of("1\n" + std::to_string(w) + " " + std::to_string(v) + "\n", read) == "");
+  CHECK(soup.edges == std::vector<std::array<std::size_t, 2> >{ { w, v } });
+  CHECK(soup.edge_references == std::vector<int>{ 1 });
+  CHECK(sharp_edges() == std::vector<std::array<std::size_t, 2> >{ { v, w } });
+  CHECK(message_of("3 27\n", read).find(": line 1: there is no edge between the vertices 3 and 27") != std::string::npos);
+  CHECK(soup.edges.size() == 1);
+}
+
+TEST_CASE("A file gets all of its content at once, or stays as it was")
+{
+  const std::string folder = "folder_of_test_reading", name = folder + "/file.txt";
+  std::filesystem::create_directory(folder);
+  const auto number_of_files = [&] { return std::distance(std::filesystem::directory_iterator(folder), {}); };
+  {
+    VMP::IO::Output_file file(name);
+    file.stream() << "first";
+    CHECK(content_of(name).empty());
+    CHECK(number_of_files() == 1);
+  }
+  CHECK(number_of_files() == 0);
+  for(const char* const content : { "second", "third" })
+  {
+    VMP::IO::Output_file file(name);
+    file.stream() << content;
+    file.commit();
+    CHECK(content_of(name) == content);
+  }
+  std::filesystem::create_symlink("file.txt", folder + "/link");
+  CHECK(VMP::IO::Output_file::path(folder + "/link") == name);
+  CHECK_FALSE(VMP::IO::Output_file::is_stream(folder + "/link"));
+  CHECK(VMP::IO::write_MEDIT(folder + "/link", cube_soup(1)));
+  CHECK(std::filesystem::is_symlink(folder + "/link"));
+  CHECK(content_of(name).find("MeshVersionFormatted") == 0);
+  CHECK(number_of_files() == 2);
+  CHECK_FALSE(VMP::IO::write_MEDIT("/dev/full", cube_soup(1)));
+
+  const std::string pipe = folder + "/pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  VMP::IO::Output_file file(pipe);
+  CHECK(VMP::IO::Output_file::is_stream(pipe));
+  file.stream() << "content";
+  CHECK_THROWS_AS(file.commit(params::maximum_running_time(0)), VMP::IO::Unread_output);
+  std::string received;
+  std::thread reader([&] { received = content_of(pipe); });
+  file.commit();
+  reader.join();
+  CHECK(received == "content");
+  std::filesystem::remove_all(folder);
+}
+
+} } // namespace
