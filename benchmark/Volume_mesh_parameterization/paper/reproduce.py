@@ -46,9 +46,10 @@ def cut_runs(runs):
 def head(runs, output, claims):
     commit = subprocess.run(["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=Path(__file__).parent, text=True,
                             stdout=subprocess.PIPE, check=False).stdout.strip()
+    minutes = sum(runs.seconds.values()) / 60
     parts = [page.paragraph(INTRODUCTION),
-             page.paragraph(f"Commit {commit or 'unknown'}. The {len(runs.jobs)} runs took {runs.seconds / 60:.1f} minutes of the "
-                            f"processor, so about {runs.seconds / 120:.0f} minutes on two idle cores, and each at most "
+             page.paragraph(f"Commit {commit or 'unknown'}. The {len(runs.jobs)} runs took {minutes:.1f} minutes of the "
+                            f"processor, so about {minutes / 2:.0f} minutes on two idle cores, and each at most "
                             f"{runs.time_limit} s."),
              page.heading("The claims of the paper"),
              page.table(output / "claims.csv", page.Claim._fields, claims)]

@@ -28,7 +28,7 @@ class Runs:
         self.driver = self.build / "examples/Volume_mesh_parameterization/parameterize_mesh_file"
         self.programs = self.build / "benchmark/Volume_mesh_parameterization/paper"
         self.jobs = {}
-        self.seconds = 0  # of all runs, those of an earlier start included
+        self.seconds = {}  # of each run, also in an earlier start
 
     def case(self, model, domain):
         """A case of VOLMAP, or of the pairs if the domain is polycube."""
@@ -91,7 +91,7 @@ class Runs:
             unfinished = Path(prefix + ".unfinished.json")
             unfinished.write_text(json.dumps(kept))
             unfinished.rename(record)  # whole, or not at all
-        self.seconds += kept["seconds"]
+        self.seconds[prefix] = kept["seconds"]
         return kept
 
     def _measured(self, case, prefix, log, seconds, steps, message):
