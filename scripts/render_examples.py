@@ -256,6 +256,46 @@ def draw_carried(folder, output):
     draw_row(bodies, output, (colors_of(bodies[0][0][0]), Normalize(0, 100), "distance from the tip of the trunk, in % of the largest one"))
 
 
+def draw_texture(folder, output):
+    """The texture in a section of the cube, on the body, and in a section of it."""
+    direction, up, normal = (1, -2, 2), (0, 1, 0), (0, 0, 1)
+    body = render.read(str(folder / "solid_texture.vtu"))
+    sections = [surface_with_field(render.cut(grid, normal), 1) for grid in (render.image_of(body), body)]
+    draw_row([([sections[0]], direction, up, "section of the cube"), ([surface_with_field(body, 1)], direction, up, "body"),
+              ([sections[1]], direction, up, "section of the body")], output)
+
+
+def draw_detail(folder, output):
+    """The body with the bumps, the other body, and its image with them."""
+    direction, up = (1, -2, 2), (0, 1, 0)
+    source, target = (render.read(str(folder / f"{name}.vtu")) for name in ("bumpy_ball", "transferred_detail"))
+    draw_row([([render.surface(grid, edges=False)], direction, up, title)
+              for grid, title in ((source, "ball with bumps"), (target, "another body"),
+                                  (render.image_of(target), "with the bumps of the ball"))], output)
+
+
+def control_net(filename):
+    """The coefficients of a trivariate spline with equal numbers along its axes, as hexahedra."""
+    rows = numpy.array([line.split() for line in Path(filename).read_text().splitlines() if line and line[0] not in "<"], float)
+    n = round(len(rows) ** (1 / 3))
+    grid = vtk.vtkStructuredGrid()
+    grid.SetDimensions(n, n, n)
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(rows, deep=True))
+    grid.SetPoints(points)
+    whole = vtk.vtkAppendFilter()
+    whole.AddInputData(grid)
+    whole.Update()
+    return whole.GetOutput()
+
+
+def draw_spline(folder, output):
+    """The control net of a spline, and one half of it."""
+    net = control_net(folder / "spline.xml")
+    draw_row([([render.surface(grid)], (1, -2, 2), (0, 1, 0), title)
+              for grid, title in ((net, "control net"), (render.whole_cells_behind(net, (0, 0, 1)), "one half of it"))], output)
+
+
 def draw_moving(folder, output):
     """The half of the mesh behind the middle, at the beginning and after each quarter of the way."""
     frames = [render.read(str(folder / f"moving_boundary_{i}.vtu")) for i in range(1, 5)]
@@ -280,6 +320,9 @@ def main(folder, output_folder):
     draw_sliding(folder, output_folder / "sliding_boundary.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
     draw_overview(folder, output_folder / "overview.png", output_folder / "icon.png")
+    draw_texture(folder, output_folder / "solid_texture.png")
+    draw_detail(folder, output_folder / "transferred_detail.png")
+    draw_spline(folder, output_folder / "spline_of_map.png")
     draw_moving(folder, output_folder / "moving_boundary.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
 
