@@ -49,7 +49,10 @@ exact predicates on the coordinates that are written check that no cell is inver
        narrower than `double`, as those of `Simple_cartesian<float>`, targets are rounded to this type before the computation,
        and images before the exact check. If rounding inverts cells, vertices inside move by a few units in the last place;
        if this does not help, the status is `ERROR_INVERTED_BY_ROUNDING`.
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, in three groups. The
+       \ref Chapter_Volume_Mesh_Parameterization "manual" has the details.
+
+<b>Boundary of the image</b>
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{boundary_map}
@@ -57,146 +60,142 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamDefault{the images that `boundary_parameterizer` finds}
-    \cgalParamExtra{A point with a coordinate that is not a number stands for a missing target. For a container, pass
-                    `Volume_mesh_parameterization::make_vertex_point_map()`: the map of
-                    `boost::make_assoc_property_map()` inserts a point without values for each vertex that has been
-                    forgotten, which is undefined behavior and may end as `OK`. Prescribed vertices receive exactly
-                    the points given, those of an exact kernel rounded to `double`, and all rounded to the number
-                    type of `uvw_map`, unless they slide or the boundary
-                    is missed.}
+    \cgalParamExtra{A point with a coordinate that is not a number is a missing target. For a container, pass
+                    `Volume_mesh_parameterization::make_vertex_point_map()`, and not `boost::make_assoc_property_map()`, which
+                    inserts a point without values for each missing vertex. Vertices receive exactly the points given, rounded
+                    to the number type of `uvw_map`, unless they slide or the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_parameterizer}
-    \cgalParamDescription{finds the image of each vertex of the boundary, such that the user needs no map for them}
+    \cgalParamDescription{finds the image of each vertex of the boundary (\ref VMPBoundaryTarget)}
     \cgalParamType{a model of `BoundaryParameterizer_3`}
     \cgalParamDefault{`Volume_mesh_parameterization::Ball_boundary_parameterizer_3()`}
-    \cgalParamExtra{Where it finds none, the result has the status that it returns. Its time is
-                    `Parameterization_result::seconds_boundary`, and `Parameterization_result::boundary_distortion` tells
-                    how far the images are from the boundary.}
+    \cgalParamExtra{If it finds no images, the result has the status that it returns.}
     \cgalParamPrecondition{`boundary_map` is not given; otherwise the program is not compiled.}
   \cgalParamNEnd
-  \cgalParamNBegin{initial_map}
-    \cgalParamDescription{the images of the vertices at which the search starts, for instance of a map to a similar boundary}
-    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
-                   `C3t3::Triangulation::Geom_traits::Point_3` as value type}
-    \cgalParamDefault{the harmonic map}
-    \cgalParamExtra{Vertices with a target are moved there, and the displacements are extended to the others by a harmonic
-                    function. If cells are inverted then, they are untangled; if untangling fails, the search starts again
-                    without an initial map. A point with a coordinate that is not a number stands for a missing image, also
-                    of a vertex that refinement has inserted: the start is harmonic there. Infinite
-                    coordinates are answered by `ERROR_NON_FINITE_COORDINATE`. A soft boundary ignores the initial map.
-                    `initial_map` is read before `uvw_map` is written, so both may be the same.}
+  \cgalParamNBegin{boundary_mode}
+    \cgalParamDescription{the way in which the boundary is met (\ref VMPBoundaryMode)}
+    \cgalParamType{`Volume_mesh_parameterization::Boundary_mode`}
+    \cgalParamDefault{`Boundary_mode::AUTO`: fixed, and soft if no valid map with fixed boundary is found}
   \cgalParamNEnd
+  \cgalParamNBegin{do_slide_boundary}
+    \cgalParamDescription{whether vertices slide in planar patches of the target and along the edges between them
+                          (\ref VMPBoundarySlide)}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_is_constrained_map}
+    \cgalParamDescription{the vertices inside the complex that meet `boundary_map` as well, and those of the boundary that must
+                          not slide}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
+    \cgalParamDefault{a constant property map returning `false`}
+    \cgalParamPrecondition{`boundary_map` is given as well.}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_condition_map}
+    \cgalParamDescription{what the image of each vertex may do, on the boundary and inside (\ref VMPBoundaryFree)}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+                   `Volume_mesh_parameterization::Vertex_condition_3` as value type}
+    \cgalParamDefault{vertices of the boundary are at their targets, vertices inside are free}
+    \cgalParamExtra{Targets are those of `boundary_map`. A coordinate of a target that is not prescribed is not read. Refinement
+                    also splits edges, facets and cells inside whose vertices the conditions keep in the plane of a facet of the
+                    boundary.}
+    \cgalParamPrecondition{`vertex_is_constrained_map` and `do_slide_boundary` are not given; otherwise the program is not
+                           compiled.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+<b>Distortion, refinement and limits</b>
+
+\cgalNamedParamsBegin
   \cgalParamNBegin{energy}
-    \cgalParamDescription{the energy whose mean over the cells is minimized}
+    \cgalParamDescription{the energy whose mean over the cells is minimized (\ref VMPEnergy)}
     \cgalParamType{a model of `DistortionEnergy_3`}
     \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
     \cgalParamExtra{The energy is evaluated with source and target scaled to the same volume.}
   \cgalParamNEnd
-  \cgalParamNBegin{use_volume_weights}
-    \cgalParamDescription{whether a cell counts by its volume in the source, as in the mean distortions of
-                          `Volume_mesh_parameterization::Distortion_3`; otherwise all cells count alike, as in the
-                          paper}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{use_regular_references}
-    \cgalParamDescription{whether each image of a cell is compared with a regular tetrahedron in place of the cell, all of
-                          one size: cells of the source may be inverted or flat then, as of the source only its connectivity
-                          counts. A tangled mesh gets positive cells within its own boundary if its own points are the
-                          boundary map and the initial map (\ref VMPTangled).}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-    \cgalParamExtra{The boundary is fixed then, whatever `boundary_mode` is, and distortions are those of the images of regular
-                    cells. `Volume_mesh_parameterization::MIPS_energy_3` does not compare sizes, so small cells stay small.
-                    Cells around a facet lie on different sides of it by the order of their vertices, also where they are
-                    inverted.}
-  \cgalParamNEnd
-  \cgalParamNBegin{energy_tolerance}
-    \cgalParamDescription{the part of the energy that does not matter: the minimization ends when five Newton steps gain
-                          less than this part, or a step promises less than a hundredth of it}
-    \cgalParamType{`double`}
-    \cgalParamDefault{`0.001`}
-    \cgalParamExtra{With 0, the minimization continues to a minimum, which may take hundreds of steps for the last percent.}
-    \cgalParamPrecondition{The value is not negative.}
-  \cgalParamNEnd
   \cgalParamNBegin{maximal_angle_distortion}
-    \cgalParamDescription{a bound for the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of every cell}
+    \cgalParamDescription{a bound for the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of every cell
+                          (\ref VMPAngleBound)}
     \cgalParamType{`double`}
     \cgalParamDefault{no bound}
-    \cgalParamExtra{After the minimization, `Volume_mesh_parameterization::Bounded_angle_energy_3` is minimized further
-                    if a cell exceeds the bound: relaxed as long as one does, then as a barrier that no cell passes.
-                    The status tells whether the bound is met, and the distortion of
-                    `Volume_mesh_parameterization::Parameterization_result` what is reached. Prescribed facets may force more than
-                    the bound; then the message says so. Ignored if the boundary is missed.}
+    \cgalParamExtra{The status reports whether the bound is met. It is ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
   \cgalParamNBegin{minimize_maximal_angle_distortion}
     \cgalParamDescription{whether the largest distortion of angles is made as small as possible, up to 2 %}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{Bounds as for `maximal_angle_distortion` are tried by bisection, which takes several times as long as
-                    the minimization; the result is the map of least energy below the lowest bound that is met.
-                    `Volume_mesh_parameterization::Parameterization_result` has the largest bound that was missed.
-                    Ignored if the boundary is missed.}
-  \cgalParamNEnd
-  \cgalParamNBegin{solver_traits}
-    \cgalParamDescription{the solver for the linear system of a Newton step}
-    \cgalParamType{a model of `NewtonSolverTraits_3`, passed by `std::ref()` if it keeps a state of interest}
-    \cgalParamDefault{`Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<ConcurrencyTag>`}
-  \cgalParamNEnd
-  \cgalParamNBegin{boundary_mode}
-    \cgalParamDescription{the way in which the boundary is met}
-    \cgalParamType{`Volume_mesh_parameterization::Boundary_mode`}
-    \cgalParamDefault{`Boundary_mode::AUTO`: fixed, and soft if no valid map with fixed boundary is found}
+    \cgalParamExtra{This takes several times as long as the minimization. It is ignored if the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{do_refine}
-    \cgalParamDescription{whether the complex may be refined where the boundary cannot be reached otherwise:
-                          before the computation, as `Volume_mesh_parameterization::make_parameterizable()` does
-                          for this boundary map, where few cells stay inverted with fixed boundary, and while a soft
-                          boundary approaches its targets, by splitting interior edges of the cells that block it; and
-                          in bridges (see `refinement_mode`). The new vertices receive their images too.}
+    \cgalParamDescription{whether the complex may be refined if the boundary cannot be reached otherwise, and in bridges
+                          (\ref VMPRefinement)}
     \cgalParamType{Boolean}
-    \cgalParamDefault{`true` where a boundary parameterizer finds the images and the complex, or the arrays, are not
-                      constant; `false` where the images are given}
-    \cgalParamExtra{The boundary of the complex does not change, unless `Refinement_mode::BOUNDARY` is passed. Edges are split
-                    as long as not more than a tenth of the vertices, or 1000 of a small complex, has been added. The complex
-                    stays refined whatever the status is.}
+    \cgalParamDefault{`true` if a boundary parameterizer finds the images and the complex, or the arrays, are not constant;
+                      `false` if the images are given}
+    \cgalParamExtra{New vertices receive images, too. The complex stays refined whatever the status is.}
     \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{refinement_mode}
-    \cgalParamDescription{which vertices refinement may add: those that are needed to reach the boundary, or also those that
-                          help, in bridges: edges, facets and cells inside whose vertices are all prescribed, as across a
-                          gap or a wall that is one cell wide. All bridges are split at once if one has a vertex of a
-                          cell that is inverted where the search starts, or of a cell with four prescribed vertices and
-                          a distortion of angles above 10. With `Refinement_mode::BOUNDARY`, `boundary_parameterizer` may
-                          split edges of the boundary, too.}
+    \cgalParamDescription{which vertices refinement may add}
     \cgalParamType{`Volume_mesh_parameterization::Refinement_mode`}
     \cgalParamDefault{`Refinement_mode::HELPFUL`}
-    \cgalParamExtra{This takes one solution of a linear system, and time O(n + m d (d + log m)) for n cells and m bridges,
-                    with at most d cells around an edge. The number of new vertices is not limited, but at most that of
-                    bridges. Without refinement, or with `Boundary_mode::SOFT`, bridges are not split.
-                    A new vertex on the boundary is at the midpoint of an edge, up to rounding, and has the surface patch or
-                    curve of the edge. The refined boundary is held first, in at most a third of the time; if this fails, edges
-                    inside that begin at it are split, too; and if this fails, the boundary as given is mapped, in the last quarter
-                    of the time. Rounding may make cells of the triangulation outside of the complex flat or inverted.
-                    `Polycube_boundary_parameterizer_3` alone splits edges of the boundary.}
     \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
-  \cgalParamNBegin{do_slide_boundary}
-    \cgalParamDescription{whether vertices of the boundary may leave their targets, and slide, where the boundary that
-                          the targets describe is planar. As soon as a map with the boundary at its targets inverts no cell,
-                          a vertex whose facets are coplanar moves in their plane, one whose facets lie in two planes along
-                          their common line, and every other one stays. Inside of a plane, vertices of sharp edges
-                          of the body whose targets lead along an axis move along it only, as lines of polycubes do
-                          (\ref VMPBoundaryTarget). So the images of planar regions, of the edges
-                          between them and of the complex remain the same, and remain one to one.}
+  \cgalParamNBegin{initial_map}
+    \cgalParamDescription{the images of the vertices at which the search starts, for instance of a map to a similar boundary}
+    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+                   `C3t3::Triangulation::Geom_traits::Point_3` as value type}
+    \cgalParamDefault{the harmonic map}
+    \cgalParamExtra{It may be the same as `uvw_map`. A point with a coordinate that is not a number is a missing image. Infinite
+                    coordinates result in `ERROR_NON_FINITE_COORDINATE`. A soft boundary ignores the initial map.}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_running_time}
+    \cgalParamDescription{a limit for the running time in seconds}
+    \cgalParamType{`double`}
+    \cgalParamDefault{no limit}
+    \cgalParamExtra{Results that depend on it are not reproducible.}
+    \cgalParamPrecondition{The value is a number.}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{an object that is called after each step, and may end the computation}
+    \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
+    \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
+  \cgalParamNEnd
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether the sizes, the linear solver, what `check_derivatives()` finds wrong in the energy, and a line
+                         a step are printed to `std::cout`}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
-    \cgalParamExtra{Neighboring facets are in one region if they are exactly coplanar, or enclose an angle below 0.001. A
-                    region is planar if its vertices are in its plane up to 1e-7 times the diagonal of the bounding box;
-                    they move parallel to the plane. In a plane orthogonal to an axis, the coordinate along the axis keeps
-                    its bits. Vertices of `vertex_is_constrained_map` stay at their targets, also on the boundary. No
-                    vertex slides if the boundary is missed.}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+<b>For experts</b>
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{use_volume_weights}
+    \cgalParamDescription{whether a cell counts by its volume in the source, as in `Volume_mesh_parameterization::Distortion_3`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`: all cells count alike, as in the paper}
+  \cgalParamNEnd
+  \cgalParamNBegin{use_regular_references}
+    \cgalParamDescription{whether each image is compared with a regular tetrahedron, so that cells of the source may be inverted
+                          or flat (\ref VMPTangled)}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+    \cgalParamExtra{The boundary is fixed, whatever `boundary_mode` is, and distortions are those of the images of regular cells.
+                    By the order of their vertices, two cells at a facet must lie on different sides of it.}
+  \cgalParamNEnd
+  \cgalParamNBegin{energy_tolerance}
+    \cgalParamDescription{the part of the energy below which the gain of five Newton steps ends the minimization}
+    \cgalParamType{`double`}
+    \cgalParamDefault{`0.001`}
+    \cgalParamExtra{With 0, the minimization continues to a minimum, which may take hundreds of steps for the last percent.}
+    \cgalParamPrecondition{The value is not negative.}
+  \cgalParamNEnd
+  \cgalParamNBegin{solver_traits}
+    \cgalParamDescription{the solver for the linear system of a Newton step (\ref VMPSolver)}
+    \cgalParamType{a model of `NewtonSolverTraits_3`, passed by `std::ref()` if it keeps a state of interest}
+    \cgalParamDefault{`Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<ConcurrencyTag>`}
   \cgalParamNEnd
   \cgalParamNBegin{soft_boundary_parameters}
     \cgalParamDescription{the parameters of the map with soft boundary}
@@ -209,62 +208,14 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDescription{further linear equations between the images of vertices, for `Boundary_mode::SOFT`}
     \cgalParamType{`std::vector<Volume_mesh_parameterization::Linear_constraint_3<C3t3::Vertex_handle> >`}
     \cgalParamDefault{none}
-    \cgalParamExtra{With constraints, prescribed vertices come near their targets, but are never put on them. If the norm
-                    of all residuals is at most `Soft_boundary_parameters::residual_tolerance`, the status is
-                    `OK_WITHIN_TOLERANCE`, and otherwise `ERROR_BOUNDARY_NOT_REACHED`; `boundary_residual` tells how near
-                    the vertices are.}
+    \cgalParamExtra{With constraints, prescribed vertices come near their targets, but are never put on them.}
     \cgalParamPrecondition{The vertices belong to cells of the complex; otherwise `std::out_of_range` is thrown.}
   \cgalParamNEnd
-  \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{a map that is `true` for the vertices inside the complex that `boundary_map` prescribes as well,
-                          and for vertices of the boundary that must not slide}
-    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
-    \cgalParamDefault{a constant property map returning `false`}
-    \cgalParamPrecondition{`boundary_map` is given as well.}
-  \cgalParamNEnd
-  \cgalParamNBegin{vertex_condition_map}
-    \cgalParamDescription{what the image of each vertex may do, on the boundary and inside: it is at its target, in the plane or on
-                          the line through its target with a given direction, or free}
-    \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
-                   `Volume_mesh_parameterization::Vertex_condition_3` as value type}
-    \cgalParamDefault{vertices of the boundary are at their targets, vertices inside are free}
-    \cgalParamExtra{Targets are those of `boundary_map`; that of a free vertex is not read. Where a plane is orthogonal to an axis,
-                    or a line is along an axis, a coordinate of the target that is not prescribed may be no number. If a
-                    part of the boundary is free, the search starts from the complex, rotated and translated such that it is
-                    nearest to what is prescribed. The complex is scaled by the median stretch of the edges between vertices
-                    at their targets; without such edges, by the nearest similarity if at least four vertices have a condition.
-                    The energy must have a minimum then (see `DistortionEnergy_3`), or the status is
-                    `ERROR_ENERGY_WITHOUT_MINIMUM`. `Parameterization_result::boundary_crosses_itself` tells whether the free
-                    boundary intersects itself. Refinement also splits edges, facets and cells inside whose vertices the conditions
-                    keep in the plane of a facet of the boundary.}
-    \cgalParamPrecondition{`vertex_is_constrained_map` and `do_slide_boundary` are not given; otherwise the program is not
-                           compiled.}
-  \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{the maximal number of Newton steps of each stage: with fixed boundary, with soft boundary,
-                          with boundary vertices that slide, for each barrier of the bound of angles, and again after
-                          each refinement}
+    \cgalParamDescription{the maximal number of Newton steps of each stage}
     \cgalParamType{`std::size_t`}
     \cgalParamDefault{`1000`}
     \cgalParamPrecondition{The value is finite and not negative.}
-  \cgalParamNEnd
-  \cgalParamNBegin{maximum_running_time}
-    \cgalParamDescription{a limit for the running time in seconds}
-    \cgalParamType{`double`}
-    \cgalParamDefault{no limit}
-    \cgalParamExtra{Results that depend on it are not reproducible.}
-    \cgalParamPrecondition{The value is a number.}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{an object that is told of each step, and may end the computation}
-    \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
-    \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
-  \cgalParamNEnd
-  \cgalParamNBegin{verbose}
-    \cgalParamDescription{whether the sizes, the linear solver, what `check_derivatives()` finds wrong in the energy, and a line
-                         a step are printed to `std::cout`}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
