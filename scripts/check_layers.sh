@@ -17,8 +17,8 @@ part_of()
     *_energy_3.h | check_derivatives.h) REPLY=Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) REPLY=Solvers ;;
     Boundary_mode.h | Refinement_mode.h | Linear_constraint_3.h | Parameterization_result.h | Soft_boundary_parameters.h | Tetrahedron_soup_3.h | conditions_of_patches.h | Vertex_condition_3.h | Vertex_point_map.h | \
-      make_parameterizable.h | measure_distortion.h | measure_quality.h | merge_coinciding_cells.h | merge_coinciding_points.h | mesh_complex_3_to_tetrahedron_soup.h | \
-      orient_tetrahedron_soup.h | separate_pinched_vertices.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
+      make_parameterizable.h | measure_distortion.h | measure_quality.h | mesh_complex_3_to_tetrahedron_soup.h | \
+      orient_tetrahedron_soup.h | repair_tetrahedron_soup.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
     Volume_map_3.h | cell_distortions.h | evaluate_on_grid.h) REPLY=Evaluation ;;
     *_boundary_parameterizer_3.h | Polycube_result.h | boundary_vertices.h) REPLY=Boundary ;;
     Hexahedral_mesh_result.h | Hexahedron_soup_3.h | hexahedral_mesh.h) REPLY=Hexahedra ;;

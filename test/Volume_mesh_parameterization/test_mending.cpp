@@ -4,10 +4,8 @@
 #include "cube_complex.h"
 
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/merge_coinciding_cells.h>
-#include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 
 #include <algorithm>
 #include <array>

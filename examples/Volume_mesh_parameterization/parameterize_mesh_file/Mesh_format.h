@@ -9,12 +9,21 @@
 #  include "VTK_file.h"
 #endif
 
-#include "shell_quoted.h"
+#include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 #include <string>
+
+// Returns a word as a shell wants it in a command, in quotes if it has other characters than those of plain names.
+inline std::string shell_quoted(const std::string& word)
+{
+  const char* const plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./+:,=@%";
+  if(!word.empty() && word.find_first_not_of(plain) == std::string::npos)
+    return word;
+  return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
+}
 
 // LIBRARY: the library reads it, whatever its name is; MESHIO: meshio converts it.
 enum class Mesh_format { LIBRARY, GMSH, VTK, SURFACE, MESHIO, OTHER };

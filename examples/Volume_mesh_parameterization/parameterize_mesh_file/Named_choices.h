@@ -2,8 +2,6 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H
 
-#include "find_name.h"
-
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
@@ -23,8 +21,25 @@
 
 #include <CGAL/tags.h>
 
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
+
+// Returns the value of a name. If the name is not in the table, the exception lists the names there; `kind` is what they name.
+template <typename Value>
+Value find_name(const std::string& kind, const std::string& name, const std::vector<std::pair<std::string, Value> >& table)
+{
+  std::string names;
+  for(const auto& [known, value] : table)
+  {
+    if(known == name)
+      return value;
+    names += (names.empty() ? "" : ", ") + known;
+  }
+  throw std::runtime_error("there is no " + kind + " '" + name + "'; choose among: " + names);
+}
 
 // Energies that have no barrier receive one.
 inline CGAL::Volume_mesh_parameterization::Any_energy_3 named_energy(const std::string& name)

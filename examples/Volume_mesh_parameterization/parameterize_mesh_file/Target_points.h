@@ -3,7 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TARGET_POINTS_H
 
 #include "Command_line.h"
-#include "find_name.h"
+#include "Named_choices.h"
 #include "mend_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>

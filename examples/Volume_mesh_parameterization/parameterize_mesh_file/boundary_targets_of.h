@@ -2,8 +2,8 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 
+#include "Named_choices.h"
 #include "Progress_line.h"
-#include "find_name.h"
 #include "targets_of_file.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
@@ -11,7 +11,7 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 
 #include <algorithm>
 #include <array>

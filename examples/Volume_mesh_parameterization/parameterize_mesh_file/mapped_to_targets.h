@@ -19,6 +19,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <variant>
@@ -121,6 +122,22 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
     result.message = std::string(Progress_line::reason())
       + (result.has_valid_map ? " The map is valid, but the energy is not minimal yet."
          : is_boundary_mapped ? " There is no map without inverted cells yet." : " There is no map yet.");
+}
+
+// Tells how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
+inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
+{
+  namespace internal = CGAL::Volume_mesh_parameterization::internal;
+  if(polycube.features_given_up.empty())
+    return "";
+  const std::size_t lines = polycube.features_given_up.size();
+  const auto& longest = polycube.features_given_up.front();
+  const auto& [x, y, z] = longest[longest.size() / 2];
+  std::ostringstream result;
+  result << polycube.number_of_edges_given_up() << " of " << polycube.number_of_sharp_edges
+         << " sharp edges lead along no axis of the polycube, in " << lines << (lines == 1 ? " line" : " lines")
+         << ", and hexahedra do not follow them: the longest leads through (" << x << ", " << y << ", " << z << ")";
+  return result.str();
 }
 
 inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options, const Landmarks& landmarks,

@@ -9,10 +9,8 @@
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
-#include <CGAL/Volume_mesh_parameterization/merge_coinciding_cells.h>
-#include <CGAL/Volume_mesh_parameterization/merge_coinciding_points.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/separate_pinched_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 
 #include <array>
 #include <cmath>

@@ -3,20 +3,24 @@
 
 #include "Mesh_format.h"
 #include "Progress_line.h"
-#include "check_coordinate_systems.h"
 #include "mend_source.h"
-#include "notes_on_features.h"
 #include "read_in_own_process.h"
 #include "regions_of_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/IO/features.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
+#include <vector>
 
 // Calls f, and puts the name of the file before the sentence of an error.
 template <typename Function>
@@ -30,6 +34,37 @@ auto naming(const std::string& filename, const Function& f)
   {
     throw CGAL::Volume_mesh_parameterization::Input_error(filename + ": " + error.what());
   }
+}
+
+// The third field of a line: between commas, or of 8 columns, or of 16 behind a name that ends with a star.
+inline std::string third_Nastran_field(const std::string& line)
+{
+  if(const std::size_t comma = line.find(','); comma != line.npos)
+  {
+    const std::size_t begin = line.find(',', comma + 1);
+    return begin == line.npos ? "" : line.substr(begin + 1, line.find(',', begin + 1) - begin - 1);
+  }
+  const std::size_t width = line.find('*') < 8 ? 16 : 8, begin = 8 + width;
+  return line.size() < begin ? "" : line.substr(begin, width);
+}
+
+// Checks a Nastran file, as Gmsh ignores the coordinate systems of points. Throws if a point, or by GRDSET all of them, are in
+// another coordinate system than the basic one.
+inline void check_coordinate_systems(const std::string& filename)
+{
+  std::ifstream is(filename);
+  std::string line;
+  for(std::size_t number = 1; std::getline(is, line); ++number)
+    if(line.compare(0, 4, "GRID") == 0 || line.compare(0, 6, "GRDSET") == 0)
+    {
+      std::string system = third_Nastran_field(line);
+      system.erase(0, system.find_first_not_of(" 0"));
+      system.erase(system.find_last_not_of(" \r") + 1);
+      if(!system.empty())
+        throw CGAL::Volume_mesh_parameterization::Input_error(
+          "line " + std::to_string(number) + ": the coordinate system (CP) is '" + system
+          + "', but only the basic one (0 or blank) is supported: write the points in basic coordinates");
+    }
 }
 
 // Reads a mesh in any of the formats. Throws `Interruption` where the time is over.
@@ -59,6 +94,22 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
     throw VMP::Input_error(error.what() + advice_for(filename));
   }
   return soup;
+}
+
+// Tells which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
+inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+{
+  if(soup.edges.empty())
+    return "";
+  using CGAL::Volume_mesh_parameterization::sharp_boundary_edges;
+  const auto sharp = sharp_boundary_edges(soup.points, soup.cells, soup.edges);
+  const auto by_angle = sharp_boundary_edges(soup.points, soup.cells);
+  std::vector<std::array<std::size_t, 2> > unmarked;
+  std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
+  return unmarked.empty() ? std::string()
+    : std::to_string(unmarked.size()) + " sharp edges of the boundary, as that between the vertices "
+      + std::to_string(unmarked[0][0]) + " and " + std::to_string(unmarked[0][1])
+      + " (counted from 0), are not among the marked ones, and are not followed; --features FILE tells others";
 }
 
 inline Source read_source(const Options& options, Progress_line& progress)

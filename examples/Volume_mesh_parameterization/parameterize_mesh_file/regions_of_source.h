@@ -2,7 +2,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REGIONS_OF_SOURCE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_REGIONS_OF_SOURCE_H
 
-#include "shell_quoted.h"
+#include "Mesh_format.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>

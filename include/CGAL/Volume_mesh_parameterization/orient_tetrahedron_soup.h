@@ -20,11 +20,7 @@ namespace internal {
 // The negative cells. None may be flat.
 inline std::vector<std::size_t> negative_cells(const Tetrahedron_soup_3& soup, const bool is_parallel)
 {
-  const std::vector<Orientation> orientations = values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c)
-  {
-    const auto [p, q, r, s] = cell_points(soup, c);
-    return CGAL::orientation(p, q, r, s);
-  });
+  const std::vector<Orientation> orientations = orientations_of_cells(soup, is_parallel);
   std::vector<std::size_t> negative, flat;
   for(std::size_t c = 0; c < orientations.size(); ++c)
     if(orientations[c] != POSITIVE)

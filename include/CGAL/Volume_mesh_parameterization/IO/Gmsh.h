@@ -18,7 +18,7 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a file by \gmsh, of which `gmsh.h` and the library are needed: its own format (`.msh`), I-deas
+/// reads a tetrahedral mesh from a file by Gmsh, of which `gmsh.h` and the library are needed: its own format (`.msh`), I-deas
 /// (`.unv`) or Nastran (`.bdf`). References are physical groups, with their names, or entities if there are no groups in a
 /// dimension. A simplex in several groups comes once for each: `merge_coinciding_cells()` joins cells. The first steps of views
 /// are data.

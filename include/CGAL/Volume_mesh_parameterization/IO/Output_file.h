@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/open_file.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <poll.h>

@@ -56,6 +56,49 @@ bool read_tetrahedron_soup(const std::string& filename, Tetrahedron_soup_3& soup
   { soup = internal::read_soup(internal::read_file(filename, budget), budget); });
 }
 
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// marks the edges of a list in place of those that a mesh has, as the sharp ones. A line has two vertices, counted from 0; the
+/// first line may be the number of edges. The rest of a line behind `#` is skipped.
+///
+/// \param filename the name of the file
+/// \param soup the mesh, whose marked edges get the reference 1
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `false` if the time is over or the visitor ends the reading; `soup` is then unchanged.
+///
+/// \exception Input_error names the file and the line that is wrong; \c soup is then unchanged.
+template <typename NamedParameters = parameters::Default_named_parameters>
+bool read_features(const std::string& filename, Tetrahedron_soup_3& soup,
+                   const NamedParameters& np = parameters::default_values())
+{
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
+  {
+    const std::string text = internal::read_file(filename, budget);
+    internal::Text_scanner scanner(text, budget);
+    std::vector<std::array<std::size_t, 2> > edges;
+    for(bool is_first = true; !scanner.rest().empty(); is_first = false)
+    {
+      internal::Text_scanner line = scanner.next_line();
+      if(line.rest().find(',') != std::string_view::npos)
+        line.fail("a line must contain two vertices of the mesh; "
+                  "sides of triangles, as in files .sharp of LoopyCuts, are not supported");
+      const std::size_t v = line.next_number<std::size_t>("the index of a vertex");
+      if(is_first && line.rest().empty())
+        continue;
+      const std::size_t w = line.next_number<std::size_t>("the index of a vertex");
+      line.expect_end("the two vertices of an edge");
+      if(v >= soup.points.size() || w >= soup.points.size() || v == w)
+        line.fail("there is no edge between the vertices " + std::to_string(v) + " and " + std::to_string(w)
+                  + " (counted from 0)");
+      edges.push_back({ v, w });
+    }
+    soup.edges = std::move(edges);
+    soup.edge_references.assign(soup.edges.size(), 1);
+    soup.edge_data.clear();
+  });
+}
+
 } // namespace IO
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <map>
 #include <optional>
@@ -109,12 +110,7 @@ struct Matching
 };
 
 inline double squared_distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
-{
-  double result = 0;
-  for(std::size_t i = 0; i < 3; ++i)
-    result += (p[i] - q[i]) * (p[i] - q[i]);
-  return result;
-}
+{ return (to_vector(p) - to_vector(q)).squaredNorm(); }
 
 // Continues from an edge of a part and one of a boundary over all triangles of the part. Returns nothing if the triangles
 // differ, or if the displacement would be larger than a bound.

@@ -19,6 +19,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -28,8 +29,33 @@
 #include <streambuf>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The number of the open file of this program that a name of the system stands for, such as /dev/stdin; else -1.
+inline int descriptor_of_name(const std::string& name)
+{
+  for(const auto& [known, descriptor] : { std::pair("/dev/stdin", 0), std::pair("/dev/stdout", 1), std::pair("/dev/stderr", 2) })
+    if(name == known)
+      return descriptor;
+  for(const std::string folder : { "/dev/fd/", "/proc/self/fd/" })
+    if(name.compare(0, folder.size(), folder) == 0)
+    {
+      int descriptor = -1;
+      const std::from_chars_result end = std::from_chars(&name[folder.size()], name.data() + name.size(), descriptor);
+      return end.ptr == name.data() + name.size() ? descriptor : -1;
+    }
+  return -1;
+}
+
+// Opens a file, and does not wait for the other end of a pipe. An open file of this program is used where it stands, and may
+// be a socket; opened by its name, it would begin anew.
+inline int open_file(const std::string& name, const int flags)
+{
+  const int descriptor = descriptor_of_name(name);
+  return descriptor >= 0 ? fcntl(descriptor, F_DUPFD_CLOEXEC, 0) : open(name.c_str(), flags | O_NONBLOCK | O_CLOEXEC);
+}
 
 // Follows symbolic links to the file, which need not be there yet.
 inline std::string path_behind_links(const std::string& name)

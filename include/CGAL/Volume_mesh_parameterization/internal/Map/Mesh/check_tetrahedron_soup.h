@@ -80,14 +80,19 @@ inline void check_simplices(const Tetrahedron_soup_3& soup)
     check_simplex(std::array{ soup.corners[c] }, soup.points.size(), "corner ", c);
 }
 
-// Are the cells negatively oriented? All must be oriented alike, and none may be flat.
-inline bool has_negative_cells(const Tetrahedron_soup_3& soup, const bool is_parallel = false)
+inline std::vector<Orientation> orientations_of_cells(const Tetrahedron_soup_3& soup, const bool is_parallel)
 {
-  const std::vector<Orientation> orientations = values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c)
+  return values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c)
   {
     const auto [p, q, r, s] = cell_points(soup, c);
     return CGAL::orientation(p, q, r, s);
   });
+}
+
+// Are the cells negatively oriented? All must be oriented alike, and none may be flat.
+inline bool has_negative_cells(const Tetrahedron_soup_3& soup, const bool is_parallel = false)
+{
+  const std::vector<Orientation> orientations = orientations_of_cells(soup, is_parallel);
   const std::size_t none = soup.cells.size();
   std::size_t first_positive = none, first_negative = none;
   for(std::size_t c = 0; c < soup.cells.size(); ++c)

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SEPARATE_PINCHED_VERTICES_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_SEPARATE_PINCHED_VERTICES_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_REPAIR_TETRAHEDRON_SOUP_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_REPAIR_TETRAHEDRON_SOUP_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -18,6 +18,7 @@
 
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -90,7 +91,124 @@ inline void renumber_edges(const std::vector<std::array<std::size_t, 4> >& befor
   }
 }
 
+// The cell data with the reference number `i` of cells in several groups.
+inline std::string name_of_reference(const std::size_t i) { return "reference_" + std::to_string(i); }
+
 } // namespace internal
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// finds points with the same coordinates, in O(n log n) time for n points.
+///
+/// \return for each point, the first one with its coordinates; the point itself, if it has a place of its own
+inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::array<double, 3> >& points)
+{
+  std::vector<std::size_t> order(points.size()), result(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](const std::size_t v, const std::size_t w) { return points[v] < points[w]; });
+  for(std::size_t i = 0; i < order.size(); ++i)
+    result[order[i]] = i > 0 && points[order[i]] == points[order[i - 1]] ? result[order[i - 1]] : order[i];
+  return result;
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// makes cells and marked facets, edges and corners use the first one of points with the same coordinates. The other ones stay, so
+/// that indices have their meaning, and have no cell any more.
+///
+/// \return that of `first_coinciding_points()`
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
+inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup)
+{
+  internal::check_simplices(soup);
+  std::vector<std::size_t> first = first_coinciding_points(soup.points);
+  for(std::array<std::size_t, 4>& cell : soup.cells)
+    for(std::size_t& v : cell)
+      v = first[v];
+  for(std::array<std::size_t, 3>& facet : soup.facets)
+    for(std::size_t& v : facet)
+      v = first[v];
+  for(std::array<std::size_t, 2>& edge : soup.edges)
+    for(std::size_t& v : edge)
+      v = first[v];
+  for(std::size_t& v : soup.corners)
+    v = first[v];
+  return first;
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// finds cells with the same vertices, as those that a file repeats in each of its groups, in O(n log n) time for n cells.
+///
+/// \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag` or `Parallel_if_available_tag`
+///
+/// \return for each cell, the first one with its four vertices
+template <typename ConcurrencyTag = Sequential_tag>
+std::vector<std::size_t> first_coinciding_cells(const std::vector<std::array<std::size_t, 4> >& cells)
+{
+  std::vector<std::size_t> result(cells.size());
+  internal::for_each_group(cells.size(),
+                           [&](const std::size_t c) { return std::make_pair(internal::sorted(cells[c]), c); },
+                           [&](const auto begin, const auto end)
+  {
+    for(auto it = begin; it != end; ++it)
+      result[it->second] = begin->second;
+  }, internal::is_parallel<ConcurrencyTag>());
+  return result;
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// removes each cell with the vertices of an earlier one, and adds a note to the soup. If the references of such cells differ, the
+/// further ones become the cell data `reference_2`, `reference_3`, ... of the cell that stays, with 0 for none.
+///
+/// \return that of `first_coinciding_cells()` for the cells before
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
+template <typename ConcurrencyTag = Sequential_tag>
+std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
+{
+  internal::check_simplices(soup);
+  const std::vector<std::size_t> first = first_coinciding_cells<ConcurrencyTag>(soup.cells);
+  const std::size_t n = soup.cells.size();
+  std::vector<std::set<int> > references(n);
+  std::vector<std::size_t> kept, repeated;
+  std::size_t number_of_references = 1;
+  for(std::size_t c = 0; c < n; ++c)
+  {
+    (first[c] == c ? kept : repeated).push_back(c);
+    if(soup.cell_references[c] != soup.cell_references[first[c]])
+      references[first[c]].insert(soup.cell_references[c]);
+    number_of_references = (std::max)(number_of_references, 1 + references[first[c]].size());
+  }
+  if(repeated.empty())
+    return first;
+  for(std::size_t i = 2; i <= number_of_references; ++i)
+  {
+    soup.cell_data.push_back({ internal::name_of_reference(i), 1, true, std::vector<double>(n, 0) });
+    for(std::size_t c = 0; c < n; ++c)
+      if(references[c].size() + 1 >= i)
+        soup.cell_data.back().values[c] = *std::next(references[c].begin(), static_cast<std::ptrdiff_t>(i - 2));
+  }
+  const auto keep = [&](auto& values, const std::size_t number_of_components)
+  {
+    for(std::size_t k = 0; k < kept.size(); ++k)
+      for(std::size_t i = 0; i < number_of_components; ++i)
+        values[k * number_of_components + i] = values[kept[k] * number_of_components + i];
+    values.resize(kept.size() * number_of_components);
+  };
+  keep(soup.cells, 1);
+  keep(soup.cell_references, 1);
+  for(auto& array : soup.cell_data)
+    keep(array.values, array.number_of_components);
+  soup.notes.push_back(std::to_string(repeated.size()) + " cells have the vertices of an earlier cell, such as cell "
+    + std::to_string(repeated[0]) + " those of cell " + std::to_string(first[repeated[0]]) + " (counted from 0), and are left out"
+    + (number_of_references == 1 ? "" : "; their references are the cell data '" + internal::name_of_reference(2)
+        + (number_of_references == 2 ? "'" : "' to '" + internal::name_of_reference(number_of_references) + "'")
+        + ", which files *.vtu and *.msh hold"));
+  return first;
+}
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -162,4 +280,4 @@ std::size_t separate_pinched_vertices(C3t3& c3t3)
 
 } // namespace CGAL::Volume_mesh_parameterization
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SEPARATE_PINCHED_VERTICES_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_REPAIR_TETRAHEDRON_SOUP_H
