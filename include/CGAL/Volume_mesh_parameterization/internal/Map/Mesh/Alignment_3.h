@@ -26,9 +26,9 @@ template <typename Points, typename Images>
 Similarity_3 similarity_of_points_3(const Points& source, const Images& target, const std::optional<double> scale = {},
                                     const double regularization = 0)
 {
-  Similarity_3 result;
   if(source.cols() == 0)
-    return result;
+    return { scale.value_or(1) };
+  Similarity_3 result;
   const Eigen::Vector3d source_mean = source.rowwise().mean(), target_mean = target.rowwise().mean();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   double variance = 0;
@@ -67,86 +67,108 @@ inline std::vector<int> fixed_vertices(const Numbered_mesh_3& mesh)
   return result;
 }
 
-// By what edges between vertices at their targets are stretched, the median; nothing, if there is no such edge. A body that
-// is held at some facets keeps its size, however far these are from each other.
+// The median of ratios of distances, of those that are positive and finite; nothing, if there are none.
+inline std::optional<double> median_ratio(std::vector<double> ratios)
+{
+  const auto end = std::remove_if(ratios.begin(), ratios.end(), [](const double r) { return !(r > 0 && std::isfinite(r)); });
+  if(end == ratios.begin())
+    return std::nullopt;
+  const auto median = ratios.begin() + (end - ratios.begin()) / 2;
+  std::nth_element(ratios.begin(), median, end);
+  return *median;
+}
+
+// By what edges between vertices at their targets are stretched, the median. A body that is held at some facets keeps its size,
+// however far these are from each other.
 inline std::optional<double> stretch_of_prescribed_edges_3(const Numbered_mesh_3& mesh)
 {
-  std::vector<double> stretches;
+  std::vector<double> ratios;
   for(const std::array<int, 4>& cell : mesh.cells)
     for(const int v : cell)
       for(const int w : cell)
         if(v < w && mesh.is_fixed(v) && mesh.is_fixed(w))
-        {
-          const double stretch = (mesh.target.col(w) - mesh.target.col(v)).stableNorm()
-                                 / (mesh.source.col(w) - mesh.source.col(v)).stableNorm();
-          if(stretch > 0 && std::isfinite(stretch))
-            stretches.push_back(stretch);
-        }
-  if(stretches.empty())
-    return std::nullopt;
-  const auto median = stretches.begin() + stretches.size() / 2;
-  std::nth_element(stretches.begin(), median, stretches.end());
-  return *median;
+          ratios.push_back((mesh.target.col(w) - mesh.target.col(v)).stableNorm()
+                           / (mesh.source.col(w) - mesh.source.col(v)).stableNorm());
+  return median_ratio(std::move(ratios));
 }
 
-using Vector_7 = Eigen::Matrix<double, 7, 1>;
-using Matrix_7 = Eigen::Matrix<double, 7, 7>;
-
-// Solves A x = b by Jacobi rotations, for a symmetric matrix without negative eigenvalues. The solution has no part in the
-// directions in which A vanishes. Eigen's own solver allocates memory by the flags of a unit.
-inline Vector_7 least_solution_7(Matrix_7 A, const Vector_7& b)
+// By what conditions stretch the body at least, the median over their vertices: the largest distance that two conditions keep, by
+// that of their vertices in the source. So a shell between two planes has a scale by its thickness, however it is curved. Skew
+// lines count as if they met.
+inline std::optional<double> stretch_between_conditions_3(const Numbered_mesh_3& mesh)
 {
-  constexpr int maximal_number_of_sweeps = 30; // a guess; convergence is quadratic
-  Matrix_7 directions = Matrix_7::Identity();
-  for(int sweep = 0; sweep < maximal_number_of_sweeps; ++sweep)
-    for(int p = 0; p < 7; ++p)
-      for(int q = p + 1; q < 7; ++q)
-      {
-        Eigen::JacobiRotation<double> rotation;
-        if(!rotation.makeJacobi(A, p, q))
-          continue;
-        A.applyOnTheLeft(p, q, rotation.adjoint());
-        A.applyOnTheRight(p, q, rotation);
-        directions.applyOnTheRight(p, q, rotation);
-      }
-  Vector_7 x = directions.transpose() * b;
-  const double largest = A.diagonal().maxCoeff();
-  for(int i = 0; i < 7; ++i)
-    x[i] = A(i, i) > 1e-9 * largest ? x[i] / A(i, i) : 0;
-  return directions * x;
+  constexpr int many_vertices = 300; // a guess: of more, some are compared with all
+  const int first = mesh.number_of_free_vertices, n = mesh.number_of_vertices();
+  std::vector<double> ratios;
+  for(int v = first; v < n; v += 1 + mesh.number_of_prescribed_vertices() / many_vertices)
+  {
+    const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - mesh.projector(v);
+    double largest = 0;
+    for(int w = first; w < n; ++w)
+    {
+      const Eigen::Matrix3d both = Q - Q * mesh.projector(w); // onto what both prescribe, if the factors commute
+      const double distance = (mesh.source.col(w) - mesh.source.col(v)).stableNorm();
+      if(distance > 0 && both.isApprox(both.transpose()))
+        largest = (std::max)(largest, (both * (mesh.target.col(w) - mesh.target.col(v))).norm() / distance);
+    }
+    ratios.push_back(largest);
+  }
+  return median_ratio(std::move(ratios));
 }
 
-// Moves a body by Gauss-Newton steps such that its prescribed vertices come nearest to their targets, planes and lines. What
-// these leave open does not change. Returns the sum of the squared distances.
-inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, const bool has_scale, Similarity_3& similarity)
+using Vector_6 = Small_matrix<6, 1>;
+using Matrix_6 = Small_matrix<6, 6>;
+
+// Solves A x = b by conjugate gradients, for a symmetric matrix without negative eigenvalues. The solution has no part in the
+// directions in which A vanishes.
+inline Vector_6 least_solution_6(const Matrix_6& A, const Vector_6& b)
+{
+  constexpr int maximal_number_of_steps = 20; // six, but for rounding
+  constexpr double tolerance = 1e-10;
+  Vector_6 x = Vector_6::Zero(), r = b, p = b;
+  for(int step = 0; step < maximal_number_of_steps && r.norm() > tolerance * b.norm(); ++step)
+  {
+    const Vector_6 Ap = A * p;
+    const double squares = r.squaredNorm(), length = squares / p.dot(Ap);
+    if(!(length > 0 && std::isfinite(length)))
+      break;
+    x += length * p;
+    r -= length * Ap;
+    p = r + r.squaredNorm() / squares * p;
+  }
+  return x;
+}
+
+// Moves a body rigidly by Gauss-Newton steps such that its prescribed vertices come nearest to their targets, planes and lines.
+// What these leave open does not change. Returns the sum of the squared distances.
+inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& similarity)
 {
   constexpr int maximal_number_of_steps = 50; // a guess
   const int n = mesh.number_of_vertices(), first = mesh.number_of_free_vertices;
   const double radius = std::sqrt((mesh.source.colwise() - similarity.source_center).colwise().squaredNorm().mean());
+  const double unit = similarity.scale * radius; // of translations
   double squares = 0;
   for(int step = 0; step < maximal_number_of_steps; ++step)
   {
-    Matrix_7 A = Matrix_7::Zero();
-    Vector_7 b = Vector_7::Zero(); // for a rotation, the logarithm of the scale, and a translation
-    const double unit = similarity.scale * radius; // of translations
+    Matrix_6 A = Matrix_6::Zero();
+    Vector_6 b = Vector_6::Zero(); // for a rotation and a translation
     squares = 0;
     for(int v = first; v < n; ++v)
     {
       const Eigen::Vector3d y = similarity(mesh.source.col(v)), x = y - similarity.image_center;
       const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - mesh.projector(v);
-      Eigen::Matrix<double, 3, 7> J;
+      Small_matrix<3, 6> J;
       J << Eigen::Vector3d::UnitX().cross(x), Eigen::Vector3d::UnitY().cross(x), Eigen::Vector3d::UnitZ().cross(x),
-           (has_scale ? 1. : 0.) * x, unit * Eigen::Matrix3d::Identity();
+           unit * Eigen::Matrix3d::Identity();
       const Eigen::Vector3d r = Q * (y - mesh.target.col(v));
       A += J.transpose() * Q * J;
       b -= J.transpose() * r;
       squares += r.squaredNorm();
     }
-    Vector_7 d = least_solution_7(A, b);
+    Vector_6 d = least_solution_6(A, b);
     if(!(d.norm() > 1e-12))
       break;
-    d *= (std::min)(1., 0.5 / d.head<4>().norm()); // no turn is larger than half a radian
-    similarity.scale *= std::exp(d[3]);
+    d *= (std::min)(1., 0.5 / d.head<3>().norm()); // no turn is larger than half a radian
     if(const double angle = d.head<3>().norm(); angle > 0)
       similarity.rotation = Eigen::AngleAxisd(angle, d.head<3>() / angle) * similarity.rotation;
     similarity.image_center += unit * d.tail<3>();
@@ -155,14 +177,14 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, const bool has_sc
 }
 
 // The similarity that takes the source nearest to what is prescribed. The scale is that of edges between vertices at their
-// targets. If there are none, four conditions tell one; otherwise it is 1. Where planes and lines leave the body upside
-// down, it is turned over.
+// targets; without these, that of four vertices at their targets, or what four conditions tell; otherwise it is 1. Where planes
+// and lines leave the body upside down, it is turned over.
 inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
 {
   const std::vector<int> fixed = fixed_vertices(mesh);
   std::optional<double> scale = stretch_of_prescribed_edges_3(mesh);
-  if(!scale && mesh.number_of_prescribed_vertices() < 4)
-    scale = 1;
+  if(!scale && fixed.size() < 4)
+    scale = mesh.number_of_prescribed_vertices() < 4 ? 1 : stretch_between_conditions_3(mesh).value_or(1);
   Matrix3Xd source(3, fixed.size()), target(3, fixed.size());
   for(std::size_t i = 0; i < fixed.size(); ++i)
   {
@@ -170,7 +192,7 @@ inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
     target.col(i) = mesh.target.col(fixed[i]);
   }
   constexpr double regularization = 1e-9;
-  Similarity_3 start = similarity_of_points_3(source, target, fixed.size() < 4 ? scale.value_or(1) : scale, regularization);
+  Similarity_3 start = similarity_of_points_3(source, target, scale, regularization);
   if(mesh.projectors.empty())
     return start;
   if(fixed.empty())
@@ -183,7 +205,7 @@ inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
     if(turn > 0)
       similarity.rotation = Eigen::Vector3d(2 * Eigen::Vector3d::Unit(turn - 1) - Eigen::Vector3d::Ones()).asDiagonal()
                             * similarity.rotation;
-    const double squares = fit_to_conditions_3(mesh, !scale, similarity);
+    const double squares = fit_to_conditions_3(mesh, similarity);
     if(!(squares < 0.9 * fewest_squares)) // a turn has to pay off
       continue;
     fewest_squares = squares;

@@ -173,12 +173,32 @@ inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_sol
   return result;
 }
 
-// Returns the images from which displacements of prescribed vertices to their targets are extended if there is no initial map: the
-// source near these targets if a part of the boundary is free, and otherwise one point, which gives the harmonic map.
+// Returns the images from which displacements of prescribed vertices to their targets are extended if there is no initial map:
+// one point, which gives the harmonic map, or the source near the targets if a part of the boundary is free. Then a coordinate
+// that the source misses by more than the mean of the targets does is constant, as that across a shell which becomes flat.
 inline Matrix3Xd first_images_3(const Numbered_mesh_3& mesh)
 {
-  return mesh.alignment ? moved(*mesh.alignment, mesh.source)
-                        : Matrix3Xd(mesh.base_point.replicate(1, mesh.number_of_vertices()));
+  if(!mesh.alignment)
+    return mesh.base_point.replicate(1, mesh.number_of_vertices());
+  Matrix3Xd result = moved(*mesh.alignment, mesh.source);
+  for(int axis = 0; axis < 3 && !mesh.projectors.empty(); ++axis)
+  {
+    std::vector<double> targets;
+    double misfit = 0, spread = 0;
+    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+      if(mesh.projector(v).row(axis).isZero(0))
+      {
+        targets.push_back(mesh.target(axis, v));
+        misfit += CGAL::square(mesh.target(axis, v) - result(axis, v));
+      }
+    const double mean = std::accumulate(targets.begin(), targets.end(), 0.) / static_cast<double>(targets.size());
+    for(const double t : targets)
+      spread += CGAL::square(t - mean);
+    const bool are_equal = std::adjacent_find(targets.begin(), targets.end(), std::not_equal_to<double>()) == targets.end();
+    if(!are_equal && misfit > spread)
+      result.row(axis).setConstant(mean);
+  }
+  return result;
 }
 
 // Starts from `initial`, moves the prescribed vertices to their targets, extends the displacements harmonically, and
