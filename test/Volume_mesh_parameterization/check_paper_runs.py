@@ -51,6 +51,17 @@ def main(folder_of_runs):
             assert sorted(runs.seconds) == sorted(str(folder / f"{target}.label") for target in targets)
             return results[:3], [Path(line).name for line in (folder / "starts").read_text().split()]
 
+        runs = Runs(build, name, folder, 1)
+        for method in ("dirichlet", "arap"):  # runs of one name would otherwise be taken for each other
+            try:
+                runs.soft(Case("good", "source", "good"), "one_name", method)
+            except SystemExit as error:
+                assert method == "arap" and "two runs have this name" in str(error)
+            else:
+                assert method == "dirichlet"
+        runs.jobs[str(folder / "good.one_name")].result()
+        (folder / "starts").unlink()
+
         first, starts = start()
         assert sorted(starts) == ["bad.label", "endless.label", "good.label"], starts
         good, endless, bad = first

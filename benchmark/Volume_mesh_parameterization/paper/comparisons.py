@@ -64,7 +64,7 @@ class Locally_injective:
     def __init__(self, runs):
         self.cases = [runs.case(*names) for names in self.CASES]
         self.jobs = [(runs.soft(case, "stretch", *PAPER), runs.baseline("injective", case),
-                      runs.soft(case, "dirichlet", *PAPER, "--energy", "dirichlet"),
+                      runs.soft(case, "dirichlet_soft", *PAPER, "--energy", "dirichlet"),
                       runs.baseline("injective_dirichlet", case), runs.ours(case, "stretch_fixed")) for case in self.cases]
 
     def parts(self, output):

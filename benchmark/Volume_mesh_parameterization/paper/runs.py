@@ -27,7 +27,7 @@ class Runs:
         self.pool = ThreadPoolExecutor(2)
         self.driver = self.build / "examples/Volume_mesh_parameterization/parameterize_mesh_file"
         self.programs = self.build / "benchmark/Volume_mesh_parameterization/paper"
-        self.jobs = {}
+        self.jobs, self.commands = {}, {}
         self.seconds = {}  # of each run, also in an earlier start
 
     def case(self, model, domain):
@@ -42,13 +42,15 @@ class Runs:
         """The driver."""
         prefix = self._prefix(case, label)
 
+        command = [self.driver, case.source, case.target, "--quiet", "--output", f"{prefix}.mesh",
+                   "--report", f"{prefix}.report.json", *options]
+
         def run():
-            kept = self._kept_run([self.driver, case.source, case.target, "--quiet", "--output", f"{prefix}.mesh",
-                                   "--report", f"{prefix}.report.json", *options], prefix)
+            kept = self._kept_run(command, prefix)
             report = Path(f"{prefix}.report.json")
             steps = 0 if kept["message"] or not report.exists() else json.loads(report.read_text())["iterations"]
             return self._measured(case, prefix, [], kept["seconds"], steps, kept["message"])
-        return self._job(prefix, run)
+        return self._job(prefix, command, run)
 
     def soft(self, case, label, *options):
         """The method of the paper, with soft boundary, step by step."""
@@ -64,15 +66,19 @@ class Runs:
     def _submit(self, case, label, program, before, after):
         prefix = self._prefix(case, label)
 
+        command = [self.programs / program, *before, case.source, case.target, prefix, *after]
+
         def run():
-            kept = self._kept_run([self.programs / program, *before, case.source, case.target, prefix, *after], prefix)
+            kept = self._kept_run(command, prefix)
             log = read_log(f"{prefix}.csv")
             last = log[-1] if log else {"seconds": kept["seconds"], "step": 0}
             return self._measured(case, prefix, log, last["seconds"], int(last["step"]), kept["message"])
-        return self._job(prefix, run)
+        return self._job(prefix, command, run)
 
-    def _job(self, prefix, run):
-        """Experiments may share a run."""
+    def _job(self, prefix, command, run):
+        """Experiments may share a run, but not a name."""
+        if self.commands.setdefault(prefix, command) != command:
+            sys.exit(f"{prefix}: two runs have this name")
         if prefix not in self.jobs:
             self.jobs[prefix] = self.pool.submit(run)
         return self.jobs[prefix]
