@@ -20,6 +20,8 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <ostream>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -177,6 +179,9 @@ TEST_CASE("A file gets all of its content at once, or stays as it was")
   CHECK(content_of(name).find("MeshVersionFormatted") == 0);
   CHECK(number_of_files() == 2);
   CHECK_FALSE(VMP::IO::write_MEDIT("/dev/full", cube_soup(1)));
+  const auto fail = [](std::ostream&) { throw std::runtime_error("a failure of a property map"); };
+  CHECK_THROWS_WITH(VMP::internal::write_file(name, fail), "a failure of a property map");
+  CHECK(content_of(name).find("MeshVersionFormatted") == 0);
 
   const std::string pipe = folder + "/pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);

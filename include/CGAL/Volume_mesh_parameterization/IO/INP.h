@@ -172,7 +172,7 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
 
 /// \ingroup PkgVolumeMeshParameterizationHexahedra
 ///
-/// writes hexahedra to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+/// writes hexahedra to a file, as to a stream. The file is replaced when it is complete.
 ///
 /// \param filename the name of the file
 /// \param mesh the hexahedra

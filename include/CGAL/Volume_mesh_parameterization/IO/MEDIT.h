@@ -167,7 +167,7 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// writes a mesh to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+/// writes a mesh to a file, as to a stream. The file is replaced when it is complete.
 ///
 /// \param filename the name of the file
 /// \param mesh the tetrahedra or hexahedra

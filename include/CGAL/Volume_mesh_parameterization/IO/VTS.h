@@ -54,7 +54,7 @@ inline bool write_VTS(std::ostream& os, const Map_on_grid_3& grid)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// writes a map on a regular grid to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+/// writes a map on a regular grid to a file, as to a stream. The file is replaced when it is complete.
 ///
 /// \param filename the name of the file
 /// \param grid the grid

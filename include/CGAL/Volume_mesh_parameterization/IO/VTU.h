@@ -236,7 +236,7 @@ inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// writes a mesh to a file, as to a stream. The file is replaced, but not if an exception is thrown.
+/// writes a mesh to a file, as to a stream. The file is replaced when it is complete.
 ///
 /// \param filename the name of the file
 /// \param mesh the arguments behind the stream: a soup and its images, arrays of points, cells and images, a complex and its

@@ -64,15 +64,17 @@ bool write_file(const std::string& filename, const Write& write)
   std::ofstream file(filename, std::ios::binary);
   return file << content.rdbuf() && file.flush();
 #else
-  try
+  const auto succeeds = [](const auto& f)
   {
-    IO::Output_file file(filename);
-    write(file.stream());
-    file.commit();
+    try { f(); }
+    catch(const std::runtime_error&) { return false; }
     return true;
-  }
-  catch(const Input_error&) { throw; } // of the mesh
-  catch(const std::runtime_error&) { return false; }
+  };
+  std::optional<IO::Output_file> file;
+  if(!succeeds([&] { file.emplace(filename); }))
+    return false;
+  write(file->stream());
+  return succeeds([&] { file->commit(); });
 #endif
 }
 
