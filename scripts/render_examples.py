@@ -304,6 +304,18 @@ def draw_moving(folder, output):
               for grid, title in zip(grids, ("mesh of the beginning", "1/4", "1/2", "3/4", "end"))], output)
 
 
+def draw_conditions(folder, output):
+    """Bodies with a free boundary and their images, in the same colors."""
+    bodies = []
+    for name, title, title_of_image in (("bent_bar", "bar", "ends at their targets"),
+                                        ("flattened_slab", "folded slab", "bottom and top in planes")):
+        source = render.read(str(folder / f"{name}.vtu"))
+        colors = colors_of_positions(source)
+        bodies += [([painted_surface(body, colors)], (1, -3, 1), (0, 0, 1), words)
+                   for body, words in ((source, title), (render.image_of(source), title_of_image))]
+    draw_row(bodies, output)
+
+
 def draw_hexahedra(vtu, output):
     """Hexahedra, and those of one half with their scaled Jacobians."""
     direction, up, normal = VIEWS["polycube"]
@@ -324,6 +336,7 @@ def main(folder, output_folder):
     draw_detail(folder, output_folder / "transferred_detail.png")
     draw_spline(folder, output_folder / "spline_of_map.png")
     draw_moving(folder, output_folder / "moving_boundary.png")
+    draw_conditions(folder, output_folder / "free_boundary.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
 
 
