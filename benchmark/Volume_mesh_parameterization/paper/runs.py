@@ -123,7 +123,7 @@ class Runs:
                               preexec_fn=prepare, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"}) as process:
             errors = process.stderr.read().strip().splitlines()
             _, status, usage = os.wait4(process.pid, 0)
-            process.returncode = os.waitstatus_to_exitcode(status)
+            process.returncode = -os.WTERMSIG(status) if os.WIFSIGNALED(status) else os.WEXITSTATUS(status)
         if process.returncode == -signal.SIGXCPU:
             message = f"ended after {self.time_limit} s"
         else:
