@@ -3,11 +3,11 @@
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/make_mesh_3.h>
 #include <fstream>
-
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using namespace CGAL::parameters;
 using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<CGAL::Epick>;
