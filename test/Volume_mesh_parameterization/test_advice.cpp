@@ -1,7 +1,7 @@
 // The advice of each message is carried out, and leads where it says:
 // - "exchange two vertices of each cell", "scale it", "try another one" (a linear solver), "needs far less" (memory), "has no
 //   limit", "give those ... a copy", "refine it or choose others", "exchange opposite faces", "map the body to a box or a
-//   polycube", "a spacing of ... would do", "make the spacing smaller", "vertices that slide, would help", "prescribe a boundary
+//   polycube", "a spacing of ... would do", "Make the spacing smaller", "vertices that slide, would help", "prescribe a boundary
 //   nearer to the source": here
 // - "allow refinement": here for the sentence, in test_arrays.cpp for where it leads, and in test_driver.cpp for --refine
 // - "move a target of it off the line": in test_entry_function.cpp
@@ -320,8 +320,9 @@ TEST_CASE("Hexahedra that are inverted become positive with a smaller spacing")
     p = { radius * std::sin(angle), radius * std::cos(angle), p[2] };
   }
   VMP::Hexahedron_soup_3 hexahedra;
-  CHECK(VMP::hexahedral_mesh(ring, soup.cells, soup.points, 6, hexahedra).status == VMP::ERROR_INVERTED_HEXAHEDRON);
-  CHECK(has(VMP::get_error_message(VMP::ERROR_INVERTED_HEXAHEDRON), "make the spacing smaller"));
+  const VMP::Hexahedral_mesh_result coarse = VMP::hexahedral_mesh(ring, soup.cells, soup.points, 6, hexahedra);
+  CHECK(coarse.status == VMP::ERROR_INVERTED_HEXAHEDRON);
+  CHECK(has(coarse.message, "Make the spacing smaller"));
   CHECK(VMP::hexahedral_mesh(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
 }
 

@@ -974,6 +974,36 @@ TEST_CASE("Hexahedra that leave out a subdomain have a status of their own")
   CHECK(folder.run("source.mesh source.mesh --hexahedra 1 hexahedra.mesh") == 0);
 }
 
+TEST_CASE("Hexahedra that leave out a part of the body farther than their edges have that status, too")
+{
+  const Folder folder;
+  const Soup target = cube(2);
+  Soup source = target;
+  for(Point& p : source.points)
+    if(p == Point{ 1, 1, 2 })
+      p[2] = 6; // the tip of a spire, where a grid with the spacing 2 has no vertex
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", target);
+  CHECK(folder.run("source.mesh target.mesh --hexahedra 2 hexahedra.mesh --report report.json") == 1);
+  CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_INCOMPLETE_HEXAHEDRA\"") != std::string::npos);
+  CHECK(folder.text("stderr").find(" apart at (1, 1, 6)") != std::string::npos);
+  folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.mesh --report report.json");
+  CHECK(folder.text("report.json").find("ERROR_INCOMPLETE_HEXAHEDRA") == std::string::npos);
+  CHECK(folder.text("stderr").find("note") == std::string::npos);
+}
+
+TEST_CASE("A note comes before the hexahedra of a map that distorts angles beyond hope")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  for(Point& p : source.points)
+    p[2] *= 2000; // angles are distorted by 2000 + 1 / 2000
+  folder.write("source.mesh", source);
+  folder.write("target.mesh", cube(2));
+  folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.mesh");
+  CHECK(folder.text("stderr").find("note: source.mesh: the map distorts angles by a factor of up to 2000") != std::string::npos);
+}
+
 TEST_CASE("Vertices without a cell keep their place in the output")
 {
   const Folder folder;

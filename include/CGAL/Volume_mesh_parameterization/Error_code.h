@@ -119,11 +119,9 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_DOMAIN_NOT_AXIS_PARALLEL:
       return "A boundary facet of the domain is not orthogonal to an axis; map the body to a box or a polycube.";
     case ERROR_INVERTED_HEXAHEDRON:
-      return "A hexahedron is flat or inverted at a corner or inside; make the spacing smaller, or map the body with less "
-             "distortion.";
+      return "A hexahedron is flat or inverted at a corner or inside.";
     case ERROR_POOR_HEXAHEDRON:
-      return "The hexahedra are valid, but the scaled Jacobian of one is below the bound; make the spacing smaller, or map the "
-             "body with less distortion, for instance with refinement.";
+      return "The hexahedra are valid, but the scaled Jacobian of one is below the bound.";
     case ERROR_INCOMPLETE_HEXAHEDRA:
       return "The hexahedra are valid, but leave out a part of the body; map the body with less distortion there, or to a "
              "domain that has this part. If the part is thinner than the spacing, make the spacing smaller.";

@@ -27,7 +27,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -127,9 +126,11 @@ struct Largest_distance_3
 inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
 {
   Largest_distance_3 result;
-  std::set<int> vertices;
+  std::vector<int> vertices;
   for(const std::array<int, 3>& triangle : covered.triangles)
-    vertices.insert(triangle.begin(), triangle.end());
+    vertices.insert(vertices.end(), triangle.begin(), triangle.end());
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for(const int v : vertices)
     result.take(positions.col(v), covered.surface->nearest(positions.col(v), Freedom_3::SURFACE));
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
@@ -187,9 +188,9 @@ inline double uncovered(const Matrix3Xd& positions, const Cover_of_vertex_3& cov
   for(const Eigen::Vector3d& p : cover.points)
   {
     double least = (std::numeric_limits<double>::infinity)();
-    for(const std::array<int, 3>& triangle : cover.triangles)
-      least = (std::min)(least, squared_distance(exact_point(p), triangle_at(positions, triangle)));
-    sum += std::pow((std::max)(0., std::sqrt(least) - tolerance), 2);
+    for(auto triangle = cover.triangles.begin(); triangle != cover.triangles.end() && least > tolerance; ++triangle)
+      least = (std::min)(least, std::sqrt(squared_distance(exact_point(p), triangle_at(positions, *triangle))));
+    sum += std::pow((std::max)(0., least - tolerance), 2);
   }
   for(const auto& [surface, edge] : cover.far_edges)
     sum += std::pow((std::max)(0., Middle_3(*surface, positions, edge).distance() - tolerance), 2);

@@ -19,6 +19,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/measure_interfaces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/move_to_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/separate_subdomains_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -127,19 +128,42 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedron_soup_3& me
   return result;
 }
 
+inline const std::array<std::size_t, 8>& worst_hexahedron(const Hexahedron_soup_3& mesh, const std::vector<double>& quality)
+{ return mesh.cells[std::min_element(quality.begin(), quality.end()) - quality.begin()]; }
+
+// Advises what makes the hexahedron with the least scaled Jacobian better: a finer grid, or, where the map distorts angles much,
+// another map.
+inline std::string advice_3(const Mapped_soup_3& soup, const Volume_map_3& map, const Hexahedron_soup_3& mesh)
+{
+  constexpr double large_distortion = 10; // a guess
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for(const std::size_t v : worst_hexahedron(mesh, scaled_jacobians(mesh)))
+    center += to_vector(mesh.points[v]) / 8;
+  const std::array<std::size_t, 4>& cell = soup.cells[map.nearest_image({ center[0], center[1], center[2] })->cell];
+  const auto edges = [&](const std::vector<std::array<double, 3> >& points)
+  {
+    const auto edge = [&](const int i) -> Eigen::Vector3d { return to_vector(points[cell[i]]) - to_vector(points[cell[0]]); };
+    return (Eigen::Matrix3d() << edge(1), edge(2), edge(3)).finished();
+  };
+  const Eigen::Vector3d s = signed_singular_values_3(edges(soup.images) * edges(soup.points).inverse());
+  const double distortion = angle_distortion(s[0], s[2]);
+  return distortion < large_distortion ? " Make the spacing smaller."
+    : sentence(" The map distorts angles by a factor of ", distortion, " at the worst one. Map the body with less distortion: "
+               "refine the source, allow refinement, or choose another domain.");
+}
+
 // Names the hexahedron of the least scaled Jacobian if this is below a bound.
 inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hexahedral_mesh_result& result)
 {
   if(result.minimal_scaled_jacobian >= bound)
     return;
   const std::vector<double> quality = scaled_jacobians(mesh);
-  const std::array<std::size_t, 8>& worst
-    = mesh.cells[static_cast<std::size_t>(std::min_element(quality.begin(), quality.end()) - quality.begin())];
+  const Eigen::Vector3d place = to_vector(mesh.points[worst_hexahedron(mesh, quality)[0]]);
   const auto number = std::count_if(quality.begin(), quality.end(), [&](const double q) { return q < bound; });
   result.status = ERROR_POOR_HEXAHEDRON;
   result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number,
                             number == 1 ? " hexahedron is" : " hexahedra are", " below ", bound, "; the worst one, of ",
-                            result.minimal_scaled_jacobian, ", has a vertex at ", describe(to_vector(mesh.points[worst[0]])), ".");
+                            result.minimal_scaled_jacobian, ", has a vertex at ", describe(place), ".");
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
@@ -269,6 +293,8 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     result.patches = patches_of(best.mesh);
     result.volumes = volumes_of_subdomains(soup, best.mesh);
     check_quality(best.mesh, minimal_scaled_jacobian, result);
+    if(result.status != OK)
+      result.message += advice_3(soup, map, best.mesh);
     check_completeness(soup, farthest, best.edge, result);
     evaluate_interfaces(best.mesh, interfaces, staircases, result);
     result.corners_given_up = corners_given_up_3(soup, surface, best.mesh);
@@ -279,6 +305,8 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   }
   else if(result.is_interrupted)
     result.status = ERROR_INTERRUPTED;
+  else
+    result.message += advice_3(soup, map, best.mesh);
   if(result.is_interrupted)
     result.message = get_error_message(ERROR_INTERRUPTED)
       + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."

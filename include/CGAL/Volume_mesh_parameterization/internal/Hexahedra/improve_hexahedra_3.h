@@ -172,26 +172,30 @@ private:
   }
 
   // Improves the worst corners and hexahedra that are inverted inside as long as they gain, one vertex after the other and all at
-  // once in turn. While corners are poor but positive and gain nothing, far points count less, and the vertices of flat ones leave
-  // the lines.
+  // once in turn. While corners are inverted, only fewer of them, or of such hexahedra, than ever before are a gain. While corners
+  // are poor but positive and gain nothing, far points count less, and the vertices of flat ones leave the lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
     double price_of_uncovered = price;
+    std::size_t fewest_corners = m_result.number_of_inverted_corners, fewest_hexahedra = m_result.number_of_inverted_hexahedra;
     for(int round = 0, in_vain = 0;
         round < number_of_rounds && in_vain < patience
         && (m_result.minimal_scaled_jacobian < sufficient_scaled_jacobian || m_result.number_of_inverted_hexahedra > 0)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
-      const Hexahedral_mesh_result before = m_result;
+      const double before = m_result.minimal_scaled_jacobian;
       if(round > 0)
       {
         m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
         evaluate();
       }
       smooth(price_of_uncovered);
-      const bool is_gain = m_result.minimal_scaled_jacobian > before.minimal_scaled_jacobian + least_gain
-                           || m_result.number_of_inverted_hexahedra < before.number_of_inverted_hexahedra;
+      const bool is_gain = (m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian > before + least_gain)
+                           || m_result.number_of_inverted_corners < fewest_corners
+                           || m_result.number_of_inverted_hexahedra < fewest_hexahedra;
+      fewest_corners = (std::min)(fewest_corners, m_result.number_of_inverted_corners);
+      fewest_hexahedra = (std::min)(fewest_hexahedra, m_result.number_of_inverted_hexahedra);
       in_vain = is_gain ? 0 : in_vain + 1;
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
       {

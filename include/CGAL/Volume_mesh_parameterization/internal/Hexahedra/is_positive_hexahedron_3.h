@@ -53,20 +53,24 @@ Bernstein_coefficients_3<FT> jacobian_coefficients_3(const Hexahedron_points_3<F
     edges[1][l] = edge(1, { l / 2, 0, l % 2 });
     edges[2][l] = edge(2, { l / 2, l % 2, 0 });
   }
+  std::array<std::array<FT, 3>, 16> products; // of the edges along both last axes
+  for(std::size_t l = 0; l < 16; ++l)
+  {
+    const std::array<FT, 3>& y = edges[1][l / 4];
+    const std::array<FT, 3>& z = edges[2][l % 4];
+    products[l] = { y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0] };
+  }
   Bernstein_coefficients_3<FT> result;
   result.fill(FT(0));
-  for(std::size_t l = 0; l < 64; ++l)
-  {
-    const std::array<FT, 3>& x = edges[0][l / 16];
-    const std::array<FT, 3>& y = edges[1][l / 4 % 4];
-    const std::array<FT, 3>& z = edges[2][l % 4];
-    const std::array<std::size_t, 3> index = { l / 8 % 2 + l / 2 % 2, l / 32 + l % 2, l / 16 % 2 + l / 4 % 2 };
-    int parts = 1; // of the mean
-    for(const std::size_t i : index)
-      parts *= i == 1 ? 2 : 1;
-    result[9 * index[0] + 3 * index[1] + index[2]]
-      += (x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) + x[2] * (y[0] * z[1] - y[1] * z[0])) / parts;
-  }
+  for(std::size_t l = 0; l < 4; ++l)
+    for(std::size_t m = 0; m < 16; ++m)
+    {
+      const std::array<FT, 3>& x = edges[0][l];
+      const std::array<std::size_t, 3> index = { m / 8 + m / 2 % 2, l / 2 + m % 2, l % 2 + m / 4 % 2 };
+      const int parts = (1 + index[0] % 2) * (1 + index[1] % 2) * (1 + index[2] % 2); // of the mean
+      result[9 * index[0] + 3 * index[1] + index[2]]
+        += (x[0] * products[m][0] + x[1] * products[m][1] + x[2] * products[m][2]) / parts;
+    }
   return result;
 }
 
