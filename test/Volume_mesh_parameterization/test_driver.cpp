@@ -992,6 +992,19 @@ TEST_CASE("Hexahedra that leave out a part of the body farther than their edges 
   CHECK(folder.text("stderr").find("note") == std::string::npos);
 }
 
+TEST_CASE("A note tells of a polycube that is much larger than the body, as it is thicker than the body by the spacing")
+{
+  const Folder folder;
+  Soup plate = cube(2);
+  for(Point& p : plate.points)
+    p[2] *= 0.05;
+  folder.write("plate.mesh", plate);
+  CHECK(folder.run("plate.mesh --to polycube --refine --hexahedra 0.5 hexahedra.mesh") == 0);
+  CHECK(folder.text("stderr").find("the polycube has 5 times the volume of the body") != std::string::npos);
+  CHECK(folder.run("plate.mesh --to polycube --refine --hexahedra 0.1 hexahedra.mesh") == 0);
+  CHECK(folder.text("stderr").find("note") == std::string::npos);
+}
+
 TEST_CASE("A note comes before the hexahedra of a map that distorts angles beyond hope")
 {
   const Folder folder;

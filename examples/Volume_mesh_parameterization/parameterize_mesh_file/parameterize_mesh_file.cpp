@@ -8,6 +8,7 @@
 #include "boundary_targets_of.h"
 #include "check_options.h"
 #include "mapped_to_targets.h"
+#include "notes_on_hexahedra.h"
 #include "read_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
@@ -62,14 +63,7 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
     outcome.result.message += " There are no hexahedra, because the boundary is missed.";
     return;
   }
-  constexpr double hopeless_distortion = 1000; // a guess; ten times that of bodies with good hexahedra
-  if(const double distortion = outcome.result.distortion.angle_max; distortion > hopeless_distortion && !options.is_quiet)
-  {
-    progress.show("");
-    std::cerr << "note: " << options.source << ": the map distorts angles by a factor of up to " << distortion
-              << ", which leaves little hope for good hexahedra. A finer source, --refine=all, or another domain may help."
-              << std::endl;
-  }
+  note_on_hexahedra(options, mesh, uvw, outcome.result.distortion.angle_max, progress);
   progress.show("making hexahedra");
   const double begin = progress.seconds();
   const Hexahedra_file file(options.hexahedra);

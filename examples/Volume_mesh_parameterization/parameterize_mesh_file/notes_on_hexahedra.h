@@ -1,0 +1,47 @@
+#ifndef NOTES_ON_HEXAHEDRA_H
+#define NOTES_ON_HEXAHEDRA_H
+
+#include "Command_line.h"
+#include "Progress_line.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+
+#include <array>
+#include <cstddef>
+#include <iostream>
+#include <vector>
+
+inline double volume(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+                     const std::vector<std::array<double, 3> >& points)
+{
+  using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
+  const auto point = [&](const std::size_t v) { return Point_3(points[v][0], points[v][1], points[v][2]); };
+  double sum = 0;
+  for(const auto& cell : mesh.cells)
+    sum += CGAL::volume(point(cell[0]), point(cell[1]), point(cell[2]), point(cell[3]));
+  return sum;
+}
+
+// Notes what is to be expected of the hexahedra of a map: poor ones, if it distorts angles much, and many, if a polycube is much
+// larger than the body.
+inline void note_on_hexahedra(const Options& options, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+                              const std::vector<std::array<double, 3> >& images, const double distortion, Progress_line& progress)
+{
+  constexpr double hopeless_distortion = 1000; // a guess; ten times that of bodies with good hexahedra
+  constexpr double large_growth = 2;           // a guess
+  if(options.is_quiet)
+    return;
+  progress.show("");
+  if(distortion > hopeless_distortion)
+    std::cerr << "note: " << options.source << ": the map distorts angles by a factor of up to " << distortion
+              << ", which leaves little hope for good hexahedra. A finer source, --refine=all, or another domain may help."
+              << std::endl;
+  const double growth = volume(mesh, images) / volume(mesh, mesh.points);
+  if(options.domain == "polycube" && growth > large_growth)
+    std::cerr << "note: " << options.source << ": the polycube has " << growth << " times the volume of the body, because its "
+                 "faces are at least the spacing apart. There will be as many times more hexahedra than the spacing suggests."
+              << std::endl;
+}
+
+#endif // NOTES_ON_HEXAHEDRA_H
