@@ -158,12 +158,12 @@ inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hex
   if(result.minimal_scaled_jacobian >= bound)
     return;
   const std::vector<double> quality = scaled_jacobians(mesh);
-  const Eigen::Vector3d place = to_vector(mesh.points[worst_hexahedron(mesh, quality)[0]]);
+  const Eigen::Vector3d position = to_vector(mesh.points[worst_hexahedron(mesh, quality)[0]]);
   const auto number = std::count_if(quality.begin(), quality.end(), [&](const double q) { return q < bound; });
   result.status = ERROR_POOR_HEXAHEDRON;
   result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number,
                             number == 1 ? " hexahedron is" : " hexahedra are", " below ", bound, "; the worst one, of ",
-                            result.minimal_scaled_jacobian, ", has a vertex at ", describe(place), ".");
+                            result.minimal_scaled_jacobian, ", has a vertex at ", describe(position), ".");
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
