@@ -14,7 +14,7 @@ package_of()
     Volume_mesh_parameterization/* | stretch_minimizing_volume_parameterization.h) echo Volume_mesh_parameterization ;;
     STL_Extension/internal/parameters_interface.h) echo STL_Extension ;;
     license/*) basename "$1" .h ;;
-    license.h | config.h) echo Installation ;;
+    license.h | config.h | version.h) echo Installation ;;
     Named_function_parameters.h | algorithm.h | assertions.h | exceptions.h | iterator.h | tags.h) echo STL_Extension ;;
     AABB_*) echo AABB_tree ;;
     Box_intersection_d/* | box_intersection_d.h) echo Box_intersection_d ;;

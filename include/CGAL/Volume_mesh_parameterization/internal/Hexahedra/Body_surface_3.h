@@ -13,13 +13,10 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/AABB_trees_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Bbox_3.h>
 
 #include <Eigen/Dense>
@@ -143,11 +140,7 @@ private:
         m_ends.push_back(to_vector(soup.points[v]));
   }
 
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Triangles = std::vector<Kernel::Triangle_3>;
-  using Segments = std::vector<Kernel::Segment_3>;
-  template <typename Primitive>
-  using Tree = AABB_tree<AABB_traits<Kernel, Primitive> >;
+  using Kernel = AABB_trees_3::Kernel;
 
   void build(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 2> >& lines)
   {
@@ -181,14 +174,14 @@ private:
 
   std::vector<std::array<std::size_t, 3> > m_facets;
   std::vector<Eigen::Vector3d> m_vertices;
-  Triangles m_triangles; // of the facets
+  AABB_trees_3::Triangles m_triangles; // of the facets
   std::vector<std::array<std::size_t, 2> > m_edges_of_lines;
-  Segments m_segments; // of the lines
+  AABB_trees_3::Segments m_segments; // of the lines
   std::vector<Eigen::Vector3d> m_ends;
   std::set<std::size_t> m_corners;
   double m_rounding; // distance of points on lines from the lines, by rounding
-  Tree<AABB_triangle_primitive<Kernel, Triangles::const_iterator> > m_surface;
-  Tree<AABB_segment_primitive<Kernel, Segments::const_iterator> > m_lines;
+  AABB_trees_3::Of_triangles m_surface;
+  AABB_trees_3::Of_segments m_lines;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -13,12 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/AABB_trees_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/Body_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 
 #include <Eigen/Dense>
 
@@ -46,12 +43,10 @@ template <typename Function>
 void for_each_nearest(const std::vector<Eigen::Vector3d>& points, const Triangles_of_boundary& triangles,
                       const Matrix3Xd& positions, const Function& f)
 {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Triangle_3> triangles_in_space;
+  AABB_trees_3::Triangles triangles_in_space;
   for(const std::array<int, 3>& triangle : triangles)
     triangles_in_space.push_back(triangle_at(positions, triangle));
-  using Primitive = AABB_triangle_primitive<Kernel, std::vector<Kernel::Triangle_3>::const_iterator>;
-  AABB_tree<AABB_traits<Kernel, Primitive> > tree(triangles_in_space.cbegin(), triangles_in_space.cend());
+  AABB_trees_3::Of_triangles tree(triangles_in_space.cbegin(), triangles_in_space.cend());
   tree.accelerate_distance_queries();
   for(const Eigen::Vector3d& p : points)
   {
