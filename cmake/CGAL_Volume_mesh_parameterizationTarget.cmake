@@ -65,12 +65,17 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
   if(${PROJECT_NAME}_NATIVE)
     target_compile_options(${PROJECT_NAME}_engine PRIVATE -march=native)
   endif()
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    set_target_properties(${PROJECT_NAME}_engine PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
   # The package's configuration asks for what the engine was built with.
   if(TARGET CGAL::TBB_support)
     set_target_properties(${PROJECT_NAME}_engine PROPERTIES
       IS_BUILT_WITH_TBB TRUE EXPORT_PROPERTIES IS_BUILT_WITH_TBB)
   endif()
-  # Who configures and installs gets the engine, too.
+endif()
+# Who configures and installs gets the engine, too.
+if(${PROJECT_NAME}_ENGINE AND PROJECT_IS_TOP_LEVEL)
   install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${PROJECT_NAME}_engine>\")
     execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target ${PROJECT_NAME}_engine
       --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" COMMAND_ERROR_IS_FATAL ANY)
