@@ -1,9 +1,13 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are needed and missing, those given as arguments among them.
+# Installs the Debian packages that are needed and missing, those given as arguments among them. With --headers as the first
+# argument, only those that a program needs.
 set -euo pipefail
 
 packages=(g++ make cmake libcgal-dev libboost-program-options-dev libeigen3-dev libsuitesparse-dev libopenblas0-serial
   libtbb-dev catch2 pkg-config libpetsc-real-dev libopenmpi-dev openmpi-bin zlib1g-dev liblzma-dev liblz4-dev "$@")
+if [ "${1:-}" = --headers ]; then
+  packages=(g++ libcgal-dev libeigen3-dev "${@:2}")
+fi
 models=/usr/share/doc/libcgal-dev/data.tar.gz # CGAL's models, in package libcgal-demo
 
 missing=()
@@ -12,7 +16,7 @@ for package in "${packages[@]}"; do
     missing+=("$package")
   fi
 done
-if [ ! -e "$models" ]; then
+if [ "${1:-}" != --headers ] && [ ! -e "$models" ]; then
   missing+=(libcgal-demo)
 fi
 if [ ${#missing[@]} -eq 0 ]; then
