@@ -142,8 +142,8 @@ private:
     m_is_last = rank + 1 == all.size();
     std::size_t open = NONE;
     for(std::size_t i = 0; i < rank; ++i)
-      if(all[i] != NONE)
-        open = static_cast<std::size_t>(all[i]);
+      if(const auto keyword = static_cast<std::size_t>(all[i]); keyword != NONE)
+        open = keyword;
     if(open == END)
       text.expect_end("the keyword 'End'");
     if(open < END)
