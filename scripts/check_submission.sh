@@ -101,6 +101,7 @@ find_lines '^using namespace' | { grep '^[^:]*\.h:' || true; } | forbid "no usin
 find_lines 'Eigen::(Matrix|Vector|Array)([23]?X|[24])' | { grep '^include' || true; } |
   { grep -vE 'Map<|/(Direct_solver_3_impl|Eigen_solver_traits_3|Linear_solver_3|sparse_systems_impl)\.h' || true; } |
   forbid "its memory or alignment depends on the flags of a unit: see internal/Support/Dynamic_matrix.h"
+find_lines 'stableNorm\(' | forbid "its rounding depends on the address of the vector: length_3()"
 find_lines '\t| +$' | forbid "a tab, or blanks at the end of a line"
 find_lines '.{132}' | forbid "a line is longer than 131 characters"
 find_lines '[^\x00-\x7F]' | forbid "not ASCII"

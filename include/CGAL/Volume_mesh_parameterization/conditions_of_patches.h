@@ -101,7 +101,7 @@ public:
     else
     {
       const Eigen::Vector3d n = Eigen::Vector3d(condition.normal().data());
-      add_plane(unit_vector_3(n), condition.offset() / n.stableNorm());
+      add_plane(unit_vector_3(n), condition.offset() / length_3(n));
     }
   }
 

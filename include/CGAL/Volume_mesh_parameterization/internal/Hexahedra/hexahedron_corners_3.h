@@ -94,7 +94,7 @@ inline double scaled_jacobian(Eigen::Matrix3d edges, const double shortest_edge 
 {
   for(int i = 0; i < 3; ++i)
   {
-    const double length = edges.col(i).stableNorm();
+    const double length = length_3(edges.col(i));
     if(length > 0)
       edges.col(i) /= (std::max)(length, shortest_edge);
   }

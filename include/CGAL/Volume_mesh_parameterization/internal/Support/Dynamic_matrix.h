@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -25,6 +26,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <int rows, int columns>
 using Small_matrix = Eigen::Matrix<double, rows, columns, Eigen::DontAlign>;
 using Small_array_2 = Eigen::Array<double, 2, 1, Eigen::DontAlign>;
+
+// Returns the length of a vector, without overflow or underflow. The stable norm of Eigen adds in an order that depends on the
+// address of the vector.
+inline double length_3(const Eigen::Vector3d& v) { return std::hypot(v[0], v[1], v[2]); }
 
 // A matrix or vector whose size is known at run time, in memory of its own. Eigen's own ones allocate and align memory by the
 // flags of a unit; the linker may merge their functions with those of a unit that has other flags. This one is the same in

@@ -87,8 +87,8 @@ inline std::optional<double> stretch_of_prescribed_edges_3(const Numbered_mesh_3
     for(const int v : cell)
       for(const int w : cell)
         if(v < w && mesh.is_fixed(v) && mesh.is_fixed(w))
-          ratios.push_back((mesh.target.col(w) - mesh.target.col(v)).stableNorm()
-                           / (mesh.source.col(w) - mesh.source.col(v)).stableNorm());
+          ratios.push_back(length_3(mesh.target.col(w) - mesh.target.col(v))
+                           / length_3(mesh.source.col(w) - mesh.source.col(v)));
   return median_ratio(std::move(ratios));
 }
 
@@ -107,7 +107,7 @@ inline std::optional<double> stretch_between_conditions_3(const Numbered_mesh_3&
     for(int w = first; w < n; ++w)
     {
       const Eigen::Matrix3d both = Q - Q * mesh.projector(w); // onto what both prescribe, if the factors commute
-      const double distance = (mesh.source.col(w) - mesh.source.col(v)).stableNorm();
+      const double distance = length_3(mesh.source.col(w) - mesh.source.col(v));
       if(distance > 0 && both.isApprox(both.transpose()))
         largest = (std::max)(largest, (both * (mesh.target.col(w) - mesh.target.col(v))).norm() / distance);
     }

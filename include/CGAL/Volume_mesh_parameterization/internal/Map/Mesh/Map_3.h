@@ -56,7 +56,7 @@ inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& 
   for(int i = 0; i < n; ++i)
   {
     const int v = mesh.number_of_free_vertices + i;
-    const double distance = offset_3(projectors[i], positions.col(v), mesh.target.col(v)).stableNorm();
+    const double distance = length_3(offset_3(projectors[i], positions.col(v), mesh.target.col(v)));
     if(distance > (projectors[i].isDiagonal(0) ? 0 : rounding))
       result = (std::max)(result, distance);
   }
