@@ -28,7 +28,6 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/find_hexahedra_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>
@@ -43,7 +42,6 @@ template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Par
 ]] @ONLY)
   file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Polycube/map_to_polycube_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
 namespace CGAL::Volume_mesh_parameterization::internal {
 template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Landmarks_3& landmarks,
@@ -83,7 +81,7 @@ if(${PROJECT_NAME}_ENGINE AND PROJECT_IS_TOP_LEVEL)
   install(TARGETS ${PROJECT_NAME}_engine EXPORT ${PROJECT_NAME}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir} PATTERN "Polycube_meshing_3*" EXCLUDE)
 install(TARGETS ${PROJECT_NAME} EXPORT ${PROJECT_NAME}Targets)
 install(EXPORT ${PROJECT_NAME}Targets NAMESPACE CGAL:: DESTINATION ${_config_dir})
 

@@ -3,10 +3,12 @@
 set(CMAKE_OPTIMIZE_DEPENDENCIES ON) # libraries that link others do not wait for them
 
 if(${PROJECT_NAME}_COMPILE_FAST)
-  target_compile_options(${PROJECT_NAME}_engine PRIVATE -O1)
-  # The linker takes the first of the functions that a program compiles, too: those of the engine are optimized.
-  target_link_options(${PROJECT_NAME}_engine INTERFACE
-    "$<BUILD_INTERFACE:LINKER:--whole-archive,$<TARGET_FILE:${PROJECT_NAME}_engine>,--no-whole-archive>")
+  # The linker takes the first of the functions that a program compiles, too: those of the engines are optimized.
+  foreach(engine ${PROJECT_NAME}_engine CGAL_Polycube_meshing_3_engine)
+    target_compile_options(${engine} PRIVATE -O1)
+    target_link_options(${engine} INTERFACE
+      "$<BUILD_INTERFACE:LINKER:--whole-archive,$<TARGET_FILE:${engine}>,--no-whole-archive>")
+  endforeach()
 endif()
 
 # The headers of CGAL, Eigen and Boost that nearly every program includes take most of the compiler's time.

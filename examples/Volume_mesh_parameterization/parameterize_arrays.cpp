@@ -1,9 +1,9 @@
 // Maps points and cells to a ball, a cube and a polycube, carries any points, and makes hexahedra: with arrays alone.
-#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <array>
 #include <iostream>

@@ -1,8 +1,8 @@
 // One mistake of a caller, chosen by a macro, which the compiler answers with a sentence of this package.
-#include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
 #if defined HEXAHEDRA_OF_A_CONTAINER || defined MAP_OF_A_CONTAINER || defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
-#  include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#  include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
 #elif defined SOLVER_OF_EIGEN
 #  include <CGAL/Eigen_solver_traits.h>
 #endif

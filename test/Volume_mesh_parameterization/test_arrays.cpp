@@ -3,15 +3,15 @@
 #include "cube_complex.h"
 #include "cube_mesh.h"
 
-#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/measure_quality.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>

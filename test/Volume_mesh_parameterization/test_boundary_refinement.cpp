@@ -4,8 +4,8 @@
 #include "cube_complex.h"
 #include "ring_of_prisms.h"
 
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
 
 #include <algorithm>
 #include <array>

@@ -2,12 +2,13 @@
 #include "catch.h"
 #include "cube_complex.h"
 
-#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Timer.h>
 

@@ -2,10 +2,10 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,7 @@
 // The module that gmsh_module() loads.
 #include "Gmsh_module.h"
 
+#include <CGAL/Polycube_meshing_3/IO/MSH.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Gmsh.h>
 
 namespace IO = CGAL::Volume_mesh_parameterization::IO;

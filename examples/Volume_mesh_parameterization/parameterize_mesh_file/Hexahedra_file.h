@@ -5,11 +5,12 @@
 #include "Mesh_format.h"
 #include "Progress_line.h"
 
-#include <CGAL/Volume_mesh_parameterization/IO/INP.h>
+#include <CGAL/Polycube_meshing_3/IO/INP.h>
+#include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
+#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
-#include <CGAL/Volume_mesh_parameterization/hexahedral_mesh.h>
 
 #include <array>
 #include <cmath>

@@ -7,10 +7,10 @@
 #include "Result_report.h"
 #include "mend_source.h"
 
-#include <CGAL/Volume_mesh_parameterization/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/Polycube_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
-#include <CGAL/Volume_mesh_parameterization/Polycube_result.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

@@ -1,6 +1,6 @@
 #include "map_grid.h"
 
-#include <CGAL/Volume_mesh_parameterization/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  error "This unit links the engine."

@@ -12,8 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
 
@@ -134,48 +132,16 @@ inline bool write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
   return writer.finish();
 }
 
-/// \ingroup PkgVolumeMeshParameterizationHexahedra
-///
-/// writes hexahedra and the quadrangles of their boundary in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". The
-/// references of hexahedra are their subdomains, those of quadrangles the ones of the body if there are any, else their patches.
-/// Quadrangles of interfaces follow, with their references; those without one have a number for each pair of subdomains, in
-/// ascending order, that follow all others.
-///
-/// \param os the stream
-/// \param mesh the hexahedra
-///
-/// \return whether the stream has taken everything
-///
-/// \exception Input_error tells which arrays do not fit together.
-inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
-{
-  internal::check_hexahedra(mesh);
-  internal::Text_writer writer(os);
-  internal::write_MEDIT_points(writer, mesh.points);
-  internal::write_MEDIT_cells(writer, "Hexahedra", mesh.cells, mesh.cell_references);
-  std::vector<std::array<std::size_t, 4> > quadrangles = mesh.facets;
-  std::vector<int> references = mesh.facet_references;
-  if(std::count(references.begin(), references.end(), 0) == std::ptrdiff_t(references.size()))
-    references.assign(mesh.facet_patches.begin(), mesh.facet_patches.end());
-  const std::vector<int> at_interfaces = internal::references_at_interfaces(mesh, references);
-  quadrangles.insert(quadrangles.end(), mesh.interface_facets.begin(), mesh.interface_facets.end());
-  references.insert(references.end(), at_interfaces.begin(), at_interfaces.end());
-  internal::write_MEDIT_cells(writer, "Quadrilaterals", quadrangles, references);
-  writer << "End\n";
-  return writer.finish();
-}
-
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// writes a mesh to a file, as to a stream. The file is replaced when it is complete.
 ///
 /// \param filename the name of the file
-/// \param mesh the tetrahedra or hexahedra
+/// \param soup the tetrahedra
 ///
 /// \return whether the file is complete
-template <typename Mesh>
-bool write_MEDIT(const std::string& filename, const Mesh& mesh)
-{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_MEDIT(os, mesh); }); }
+inline bool write_MEDIT(const std::string& filename, const Tetrahedron_soup_3& soup)
+{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_MEDIT(os, soup); }); }
 
 } // namespace IO
 } // namespace CGAL::Volume_mesh_parameterization

@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
@@ -181,66 +180,13 @@ bool write_VTU(std::ostream& os, const C3t3& c3t3, VertexUVWMap uvw_map)
   return IO::write_VTU(os, soup, internal::points_of(vertices, uvw_map));
 }
 
-/// \ingroup PkgVolumeMeshParameterizationHexahedra
-///
-/// writes hexahedra, and the quadrangles of their boundary and of interfaces, as a VTK XML file (`.vtu`). The points have the
-/// vectors `uvw`, their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index`
-/// (its place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch` and `surface`, the
-/// face of the polycube and the reference of a quadrangle, 0 for hexahedra. Where there are interfaces, `interface` has the two
-/// subdomains of a quadrangle there, 0 and 0 for all other cells.
-///
-/// \param os the stream, opened in binary mode if it is a file
-/// \param mesh the hexahedra
-///
-/// \return whether the stream has taken everything
-///
-/// \exception Input_error tells which arrays do not fit together.
-inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
-{
-  internal::check_hexahedra(mesh);
-  const std::size_t number_of_hexahedra = mesh.cells.size(), end_of_boundary = number_of_hexahedra + mesh.facets.size();
-  const std::size_t number_of_cells = end_of_boundary + mesh.interface_facets.size();
-  const std::vector<double> quality = internal::scaled_jacobians(mesh);
-  const auto hexahedron = [&](const std::size_t i)
-  {
-    return i < number_of_hexahedra ? i : i < end_of_boundary ? mesh.facet_cells[i - number_of_hexahedra]
-                                                             : mesh.interface_cells[i - end_of_boundary][0];
-  };
-  const auto reference = [&](const std::size_t i)
-  {
-    return i < number_of_hexahedra ? 0 : i < end_of_boundary ? mesh.facet_references[i - number_of_hexahedra]
-                                                             : mesh.interface_references[i - end_of_boundary];
-  };
-
-  internal::VTU_writer writer(mesh.points, internal::VTU_cells<8>{ mesh.cells, 12 }, internal::VTU_cells<4>{ mesh.facets, 9 },
-                              internal::VTU_cells<4>{ mesh.interface_facets, 9 });
-  writer.begin("PointData");
-  writer.add_points("uvw", mesh.images);
-  writer.end("PointData");
-  writer.begin("CellData");
-  writer.add<double>("scaled_jacobian", number_of_cells, [&](std::size_t i) { return quality[hexahedron(i)]; });
-  writer.add<std::int32_t>("block", number_of_cells, [&](std::size_t i) { return mesh.cell_blocks[hexahedron(i)]; });
-  writer.add<std::int32_t>("grid_index", 3 * number_of_cells,
-                           [&](std::size_t i) { return mesh.cell_indices[hexahedron(i / 3)][i % 3]; }, 3);
-  writer.add<std::int32_t>("subdomain", number_of_cells, [&](std::size_t i) { return mesh.cell_references[hexahedron(i)]; });
-  writer.add<std::int32_t>("patch", number_of_cells, [&](std::size_t i)
-  { return i < number_of_hexahedra || i >= end_of_boundary ? 0 : mesh.facet_patches[i - number_of_hexahedra]; });
-  writer.add<std::int32_t>("surface", number_of_cells, reference);
-  if(number_of_cells > end_of_boundary)
-    writer.add<std::int32_t>("interface", 2 * number_of_cells, [&](std::size_t i)
-    { return i / 2 < end_of_boundary ? 0 : internal::subdomains_at_interface(mesh, i / 2 - end_of_boundary)[i % 2]; }, 2);
-  writer.end("CellData");
-  writer.write(os);
-  return os.good();
-}
-
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// writes a mesh to a file, as to a stream. The file is replaced when it is complete.
 ///
 /// \param filename the name of the file
-/// \param mesh the arguments behind the stream: a soup and its images, arrays of points, cells and images, a complex and its
-///        map, or hexahedra
+/// \param mesh the arguments behind the stream: a soup and its images, arrays of points, cells and images, or a complex and its
+///        map
 ///
 /// \return whether the file is complete
 template <typename... Mesh>

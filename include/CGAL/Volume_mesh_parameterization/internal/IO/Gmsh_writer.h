@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Hexahedra/hexahedron_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>

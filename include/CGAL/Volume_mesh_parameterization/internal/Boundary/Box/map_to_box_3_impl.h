@@ -19,7 +19,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -224,31 +223,6 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Sorted_ed
     return status;
   images = std::move(others);
   return OK;
-}
-
-// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
-inline Error_code map_to_bounding_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const double spacing,
-                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
-{
-  Eigen::Vector3d lower = (box.min)(), upper = (box.max)();
-  if(spacing > 0)
-  {
-    const Eigen::Array3d first = (lower / spacing).array().round();
-    lower = spacing * first;
-    upper = spacing * ((first + 1).max)((upper / spacing).array().round());
-  }
-  const double size = (upper - lower).maxCoeff();
-  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
-  const Error_code status = map_mesh_to_box_3(mesh, {}, half_lengths, std::nullopt, images, budget);
-  if(status != OK)
-    return status;
-  for(Eigen::Vector3d& image : images)
-    for(int axis = 0; axis < 3; ++axis)
-      image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
-        : (lower[axis] + upper[axis]) / 2 + size * image[axis];
-  Boundary_mesh_3 image = mesh;
-  set_points(image, images);
-  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -1,0 +1,41 @@
+# The target CGAL::Polycube_meshing_3, in this build and installed, as that of the package on which it depends.
+set(_package CGAL_Polycube_meshing_3)
+set(_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/${_package})
+
+add_library(${_package} INTERFACE)
+add_library(CGAL::Polycube_meshing_3 ALIAS ${_package})
+set_target_properties(${_package} PROPERTIES EXPORT_NAME Polycube_meshing_3)
+target_link_libraries(${_package} INTERFACE CGAL::Volume_mesh_parameterization)
+
+if(${PROJECT_NAME}_ENGINE)
+  file(CONFIGURE OUTPUT polycube_engine.cpp CONTENT [[
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3_impl.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3_impl.h>
+]] @ONLY)
+  add_library(${_package}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/polycube_engine.cpp)
+  add_library(CGAL::Polycube_meshing_3_engine ALIAS ${_package}_engine)
+  set_target_properties(${_package}_engine PROPERTIES EXPORT_NAME Polycube_meshing_3_engine)
+  target_link_libraries(${_package}_engine PUBLIC ${_package} CGAL::Volume_mesh_parameterization_engine)
+  target_compile_definitions(${_package}_engine PUBLIC CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE)
+  if(${PROJECT_NAME}_NATIVE)
+    target_compile_options(${_package}_engine PRIVATE -march=native)
+  endif()
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    set_target_properties(${_package}_engine PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endif()
+if(${PROJECT_NAME}_ENGINE AND PROJECT_IS_TOP_LEVEL)
+  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${_package}_engine>\")
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target ${_package}_engine
+      --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" COMMAND_ERROR_IS_FATAL ANY)
+  endif()")
+  install(TARGETS ${_package}_engine EXPORT ${_package}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endif()
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir} FILES_MATCHING
+  REGEX "Polycube_meshing_3(/.*)?\\.h$" PATTERN "Volume_mesh_parameterization" EXCLUDE PATTERN "STL_Extension" EXCLUDE)
+install(TARGETS ${_package} EXPORT ${_package}Targets)
+install(EXPORT ${_package}Targets NAMESPACE CGAL:: DESTINATION ${_package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/${_package}ConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/${_package}ConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/${_package}Config.cmake
+  DESTINATION ${_package_dir})

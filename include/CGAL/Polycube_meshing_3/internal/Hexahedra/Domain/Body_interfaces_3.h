@@ -1,0 +1,197 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_INTERFACES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_INTERFACES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+#include <map>
+#include <memory>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Patches that meet at a place, from 1; 0 stands for the boundary of the body.
+using Patches_3 = std::set<std::size_t>;
+
+// Surfaces between the subdomains of a body, cut into smooth patches of two subdomains each, which end at lines: sharp edges,
+// edges on the boundary of the body, and those where more than two subdomains meet.
+class Body_interfaces_3
+{
+public:
+  using Pair = std::array<int, 2>; // subdomains, the smaller reference first
+
+  Body_interfaces_3(const Tetrahedron_soup_3& soup, const Body_surface_3& boundary)
+    : m_points(soup.points)
+  {
+    collect_facets(soup);
+    number_patches();
+    collect_lines(boundary_facets_3(soup.cells), boundary);
+  }
+
+  bool empty() const { return m_facets.empty(); }
+
+  // Returns the corners of lines where just these patches meet.
+  const std::vector<Eigen::Vector3d>& corners(const Patches_3& patches) { return m_corners[patches]; }
+
+  const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
+
+  // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: the nearest one, if normals
+  // differ, as far as twice the width at most. Returns 0 if the subdomains have no interface.
+  std::size_t patch_of_quadrangle(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const double width,
+                                  const Pair& pair)
+  {
+    std::pair<double, std::size_t> best = { (std::numeric_limits<double>::infinity)(), 0 };
+    const auto consider = [&](const std::size_t patch)
+    {
+      const Body_surface_3& candidate = surface({ patch });
+      if(candidate.distance_of_box(center) > best.first)
+        return;
+      const double distance = (candidate.nearest(center, Freedom_3::SURFACE) - center).norm();
+      best = (std::min)(best, { distance + width * (1 - candidate.normal(center).dot(normal)), patch });
+    };
+    if(const auto found = m_patches_of_pair.find(pair); found != m_patches_of_pair.end())
+    {
+      consider(m_patch_of_facet.at(sorted(surface(found->second).nearest_facet(center))));
+      for(const std::size_t patch : found->second)
+        consider(patch);
+    }
+    return best.second;
+  }
+
+  // Returns the interface of two subdomains; all interfaces if they have none.
+  const Body_surface_3& surface_of_pair(const Pair& pair)
+  {
+    const auto found = m_patches_of_pair.find(pair);
+    return surface(found != m_patches_of_pair.end() ? found->second : Patches_3(m_patches.begin(), m_patches.end()));
+  }
+
+  // Returns a surface of the patches that meet at a place. Its lines are those where just these meet, or, if there is none, those
+  // where some of them meet. On the boundary they are those where all of these end, or, if there is none, those where one does.
+  const Body_surface_3& surface(const Patches_3& patches)
+  {
+    std::unique_ptr<Body_surface_3>& result = m_surfaces[patches];
+    if(!result)
+    {
+      std::vector<std::array<std::size_t, 3> > facets;
+      for(std::size_t f = 0; f < m_facets.size(); ++f)
+        if(patches.count(m_patches[f]) > 0)
+          facets.push_back(m_facets[f]);
+      const bool is_on_boundary = patches.count(0) > 0;
+      std::vector<std::array<std::size_t, 2> > best, others;
+      for(const auto& [edge, meeting] : m_lines)
+      {
+        if((meeting.count(0) > 0) != is_on_boundary)
+          continue;
+        const std::size_t number = number_of_common(meeting, patches);
+        if(number == patches.size() && (is_on_boundary || meeting == patches))
+          best.push_back(edge);
+        if(is_on_boundary ? number > 1 : number == meeting.size())
+          others.push_back(edge);
+      }
+      result = std::make_unique<Body_surface_3>(m_points, facets, best.empty() ? others : best);
+    }
+    return *result;
+  }
+
+  // Tells whether there are lines where just these patches meet.
+  bool has_line(const Patches_3& patches) const { return m_patches_at_lines.count(patches) > 0; }
+
+private:
+  static std::size_t number_of_common(const Patches_3& some, const Patches_3& others)
+  { return std::count_if(some.begin(), some.end(), [&](const std::size_t patch) { return others.count(patch) > 0; }); }
+
+  void collect_facets(const Tetrahedron_soup_3& soup)
+  {
+    const auto facet_of_side = [&](const std::size_t side) { return facet_of_cell(soup.cells[side / 4], side % 4); };
+    const auto facet_and_side = [&](const std::size_t side) { return std::make_pair(sorted(facet_of_side(side)), side); };
+    for_each_group(4 * soup.cells.size(), facet_and_side, [&](const auto begin, const auto end)
+    {
+      if(end - begin != 2)
+        return;
+      std::size_t side = begin->second, other = (begin + 1)->second;
+      if(soup.cell_references[side / 4] > soup.cell_references[other / 4])
+        std::swap(side, other);
+      const Pair pair = { soup.cell_references[side / 4], soup.cell_references[other / 4] };
+      if(pair[0] == pair[1])
+        return;
+      m_facets.push_back(facet_of_side(side));
+      m_pairs.push_back(pair);
+    });
+  }
+
+  void number_patches()
+  {
+    const auto position = [this](const std::size_t v) { return to_vector(m_points[v]); };
+    Disjoint_sets sets(m_facets.size());
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      const std::size_t f = begin->second[0] / 3, g = (end - 1)->second[0] / 3;
+      if(end - begin == 2 && m_pairs[f] == m_pairs[g] && !is_sharp_edge(m_facets[f], m_facets[g], position))
+        sets.unite(f, g);
+    });
+    for(const std::size_t number : sets.numbers())
+      m_patches.push_back(1 + number);
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+    {
+      m_patch_of_facet[sorted(m_facets[f])] = m_patches[f];
+      m_patches_of_pair[m_pairs[f]].insert(m_patches[f]);
+    }
+  }
+
+  // Finds lines, and corners: where not two of them meet, or two of different patches, or a line crosses one of the boundary.
+  void collect_lines(const std::vector<std::array<std::size_t, 3> >& boundary_facets, const Body_surface_3& boundary)
+  {
+    std::set<std::array<std::size_t, 2> > edges_of_boundary;
+    for_each_edge(boundary_facets, [&](const auto begin, auto) { edges_of_boundary.insert(begin->first); });
+    std::map<std::size_t, std::vector<Patches_3> > lines_at;
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      Patches_3 patches;
+      for(auto it = begin; it != end; ++it)
+        patches.insert(m_patches[it->second[0] / 3]);
+      if(edges_of_boundary.count(begin->first) > 0)
+        patches.insert(0);
+      if(patches.size() < 2)
+        return;
+      m_lines.emplace_back(begin->first, patches);
+      m_patches_at_lines.insert(patches);
+      for(const std::size_t v : begin->first)
+        lines_at[v].push_back(patches);
+    });
+    for(const auto& [v, lines] : lines_at)
+    {
+      Patches_3 patches;
+      for(const Patches_3& line : lines)
+        patches.insert(line.begin(), line.end());
+      const Eigen::Vector3d p = to_vector(m_points[v]);
+      if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && boundary.is_on_line(p)))
+        m_corners[patches].push_back(p);
+    }
+  }
+
+  const std::vector<std::array<double, 3> >& m_points;
+  std::vector<std::array<std::size_t, 3> > m_facets; // their normals point out of the first subdomain
+  std::vector<Pair> m_pairs;                         // of each facet
+  std::vector<std::size_t> m_patches;                // of each facet
+  std::map<std::array<std::size_t, 3>, std::size_t> m_patch_of_facet;
+  std::map<Pair, Patches_3> m_patches_of_pair;
+  std::vector<std::pair<std::array<std::size_t, 2>, Patches_3> > m_lines;
+  std::set<Patches_3> m_patches_at_lines;
+  std::map<Patches_3, std::vector<Eigen::Vector3d> > m_corners; // by the patches that meet there
+  std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // that have been asked for
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_INTERFACES_3_H

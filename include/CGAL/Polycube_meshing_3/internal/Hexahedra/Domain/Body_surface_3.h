@@ -1,0 +1,189 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_SURFACE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_SURFACE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/AABB_trees_3.h>
+#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+
+#include <CGAL/Bbox_3.h>
+
+#include <Eigen/Dense>
+
+#include <map>
+#include <set>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Freedom of a vertex: anywhere, on the surface, along a line, or not at all.
+enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
+
+// Boundary of a body that is mapped to a domain whose facets are orthogonal to the axes, and its lines: the sharp edges that
+// are mapped to edges along an axis, which edges of the domain are, and some in its faces. Marked corners stay wherever they are.
+class Body_surface_3
+{
+public:
+  explicit Body_surface_3(const Mapped_soup_3& soup)
+    : m_facets(boundary_facets_3(soup.cells))
+  {
+    const auto sharp = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return to_vector(soup.points[v]); });
+    for(const auto& [v, w] : sharp)
+      if(leads_along_axis(to_vector(soup.images[v]), to_vector(soup.images[w])))
+        m_edges_of_lines.push_back({ v, w });
+    build(soup.points, m_edges_of_lines);
+    find_ends(soup.points);
+    find_corners(soup);
+  }
+
+  // Takes any facets, and edges as lines.
+  Body_surface_3(const std::vector<std::array<double, 3> >& points, std::vector<std::array<std::size_t, 3> > facets,
+                 const std::vector<std::array<std::size_t, 2> >& lines)
+    : m_facets(std::move(facets))
+  { build(points, lines); }
+
+  const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
+
+  // Returns the edges of the lines, as points of the soup.
+  const std::vector<std::array<std::size_t, 2> >& lines() const { return m_edges_of_lines; }
+
+  // Returns the marked corners on the boundary, as points of the soup.
+  const std::set<std::size_t>& corners() const { return m_corners; }
+
+  // Returns the freedom of a vertex of the boundary. Its image may be on an edge or in a corner of the domain: the vertex is held
+  // there only if the body has a line there, too, and stays only in marked corners and where lines end, turn or meet.
+  Freedom_3 freedom(const Eigen::Vector3d& p) const
+  {
+    const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Eigen::Vector3d& end) { return are_equal(end, p); });
+    return is_end ? Freedom_3::NONE : is_on_line(p) ? Freedom_3::LINE : Freedom_3::SURFACE;
+  }
+
+  // Tells whether two points are the same up to rounding.
+  bool are_equal(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const { return (p - q).norm() <= m_rounding; }
+
+  bool is_on_line(const Eigen::Vector3d& p) const
+  { return !m_segments.empty() && m_lines.squared_distance(exact_point(p)) <= m_rounding * m_rounding; }
+
+  bool has_lines() const { return !m_segments.empty(); }
+
+  // Returns the point nearest to p among those where a vertex may be.
+  Eigen::Vector3d nearest(const Eigen::Vector3d& p, const Freedom_3 freedom) const
+  {
+    return freedom == Freedom_3::SURFACE ? to_vector(m_surface.closest_point(exact_point(p)))
+         : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
+  }
+
+  // Returns the vertices of the facet nearest to a point.
+  const std::array<std::size_t, 3>& nearest_facet(const Eigen::Vector3d& p) const
+  { return m_facets[m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()]; }
+
+  // Returns the normal of the facet nearest to a point.
+  Eigen::Vector3d normal(const Eigen::Vector3d& p) const
+  { return normal(*m_surface.closest_point_and_primitive(exact_point(p)).second); }
+
+  // Returns the distance of a point from the box around the surface, a bound of that from the surface.
+  double distance_of_box(const Eigen::Vector3d& p) const
+  {
+    const Bbox_3 box = m_surface.bbox();
+    const Eigen::Vector3d lower(box.xmin(), box.ymin(), box.zmin()), upper(box.xmax(), box.ymax(), box.zmax());
+    return (lower - p).cwiseMax(p - upper).cwiseMax(0).norm();
+  }
+
+  // Returns the projector onto the directions in which a vertex may move from a point where it may be.
+  Eigen::Matrix3d projector(const Eigen::Vector3d& p, const Freedom_3 freedom) const
+  {
+    if(freedom == Freedom_3::SURFACE)
+    {
+      const Eigen::Vector3d n = normal(p);
+      return Eigen::Matrix3d::Identity() - n * n.transpose();
+    }
+    if(freedom == Freedom_3::LINE)
+    {
+      const Eigen::Vector3d d
+        = to_vector(m_lines.closest_point_and_primitive(exact_point(p)).second->to_vector()).stableNormalized();
+      return d * d.transpose();
+    }
+    return Eigen::Matrix3d::Identity() * (freedom == Freedom_3::SPACE ? 1 : 0);
+  }
+
+private:
+  // Finds the points where lines end or turn, or more than two edges of them meet.
+  void find_ends(const std::vector<std::array<double, 3> >& points)
+  {
+    std::map<std::size_t, std::vector<Eigen::Vector3d> > directions;
+    for(const auto& [v, w] : m_edges_of_lines)
+    {
+      const Eigen::Vector3d d = (to_vector(points[w]) - to_vector(points[v])).stableNormalized();
+      directions[v].push_back(d);
+      directions[w].push_back(-d);
+    }
+    for(const auto& [v, d] : directions)
+      if(d.size() != 2 || -d[0].dot(d[1]) < cosine_of_smooth_turn())
+        m_ends.push_back(to_vector(points[v]));
+  }
+
+  void find_corners(const Tetrahedron_soup_3& soup)
+  {
+    const std::vector<bool> is_on_boundary = used_points(m_facets, soup.points.size());
+    for(const std::size_t v : soup.corners)
+      if(is_on_boundary[v] && m_corners.insert(v).second)
+        m_ends.push_back(to_vector(soup.points[v]));
+  }
+
+  using Kernel = AABB_trees_3::Kernel;
+
+  void build(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 2> >& lines)
+  {
+    std::set<std::size_t> vertices;
+    for(const std::array<std::size_t, 3>& facet : m_facets)
+    {
+      m_triangles.push_back(triangle(points, facet));
+      vertices.insert(facet.begin(), facet.end());
+    }
+    for(const std::size_t v : vertices)
+      m_vertices.push_back(to_vector(points[v]));
+    for(const auto& [v, w] : lines)
+      m_segments.emplace_back(exact_point(points[v]), exact_point(points[w]));
+    m_surface.rebuild(m_triangles.begin(), m_triangles.end());
+    m_surface.accelerate_distance_queries();
+    m_lines.rebuild(m_segments.begin(), m_segments.end());
+    const Bbox_3 box = m_surface.bbox();
+    m_rounding = 1e-9 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  }
+
+  static Kernel::Triangle_3 triangle(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 3>& facet)
+  {
+    const auto& [a, b, c] = facet;
+    return Kernel::Triangle_3(exact_point(points[a]), exact_point(points[b]), exact_point(points[c]));
+  }
+
+  static Eigen::Vector3d normal(const Kernel::Triangle_3& triangle)
+  {
+    return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized();
+  }
+
+  std::vector<std::array<std::size_t, 3> > m_facets;
+  std::vector<Eigen::Vector3d> m_vertices;
+  AABB_trees_3::Triangles m_triangles; // of the facets
+  std::vector<std::array<std::size_t, 2> > m_edges_of_lines;
+  AABB_trees_3::Segments m_segments; // of the lines
+  std::vector<Eigen::Vector3d> m_ends;
+  std::set<std::size_t> m_corners;
+  double m_rounding; // distance of points on lines from the lines, by rounding
+  AABB_trees_3::Of_triangles m_surface;
+  AABB_trees_3::Of_segments m_lines;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_SURFACE_3_H

@@ -1,0 +1,214 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BOX_GRID_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BOX_GRID_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+
+#include <set>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the
+// grid, those through lines along the axes are where there is room for them, and between two of them planes are put at equal
+// distances near the spacing. So no box is partly inside the domain.
+class Box_grid_3
+{
+public:
+  // Finds the planes for the domain, the image of the cells, and for lines in its faces.
+  Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& images,
+             const std::vector<std::array<std::size_t, 2> >& lines, const double spacing)
+  {
+    for(const std::array<std::size_t, 3>& facet : boundary_facets_3(cells))
+      if(!add_plane_of(facet, images))
+        return;
+    for(std::vector<double>& planes : m_planes)
+    {
+      std::sort(planes.begin(), planes.end());
+      planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+    }
+    add_planes_of(lines, images, spacing);
+    if(check_number_of_boxes(spacing))
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        divide(axis, spacing);
+  }
+
+  const Input_check_3& check() const { return m_check; }
+
+  // Returns the boxes inside. `are_inside` takes all centers at once and returns a value for each, true inside, or no values
+  // if it has been interrupted; then there are no boxes.
+  template <typename Predicate>
+  Hexahedron_soup_3 boxes(const Predicate& are_inside) const
+  {
+    std::vector<std::array<double, 3> > centers;
+    for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
+      for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
+        for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
+          centers.push_back({ middle(0, x), middle(1, y), middle(2, z) });
+    const auto is_inside = are_inside(centers);
+
+    Hexahedron_soup_3 result;
+    constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+    std::vector<std::size_t> number(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none);
+    std::map<std::array<std::size_t, 3>, std::size_t> blocks;
+    for(std::size_t i = 0; i < is_inside.size(); ++i)
+    {
+      if(!is_inside[i])
+        continue;
+      const std::size_t n_y = m_planes[1].size() - 1, n_z = m_planes[2].size() - 1;
+      const std::array<std::size_t, 3> box = { i / (n_y * n_z), i / n_z % n_y, i % n_z };
+      std::array<std::size_t, 8> cell;
+      for(std::size_t k = 0; k < 8; ++k)
+      {
+        constexpr std::size_t offset[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
+        const std::size_t x = box[0] + offset[k][0], y = box[1] + offset[k][1], z = box[2] + offset[k][2];
+        std::size_t& n = number[(x * (n_y + 1) + y) * (n_z + 1) + z];
+        if(n == none)
+        {
+          n = result.points.size();
+          result.points.push_back({ m_planes[0][x], m_planes[1][y], m_planes[2][z] });
+        }
+        cell[k] = n;
+      }
+      result.cells.push_back(cell);
+      std::array<std::size_t, 3> block, index;
+      for(std::size_t axis = 0; axis < 3; ++axis)
+      {
+        block[axis] = m_first_of_block[axis][box[axis]];
+        index[axis] = box[axis] - block[axis];
+      }
+      result.cell_blocks.push_back(blocks.emplace(block, blocks.size() + 1).first->second);
+      result.cell_indices.push_back(index);
+    }
+    set_facets(result);
+    return result;
+  }
+
+private:
+  bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<std::array<double, 3> >& images)
+  {
+    const auto& p = images[facet[0]];
+    const auto& q = images[facet[1]];
+    const auto& r = images[facet[2]];
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      if(p[axis] == q[axis] && q[axis] == r[axis])
+      {
+        m_planes[axis].push_back(p[axis]);
+        return true;
+      }
+    m_check = failed_check(ERROR_DOMAIN_NOT_AXIS_PARALLEL, "The facet at ", describe(to_vector(p)), ", ",
+                           describe(to_vector(q)), ", ", describe(to_vector(r)), " is not orthogonal to an axis.");
+    return false;
+  }
+
+  // Adds the planes across lines that leave room for a part of the spacing on both sides.
+  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<std::array<double, 3> >& images,
+                     const double spacing)
+  {
+    constexpr double smallest_part = 0.2; // a guess; less than lines of polycubes leave
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::set<double> planes;
+      for(const auto& [v, w] : lines)
+        if(images[v][axis] == images[w][axis])
+          planes.insert(images[v][axis]);
+      for(const double plane : planes)
+      {
+        const auto next = std::lower_bound(m_planes[axis].begin(), m_planes[axis].end(), plane);
+        if(next != m_planes[axis].begin() && next != m_planes[axis].end()
+           && (std::min)(*next - plane, plane - *(next - 1)) >= smallest_part * spacing)
+        {
+          m_planes[axis].insert(next, plane);
+          m_planes_of_lines[axis].insert(plane);
+        }
+      }
+    }
+  }
+
+  // Refuses more boxes than memory has room for: 4 kB a box while hexahedra are improved, if all boxes are inside.
+  bool check_number_of_boxes(const double spacing)
+  {
+    constexpr double maximal_number = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
+    if(number_of_boxes(spacing) <= maximal_number)
+      return true;
+    if(number_of_boxes(infinity) > maximal_number)
+      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The planes of the faces of the domain alone make ",
+                             number_of_boxes(infinity), " boxes; at most ", maximal_number, " are allowed.");
+    else
+    {
+      double coarser = spacing;
+      for(const std::vector<double>& planes : m_planes) // each axis alone has a finest spacing
+        coarser = (std::max)(coarser, (planes.back() - planes.front()) / maximal_number);
+      while(number_of_boxes(coarser) > maximal_number)
+        coarser *= 1.1;
+      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes(spacing),
+                             " boxes, which may take ", gigabytes_of_box * number_of_boxes(spacing),
+                             " GB of memory; at most ", maximal_number, " are allowed: a spacing of ", coarser, " would do.");
+    }
+    return false;
+  }
+
+  double number_of_boxes(const double spacing) const
+  {
+    double product = 1;
+    for(const std::vector<double>& planes : m_planes)
+    {
+      if(planes.size() < 2)
+        return 0;
+      double sum = 0;
+      for(std::size_t i = 1; i < planes.size(); ++i)
+        sum += number_of_parts(planes[i] - planes[i - 1], spacing);
+      product *= sum;
+    }
+    return product;
+  }
+
+  static double number_of_parts(const double length, const double spacing)
+  {
+    return (std::max)(1., std::round(length / spacing));
+  }
+
+  void divide(const std::size_t axis, const double spacing)
+  {
+    const std::vector<double> planes = m_planes[axis];
+    m_planes[axis].resize(planes.empty() ? 0 : 1);
+    std::size_t first = 0;
+    for(std::size_t i = 1; i < planes.size(); ++i)
+    {
+      const double n = number_of_parts(planes[i] - planes[i - 1], spacing);
+      if(m_planes_of_lines[axis].count(planes[i - 1]) == 0)
+        first = m_first_of_block[axis].size();
+      for(double k = 1; k <= n; ++k)
+      {
+        m_planes[axis].push_back(k == n ? planes[i] : planes[i - 1] + (planes[i] - planes[i - 1]) * (k / n));
+        m_first_of_block[axis].push_back(first);
+      }
+    }
+  }
+
+  double middle(const std::size_t axis, const std::size_t i) const
+  {
+    return m_planes[axis][i] + (m_planes[axis][i + 1] - m_planes[axis][i]) / 2;
+  }
+
+  std::array<std::vector<double>, 3> m_planes; // coordinates of planes, along each axis
+  std::array<std::set<double>, 3> m_planes_of_lines; // those of lines alone, which divide no block
+  // First box of each box's block, along each axis: the first one between the same two planes of faces.
+  std::array<std::vector<std::size_t>, 3> m_first_of_block;
+  Input_check_3 m_check;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BOX_GRID_3_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_IS_POSITIVE_HEXAHEDRON_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_IS_POSITIVE_HEXAHEDRON_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+template <typename FT>
+using Hexahedron_points_3 = std::array<std::array<FT, 3>, 8>; // in the order of VTK
+
+// Bernstein coefficients of a polynomial on the unit cube whose degree in each variable is 2: that of (i, j, k) is at 9i + 3j + k.
+template <typename FT>
+using Bernstein_coefficients_3 = std::array<FT, 27>;
+
+// Returns the coefficients of the Jacobian determinant of the trilinear map of the unit cube to a hexahedron. The derivative by a
+// variable is bilinear in both others, with edges as coefficients; each coefficient of the determinant is the mean of those of
+// the triples of edges, one along each axis, whose positions add up to its index (Johnen, Weill and Remacle, Robust and efficient
+// validation of the linear hexahedral element, 2017).
+template <typename FT>
+Bernstein_coefficients_3<FT> jacobian_coefficients_3(const Hexahedron_points_3<FT>& points)
+{
+  const auto edge = [&](const std::size_t axis, std::array<std::size_t, 3> at)
+  {
+    constexpr std::size_t number[2][2][2] = { { {0, 4}, {3, 7} }, { {1, 5}, {2, 6} } };
+    at[axis] = 1;
+    std::array<FT, 3> result = points[number[at[0]][at[1]][at[2]]];
+    at[axis] = 0;
+    for(std::size_t i = 0; i < 3; ++i)
+      result[i] -= points[number[at[0]][at[1]][at[2]]][i];
+    return result;
+  };
+  std::array<std::array<std::array<FT, 3>, 4>, 3> edges; // along each axis, by the positions on both others
+  for(std::size_t l = 0; l < 4; ++l)
+  {
+    edges[0][l] = edge(0, { 0, l / 2, l % 2 });
+    edges[1][l] = edge(1, { l / 2, 0, l % 2 });
+    edges[2][l] = edge(2, { l / 2, l % 2, 0 });
+  }
+  std::array<std::array<FT, 3>, 16> products; // of the edges along both last axes
+  for(std::size_t l = 0; l < 16; ++l)
+  {
+    const std::array<FT, 3>& y = edges[1][l / 4];
+    const std::array<FT, 3>& z = edges[2][l % 4];
+    products[l] = { y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0] };
+  }
+  Bernstein_coefficients_3<FT> result;
+  result.fill(FT(0));
+  for(std::size_t l = 0; l < 4; ++l)
+    for(std::size_t m = 0; m < 16; ++m)
+    {
+      const std::array<FT, 3>& x = edges[0][l];
+      const std::array<std::size_t, 3> index = { m / 8 + m / 2 % 2, l / 2 + m % 2, l % 2 + m / 4 % 2 };
+      const int parts = (1 + index[0] % 2) * (1 + index[1] % 2) * (1 + index[2] % 2); // of the mean
+      result[9 * index[0] + 3 * index[1] + index[2]]
+        += (x[0] * products[m][0] + x[1] * products[m][1] + x[2] * products[m][2]) / parts;
+    }
+  return result;
+}
+
+// Tells whether a polynomial is positive all over the closed unit cube, if its coefficients, which may be wrong by `error`, tell
+// it. Those at the corners are values, and all are bounds of the values between them; where they tell nothing, the cube is halved.
+// Polynomials that touch zero would be halved for ever: those that are open after many times count as not positive.
+template <typename FT>
+std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>& coefficients, const FT& error,
+                                             const int number_of_halvings = 0)
+{
+  constexpr int maximal_number = 60; // a minimum of 1e-12 of the maximum has been found then
+  for(const std::size_t corner : { 0, 2, 6, 8, 18, 20, 24, 26 })
+  {
+    if(coefficients[corner] <= -error)
+      return false;
+    if(coefficients[corner] <= error)
+      return std::nullopt;
+  }
+  if(std::all_of(coefficients.begin(), coefficients.end(), [&](const FT& x) { return x > error; }))
+    return true;
+  if(number_of_halvings == maximal_number)
+    return error == 0 ? std::optional<bool>(false) : std::nullopt;
+
+  const std::size_t step = number_of_halvings % 3 == 0 ? 9 : number_of_halvings % 3 == 1 ? 3 : 1;
+  std::array<Bernstein_coefficients_3<FT>, 2> halves = { coefficients, coefficients }; // by the algorithm of de Casteljau
+  for(std::size_t i = 0; i < 27; ++i)
+    if(i / step % 3 == 0)
+    {
+      const FT left = (coefficients[i] + coefficients[i + step]) / 2;
+      const FT right = (coefficients[i + step] + coefficients[i + 2 * step]) / 2;
+      halves[0][i + step] = left;
+      halves[1][i + step] = right;
+      halves[0][i + 2 * step] = halves[1][i] = (left + right) / 2;
+    }
+  const std::optional<bool> first = is_positive_polynomial_3(halves[0], error, number_of_halvings + 1);
+  return first && *first ? is_positive_polynomial_3(halves[1], error, number_of_halvings + 1) : first;
+}
+
+// Tells whether the Jacobian determinant of a hexahedron is positive all over it: of the coordinates as they are, by a filter in
+// double precision, and where this is not enough, in rational numbers.
+inline bool is_positive_hexahedron_3(const Hexahedron_points_3<double>& points)
+{
+  for(const std::array<double, 3>& p : points)
+    if(!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      return false;
+  double error = 1e-13; // more than 8 determinants and 120 means lose by rounding, relative to the product of the ranges
+  for(std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto less = [axis](const std::array<double, 3>& p, const std::array<double, 3>& q) { return p[axis] < q[axis]; };
+    const auto range = std::minmax_element(points.begin(), points.end(), less);
+    error *= (*range.second)[axis] - (*range.first)[axis];
+  }
+  if(std::isnormal(error))
+    if(const std::optional<bool> result = is_positive_polynomial_3(jacobian_coefficients_3(points), error))
+      return *result;
+  Hexahedron_points_3<Exact_rational> exact;
+  for(std::size_t i = 0; i < 8; ++i)
+    std::copy(points[i].begin(), points[i].end(), exact[i].begin());
+  return *is_positive_polynomial_3(jacobian_coefficients_3(exact), Exact_rational(0));
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_IS_POSITIVE_HEXAHEDRON_3_H

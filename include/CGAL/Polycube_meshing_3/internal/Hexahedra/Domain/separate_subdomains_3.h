@@ -1,0 +1,184 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_SEPARATE_SUBDOMAINS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_SEPARATE_SUBDOMAINS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <set>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Changes subdomains of hexahedra until the surfaces between them are manifolds, each hexahedron to that of a neighbor. A vertex
+// is bad where the hexahedra of a subdomain, or all others with the outside, are not joined by quadrangles. No change cuts a
+// subdomain apart near its hexahedron. (After Latecki, 3D well-composed pictures, 1997, who defines them by such vertices.)
+class Subdomain_separation_3
+{
+public:
+  explicit Subdomain_separation_3(Hexahedron_soup_3& mesh)
+    : m_mesh(mesh), m_cells_at(mesh.points.size()), m_neighbors(mesh.cells.size())
+  {
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    {
+      m_neighbors[c].fill(none);
+      for(const std::size_t v : mesh.cells[c])
+        m_cells_at[v].push_back(c);
+    }
+    for_each_quadrangle(mesh, [&](const auto begin, const auto end)
+    {
+      if(end - begin != 2)
+        return;
+      const Quadrangle_of_hexahedron q = begin->second, r = (begin + 1)->second;
+      m_neighbors[q.cell][q.side] = r.cell;
+      m_neighbors[r.cell][r.side] = q.cell;
+    });
+  }
+
+  // Makes the changes, as long as each of them leaves fewer defects.
+  void run(const Budget& budget)
+  {
+    for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
+    {
+      has_changed = false;
+      for(std::size_t v = 0; v < m_cells_at.size(); ++v)
+        has_changed = (defects(v) > 0 && mend(v)) || has_changed;
+    }
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  int& reference(const std::size_t c) { return m_mesh.cell_references[c]; }
+
+  bool are_neighbors(const std::size_t c, const std::size_t d) const
+  { return std::find(m_neighbors[c].begin(), m_neighbors[c].end(), d) != m_neighbors[c].end(); }
+
+  bool is_at_boundary(const std::size_t c, const std::size_t v) const
+  {
+    for(std::size_t side = 0; side < 6; ++side)
+      if(const auto q = vertices_of(m_mesh, { c, side }); m_neighbors[c][side] == none && std::count(q.begin(), q.end(), v) > 0)
+        return true;
+    return false;
+  }
+
+  // Returns the number of parts of hexahedra that quadrangles join; those that `is_joined` accepts are joined in any case.
+  template <typename Predicate>
+  int number_of_parts(const std::vector<std::size_t>& cells, const Predicate& is_joined) const
+  {
+    Disjoint_sets sets(cells.size() + 1);
+    std::set<std::size_t> parts;
+    for(std::size_t i = 0; i < cells.size(); ++i)
+    {
+      for(std::size_t j = 0; j < i; ++j)
+        if(are_neighbors(cells[i], cells[j]))
+          sets.unite(i, j);
+      if(is_joined(cells[i]))
+        sets.unite(i, cells.size());
+    }
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      parts.insert(sets.find(i));
+    return static_cast<int>(parts.size());
+  }
+
+  // Returns by how much the parts of subdomains and of their complements at a vertex are too many.
+  int defects(const std::size_t v)
+  {
+    const auto is_like_first = [&](const std::size_t c) { return reference(c) == reference(m_cells_at[v][0]); };
+    if(std::all_of(m_cells_at[v].begin(), m_cells_at[v].end(), is_like_first))
+      return 0;
+    std::map<int, std::vector<std::size_t> > subdomains;
+    for(const std::size_t c : m_cells_at[v])
+      subdomains[reference(c)].push_back(c);
+    int result = 0;
+    for(const auto& [subdomain, cells] : subdomains)
+    {
+      std::vector<std::size_t> others;
+      for(const std::size_t c : m_cells_at[v])
+        if(reference(c) != subdomain)
+          others.push_back(c);
+      result += number_of_parts(cells, [](std::size_t) { return false; }) - 1;
+      result += number_of_parts(others, [&](const std::size_t c) { return is_at_boundary(c, v); }) - 1;
+    }
+    return result;
+  }
+
+  // Tells whether the neighbors of a hexahedron in its subdomain exist, and are joined without it by those that touch it.
+  bool may_leave(const std::size_t c)
+  {
+    std::set<std::size_t> around;
+    for(const std::size_t v : m_mesh.cells[c])
+      for(const std::size_t d : m_cells_at[v])
+        if(d != c && reference(d) == reference(c))
+          around.insert(d);
+    const std::vector<std::size_t> cells(around.begin(), around.end());
+    Disjoint_sets sets(cells.size());
+    std::set<std::size_t> parts;
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        if(are_neighbors(cells[i], cells[j]))
+          sets.unite(i, j);
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      if(are_neighbors(c, cells[i]))
+        parts.insert(sets.find(i));
+    return parts.size() == 1;
+  }
+
+  // Makes the change at a vertex that leaves the fewest defects, and among these the one to the most neighbors. Returns false if
+  // none is a gain.
+  bool mend(const std::size_t v)
+  {
+    std::pair<int, std::ptrdiff_t> best = { 0, 0 };
+    std::size_t changed = none;
+    int next = 0;
+    for(const std::size_t c : m_cells_at[v])
+    {
+      std::map<int, std::ptrdiff_t> numbers; // of neighbors in each other subdomain
+      for(const std::size_t d : m_neighbors[c])
+        if(d != none && reference(d) != reference(c))
+          --numbers[reference(d)];
+      if(numbers.empty() || !may_leave(c))
+        continue;
+      const auto defects_of_cell = [&]
+      {
+        int sum = 0;
+        for(const std::size_t w : m_mesh.cells[c])
+          sum += defects(w);
+        return sum;
+      };
+      const int old = reference(c), before = defects_of_cell();
+      for(const auto& [subdomain, number] : numbers)
+      {
+        reference(c) = subdomain;
+        if(const std::pair<int, std::ptrdiff_t> gain = { defects_of_cell() - before, number }; gain.first < 0 && gain < best)
+        {
+          best = gain;
+          changed = c;
+          next = subdomain;
+        }
+      }
+      reference(c) = old;
+    }
+    if(changed == none)
+      return false;
+    reference(changed) = next;
+    return true;
+  }
+
+  Hexahedron_soup_3& m_mesh;
+  std::vector<std::vector<std::size_t> > m_cells_at;        // of each vertex
+  std::vector<std::array<std::size_t, 6> > m_neighbors; // of each hexahedron, behind its quadrangles
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_SEPARATE_SUBDOMAINS_3_H

@@ -1,0 +1,250 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_IMPROVE_HEXAHEDRA_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_IMPROVE_HEXAHEDRA_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Sliding_hexahedra_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Returns the result for a mesh.
+inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh, const bool has_padding)
+{
+  Hexahedral_mesh_result result;
+  result.number_of_vertices = mesh.points.size();
+  result.number_of_cells = mesh.cells.size();
+  result.has_padding = has_padding;
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
+
+  std::string where;
+  const auto name = [&](const std::size_t v)
+  {
+    if(where.empty())
+      where = sentence(" The first one has a vertex at ", describe(to_vector(mesh.points[v])),
+                       is_outer[v] ? ", on the boundary." : ", inside.");
+  };
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    if(is_positive_hexahedron(mesh, c))
+      continue;
+    ++result.number_of_inverted_hexahedra;
+    for_each_corner(mesh.cells[c], [&](const std::array<std::size_t, 4>& corner)
+    {
+      if(is_positive_corner(mesh, corner))
+        return;
+      ++result.number_of_inverted_corners;
+      name(corner[0]);
+    });
+    name(mesh.cells[c][0]); // if all corners are positive
+  }
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  result.minimal_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
+  result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
+  result.has_valid_mesh = result.number_of_inverted_hexahedra == 0;
+  result.status = result.has_valid_mesh ? OK : ERROR_INVERTED_HEXAHEDRON;
+  result.message = get_error_message(result.status) + where;
+  return result;
+}
+
+// Tells whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian where this is
+// bad, or the larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of
+// the other. Boundaries that are far apart, in edges, have a price.
+inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
+{
+  constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
+  const auto quality = [edge](const Hexahedral_mesh_result& result)
+  {
+    return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
+           - price * std::clamp(result.boundary_distance / edge - sufficient_distance, 0., 1.);
+  };
+  if(a.number_of_inverted_corners != b.number_of_inverted_corners)
+    return a.number_of_inverted_corners < b.number_of_inverted_corners;
+  if(a.number_of_inverted_hexahedra != b.number_of_inverted_hexahedra)
+    return a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra;
+  const double least_of_a = (std::min)(a.minimal_scaled_jacobian, bad_scaled_jacobian);
+  const double least_of_b = (std::min)(b.minimal_scaled_jacobian, bad_scaled_jacobian);
+  return least_of_a != least_of_b ? least_of_a > least_of_b : quality(a) > quality(b);
+}
+
+// Tells whether a mesh is valid, and no scaled Jacobian is below a bound.
+inline bool is_at_least(const Hexahedral_mesh_result& result, const double bound)
+{ return result.has_valid_mesh && result.minimal_scaled_jacobian >= bound; }
+
+// Best hexahedra so far.
+struct Best_hexahedra_3
+{
+  double edge = 1; // of hexahedra without distortion
+  Hexahedral_mesh_result result;
+  Hexahedron_soup_3 mesh;
+
+  void take(const Hexahedral_mesh_result& of_next, const Hexahedron_soup_3& next)
+  {
+    if(mesh.cells.empty() || is_better(of_next, result, edge))
+    {
+      result = of_next;
+      mesh = next;
+    }
+  }
+};
+
+// Improves hexahedra, and gives the best ones that it meets to others.
+class Hexahedra_improvement_3
+{
+public:
+  Hexahedra_improvement_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget, Best_hexahedra_3& best)
+    : m_hexahedra(hexahedra), m_has_padding(has_padding), m_budget(budget), m_best(best)
+  {}
+
+  // If vertices may leave the surface, they do so before all else.
+  void run(const bool may_leave_surface)
+  {
+    evaluate();
+    if(may_leave_surface)
+    {
+      m_hexahedra.leave_and_return();
+      evaluate();
+    }
+    move_all();
+    improve_worst_corners();
+    approach_boundary();
+    leave_interfaces();
+  }
+
+private:
+  static constexpr int number_of_rounds = 10, patience = 3;      // guesses
+  static constexpr std::size_t first_steps = 10, steps = 3;      // guesses
+  static constexpr double price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points, see smooth_hexahedra_3()
+
+  void evaluate()
+  {
+    m_result = evaluated_hexahedra(m_hexahedra.mesh(), m_has_padding);
+    m_result.boundary_distance = m_hexahedra.boundary_distance();
+    m_best.take(m_result, m_hexahedra.mesh());
+  }
+
+  // While corners are inverted, uncovered points count little.
+  void smooth(const double price_of_uncovered)
+  {
+    constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
+    m_hexahedra.smooth((std::max)(0., m_result.minimal_scaled_jacobian) + gain,
+                       m_result.number_of_inverted_corners > 0 ? smallest_price : price_of_uncovered);
+    evaluate();
+  }
+
+  // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
+  // gains little. Where corners are inverted or almost flat in between, their vertices move one after the other. Rounds that do
+  // not halve the number of inverted corners are in vain; then vertices on lines may leave the lines.
+  void move_all()
+  {
+    constexpr int number_of_first_rounds = 3;                // a guess
+    constexpr std::size_t corners_per_inverted_corner = 100; // a guess; with fewer, not lines but the map is to blame
+    constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
+    std::size_t fewest_inverted_corners = m_result.number_of_inverted_corners;
+    for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience
+        && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
+    {
+      const bool are_few = m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
+      if(in_vain == patience - 1 && are_few && m_hexahedra.leave_lines(0))
+        in_vain = 0;
+      if(round > 0 && m_result.minimal_scaled_jacobian < flat_scaled_jacobian)
+        smooth(price);
+      const double mean = m_result.mean_scaled_jacobian;
+      m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
+                          round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
+      evaluate();
+      in_vain = m_result.number_of_inverted_corners <= fewest_inverted_corners / 2 ? 0 : in_vain + 1;
+      fewest_inverted_corners = (std::min)(fewest_inverted_corners, m_result.number_of_inverted_corners);
+      if(round >= number_of_first_rounds && m_result.number_of_inverted_corners == 0
+         && m_result.mean_scaled_jacobian < mean + least_gain)
+        break;
+    }
+  }
+
+  // Improves the worst corners and hexahedra that are inverted inside as long as they gain, one vertex after the other and all at
+  // once in turn. While corners are inverted, only fewer of them, or of such hexahedra, than ever before are a gain. While corners
+  // are poor but positive and gain nothing, far points count less, and the vertices of flat ones leave the lines.
+  void improve_worst_corners()
+  {
+    constexpr double least_gain = 0.005; // a guess; in a round
+    double price_of_uncovered = price;
+    std::size_t fewest_corners = m_result.number_of_inverted_corners, fewest_hexahedra = m_result.number_of_inverted_hexahedra;
+    for(int round = 0, in_vain = 0;
+        round < number_of_rounds && in_vain < patience
+        && (m_result.minimal_scaled_jacobian < sufficient_scaled_jacobian || m_result.number_of_inverted_hexahedra > 0)
+        && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
+    {
+      const double before = m_result.minimal_scaled_jacobian;
+      if(round > 0)
+      {
+        m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
+        evaluate();
+      }
+      smooth(price_of_uncovered);
+      const bool is_gain = (m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian > before + least_gain)
+                           || m_result.number_of_inverted_corners < fewest_corners
+                           || m_result.number_of_inverted_hexahedra < fewest_hexahedra;
+      fewest_corners = (std::min)(fewest_corners, m_result.number_of_inverted_corners);
+      fewest_hexahedra = (std::min)(fewest_hexahedra, m_result.number_of_inverted_hexahedra);
+      in_vain = is_gain ? 0 : in_vain + 1;
+      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
+      {
+        m_hexahedra.leave_lines(flat_scaled_jacobian);
+        price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);
+      }
+    }
+  }
+
+  // Pulls hexahedra more and more to points of the boundary that are far away, as long as that leads to better ones. Hexahedra may
+  // be of any length there, as in tips.
+  void approach_boundary()
+  {
+    constexpr double growth = 4; // a guess; of the weight
+    double weight = 1;
+    for(int round = 0, in_vain = 0;
+        round < number_of_rounds && in_vain < patience && m_result.number_of_inverted_hexahedra == 0
+        && m_best.result.boundary_distance > sufficient_distance * m_best.edge
+        && m_budget.may_begin_round(Phase::HEXAHEDRA, "far points"); ++round)
+    {
+      const Hexahedral_mesh_result before = m_best.result;
+      weight *= growth;
+      m_hexahedra.improve(steps, true, Corners_to_improve::WORST_ANGLES, weight);
+      evaluate();
+      smooth(price * weight);
+      in_vain = is_better(m_best.result, before, m_best.edge) ? 0 : in_vain + 1;
+    }
+  }
+
+  // Lets vertices of poor corners leave the interfaces.
+  void leave_interfaces()
+  {
+    constexpr double least_scaled_jacobian = 0.02; // a guess
+    for(int round = 0; round < patience && m_result.minimal_scaled_jacobian < least_scaled_jacobian
+        && m_budget.may_begin_round(Phase::HEXAHEDRA, "interfaces") && m_hexahedra.leave_interfaces(flat_scaled_jacobian); ++round)
+    {
+      m_hexahedra.improve(steps, true, Corners_to_improve::POOR);
+      evaluate();
+      smooth(price);
+    }
+  }
+
+  Sliding_hexahedra_3& m_hexahedra;
+  const bool m_has_padding;
+  const Budget& m_budget;
+  Best_hexahedra_3& m_best;
+  Hexahedral_mesh_result m_result; // of the hexahedra as they are
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_IMPROVE_HEXAHEDRA_3_H

@@ -1,0 +1,65 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_SURFACE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_SURFACE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/cover_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_corners_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
+// may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
+// multiple range images, 1992).
+inline void pull_point_3(const Eigen::Vector3d& q, const std::array<int, 3>& triangle, const Eigen::Vector3d& p,
+                         const Matrix3Xd& positions, const double tolerance, const double weight,
+                         Corner_goals_3& goals)
+{
+  constexpr double longest_pull = 1;             // a guess; relative to the mean edge
+  const double factor = std::sqrt(200 * weight); // a guess; scales the residual
+  const double distance = (p - q).norm();
+  if(distance < tolerance * goals.mean_edge)
+    return;
+  const auto& [a, b, c] = triangle;
+  Small_matrix<3, 2> sides;
+  sides << positions.col(b) - positions.col(a), positions.col(c) - positions.col(a);
+  const Small_matrix<2, 2> products = sides.transpose() * sides;
+  if(!(products.determinant() > 0))
+    return;
+  const Small_matrix<2, 2> inverse = products.inverse();
+  const Small_matrix<2, 1> st = inverse * (sides.transpose() * (q - positions.col(a)));
+  const Eigen::Vector3d way = factor * (p - q) / distance;
+  goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
+                                way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
+}
+
+// Pulls triangles to the vertices of the surface, more with a larger weight.
+inline void pull_to_vertices_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double weight,
+                               Corner_goals_3& goals)
+{
+  for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
+                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
+                   { pull_point_3(q, triangle, p, positions, covered.tolerance, weight, goals); });
+}
+
+// Pulls the middles of quadrangles and of their edges to the surface.
+inline void pull_middles_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double weight,
+                           Corner_goals_3& goals)
+{
+  for_each_middle(covered, positions,
+                  [&](const std::array<int, 2>&, const Middle_3& middle, const std::array<int, 3>& triangle)
+                  { pull_point_3(middle.point, triangle, middle.nearest, positions, covered.tolerance, weight, goals); });
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_SURFACE_3_H

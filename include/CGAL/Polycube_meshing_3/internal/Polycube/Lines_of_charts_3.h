@@ -1,0 +1,293 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_LINES_OF_CHARTS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_LINES_OF_CHARTS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_lines_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
+
+#include <optional>
+#include <set>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Sharp edges inside charts as lines in faces of the polycube, each along an axis: vertices of a line get one value of the other
+// coordinate of the face. So planes of a grid through it lead along the sharp edges of the body.
+//
+// Lines that meet at a vertex, in one chart or on both sides of an edge of the polycube, have one value if they are held
+// along the same axis there and are not side by side. Values are the mean, or with planes of a grid the nearest one, or one half
+// or a quarter of the way to the next plane where that is clearly nearer or the planes have no room, such that lines and edges
+// keep the order that they have without lines. The longest lines join and choose first, and those without a value are given up.
+class Lines_of_charts_3
+{
+public:
+  static constexpr double smallest_part_of_spacing = 0.25; // a guess; between lines, a power of 2 for exact multiples
+
+  using Vertex = Boundary_mesh_3::Vertex_index;
+  using Halfedge = Boundary_mesh_3::Halfedge_index;
+
+  // Takes the images of a map without lines, and whether each edge of the mesh is sharp.
+  Lines_of_charts_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::vector<bool>& is_sharp,
+                    const Grid_planes_3& planes, const std::vector<Eigen::Vector3d>& images)
+    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_images(images),
+      m_is_bound(images.size(), { false, false, false }), m_sites(charts.number_of_charts() + charts.chains().size())
+  {
+    add_edges_of_polycube();
+    join_lines(Search_for_lines_3(mesh, charts, is_sharp, images).lines());
+    choose_values();
+  }
+
+  bool are_empty() const
+  { return std::none_of(m_groups.begin(), m_groups.end(), [](const Group& group) { return group.value.has_value(); }); }
+
+  // Gives up the shortest lines in the charts of faces that are flipped, or beside them: of those that are at such a face, if
+  // there are any. Returns whether there were lines.
+  bool give_up(const std::vector<Boundary_mesh_3::Face_index>& flipped_faces)
+  {
+    std::vector<bool> is_chart_bad(m_charts.number_of_charts(), false), is_vertex_bad(m_images.size(), false);
+    for(const auto f : flipped_faces)
+      for(const Halfedge h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
+      {
+        is_chart_bad[m_charts.chart(h)] = is_chart_bad[m_charts.chart(m_mesh.opposite(h))] = true;
+        is_vertex_bad[m_mesh.target(h)] = true;
+      }
+    const auto is_in_bad_chart = [&](const Line_of_chart_3& line) { return is_chart_bad[line.chart]; };
+    const auto is_at_bad_face = [&](const Line_of_chart_3& line)
+    { return std::any_of(line.vertices.begin(), line.vertices.end(), [&](const Vertex v) { return is_vertex_bad[v]; }); };
+    return give_up_shortest(is_at_bad_face) || give_up_shortest(is_in_bad_chart);
+  }
+
+  // Gives the vertices of lines their values, and holds these coordinates.
+  void apply(std::vector<Eigen::Vector3d>& images, Held_coordinates& is_held) const
+  {
+    for(const Group& group : m_groups)
+      for(const Line_of_chart_3& line : group.lines)
+        for(const Vertex v : line.vertices)
+          if(group.value)
+          {
+            images[v][group.axis] = *group.value;
+            is_held[v][group.axis] = true;
+          }
+  }
+
+private:
+  // Lines that have one value.
+  struct Group
+  {
+    std::vector<Line_of_chart_3> lines;
+    int axis;
+    double mean, length;
+    std::optional<double> value;
+  };
+
+  // Edge of the polycube, line, or end of a line, in a chart or on an edge of the polycube: where others may be only on the
+  // side of its value on which they were.
+  struct Site
+  {
+    int axis;
+    double low, high; // along the other axis
+    double before, value;
+  };
+
+  template <typename Predicate>
+  bool give_up_shortest(const Predicate& is_bad)
+  {
+    const auto shortest = std::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group& group)
+                                       { return group.value && std::any_of(group.lines.begin(), group.lines.end(), is_bad); });
+    if(shortest == m_groups.rend())
+      return false;
+    shortest->value.reset();
+    return true;
+  }
+
+  void add_edges_of_polycube()
+  {
+    m_chain_of_vertex.assign(m_images.size(), -1);
+    for(std::size_t i = 0; i < m_charts.chains().size(); ++i)
+    {
+      const Polycube_chain_3& chain = m_charts.chains()[i];
+      const std::vector<Vertex> path = m_charts.vertices(chain);
+      const Eigen::Vector3d first = m_images[path.front()], last = m_images[path.back()];
+      for(const std::size_t c : chain.charts)
+      {
+        const int axis = other_axis(m_charts, c, chain.axis);
+        const auto [low, high] = std::minmax(first[chain.axis], last[chain.axis]);
+        m_sites[c].push_back({ axis, low, high, first[axis], first[axis] });
+        for(const Vertex v : path)
+          m_is_bound[v][axis] = true;
+      }
+      for(const Eigen::Vector3d& p : { first, last })
+        m_sites[m_charts.number_of_charts() + i].push_back({ chain.axis, 0, 1, p[chain.axis], p[chain.axis] });
+      for(std::size_t k = 1; k + 1 < path.size(); ++k)
+        m_chain_of_vertex[path[k]] = static_cast<int>(i);
+    }
+  }
+
+  // Makes groups of lines that share a vertex and the axis across, the longest ones first. A line that would join two that are
+  // side by side is left out.
+  void join_lines(const std::vector<Line_of_chart_3>& lines)
+  {
+    for(const Line_of_chart_3& line : lines)
+      m_groups.push_back(group_of({ line }));
+    const auto is_longer = [](const Group& a, const Group& b) { return a.length > b.length; };
+    std::stable_sort(m_groups.begin(), m_groups.end(), is_longer);
+    std::vector<Group> joined;
+    for(const Group& next : m_groups)
+    {
+      std::vector<Line_of_chart_3> together = next.lines;
+      std::vector<Group> others;
+      for(const Group& group : joined)
+        if(are_joined(group, next))
+          together.insert(together.end(), group.lines.begin(), group.lines.end());
+        else
+          others.push_back(group);
+      if(are_side_by_side(together))
+        continue;
+      joined = std::move(others);
+      joined.push_back(group_of(together));
+    }
+    m_groups = std::move(joined);
+    std::stable_sort(m_groups.begin(), m_groups.end(), is_longer);
+  }
+
+  static bool are_joined(const Group& a, const Group& b)
+  {
+    std::set<Vertex> vertices;
+    for(const Line_of_chart_3& line : a.lines)
+      vertices.insert(line.vertices.begin(), line.vertices.end());
+    return a.axis == b.axis && std::any_of(b.lines.begin(), b.lines.end(), [&](const Line_of_chart_3& line)
+    { return std::any_of(line.vertices.begin(), line.vertices.end(), [&](const Vertex v) { return vertices.count(v) > 0; }); });
+  }
+
+  // Tells whether two of some lines are in one chart and extend over the same part of it.
+  bool are_side_by_side(const std::vector<Line_of_chart_3>& lines) const
+  {
+    const auto extent = [this](const Line_of_chart_3& line)
+    {
+      const int along = other_axis(m_charts, line.chart, line.axis);
+      return std::minmax({ m_images[line.vertices.front()][along], m_images[line.vertices.back()][along] });
+    };
+    for(auto a = lines.begin(); a != lines.end(); ++a)
+      for(auto b = lines.begin(); b != a; ++b)
+        if(const auto [low, high] = extent(*a); a->chart == b->chart && low < extent(*b).second && extent(*b).first < high)
+          return true;
+    return false;
+  }
+
+  Group group_of(const std::vector<Line_of_chart_3>& lines) const
+  {
+    Group group = { lines, lines.front().axis, 0, 0, std::nullopt };
+    for(const Line_of_chart_3& line : lines)
+      for(std::size_t i = 1; i < line.vertices.size(); ++i)
+      {
+        const Eigen::Vector3d p = m_images[line.vertices[i - 1]], q = m_images[line.vertices[i]];
+        group.mean += (q - p).norm() * (p + q)[group.axis] / 2;
+        group.length += (q - p).norm();
+      }
+    group.mean /= group.length;
+    return group;
+  }
+
+  // Chooses values of the groups, but of those shorter than the spacing: edges of hexahedra that are as long gain nothing by them.
+  void choose_values()
+  {
+    for(Group& group : m_groups)
+    {
+      if(group.length < m_planes.spacing)
+        break; // the longest ones come first
+      for(const double value : values(group))
+      {
+        const auto sites = sites_of(group, value);
+        if(!std::all_of(sites.begin(), sites.end(), [this](const auto& site) { return fits(site.first, site.second); }))
+          continue;
+        group.value = value;
+        for(const auto& [owner, site] : sites)
+          m_sites[owner].push_back(site);
+        break;
+      }
+    }
+  }
+
+  // Returns the values that a group may have, the best one first: only that of edges of the polycube across which it ends, if
+  // they have one value.
+  std::vector<double> values(const Group& group) const
+  {
+    std::set<double> bound;
+    for(const Line_of_chart_3& line : group.lines)
+      for(const Vertex v : line.vertices)
+        if(m_is_bound[v][group.axis])
+          bound.insert(m_images[v][group.axis]);
+    if(!bound.empty())
+      return bound.size() == 1 ? std::vector<double>(1, *bound.begin()) : std::vector<double>();
+    if(!(m_planes.spacing > 0))
+      return { group.mean };
+    constexpr double least_gain = 0.1; // a guess; part of the spacing by which a plane that divides boxes must be nearer
+    std::set<std::pair<double, double> > by_distance;
+    double handicap = 0;
+    for(const double part : { 1., 0.5, smallest_part_of_spacing })
+    {
+      const double distance = part * m_planes.spacing, k = (group.mean - m_planes.origin[group.axis]) / distance;
+      const double nearest = std::round(k);
+      for(const double n : { nearest, nearest < k ? nearest + 1 : nearest - 1 })
+      {
+        const double value = m_planes.origin[group.axis] + n * distance;
+        by_distance.emplace(std::abs(value - group.mean) + handicap, value);
+      }
+      handicap += least_gain * m_planes.spacing;
+    }
+    std::vector<double> result;
+    for(const auto& [distance, value] : by_distance)
+      result.push_back(value);
+    return result;
+  }
+
+  // Returns the lines of a group in their charts, and their ends on edges of the polycube along the axis across.
+  std::vector<std::pair<std::size_t, Site> > sites_of(const Group& group, const double value) const
+  {
+    std::vector<std::pair<std::size_t, Site> > result;
+    for(const Line_of_chart_3& line : group.lines)
+    {
+      const int along = other_axis(m_charts, line.chart, line.axis);
+      const Eigen::Vector3d first = m_images[line.vertices.front()], last = m_images[line.vertices.back()];
+      const auto [low, high] = std::minmax(first[along], last[along]);
+      result.push_back({ line.chart, { group.axis, low, high, group_of({ line }).mean, value } });
+      for(const Vertex v : line.vertices)
+        if(const int chain = m_chain_of_vertex[v]; chain >= 0 && m_charts.chains()[chain].axis == group.axis)
+          result.push_back({ m_charts.number_of_charts() + chain, { group.axis, 0, 1, m_images[v][group.axis], value } });
+    }
+    return result;
+  }
+
+  // Tells whether a site is on the same sides of all others with its owner as before. Ends of lines at one vertex are one.
+  bool fits(const std::size_t owner, const Site& site) const
+  {
+    return std::all_of(m_sites[owner].begin(), m_sites[owner].end(), [&](const Site& other)
+    {
+      return other.axis != site.axis || !(other.low < site.high && site.low < other.high)
+        || (site.value - other.value) * (site.before - other.before) > 0;
+    });
+  }
+
+  const Boundary_mesh_3& m_mesh;
+  const Polycube_charts_3& m_charts;
+  const Grid_planes_3 m_planes;
+  const std::vector<Eigen::Vector3d> m_images;
+  Held_coordinates m_is_bound;        // at edges of the polycube: coordinates that are those of faces
+  std::vector<int> m_chain_of_vertex; // -1 for vertices of none, and corners
+  std::vector<std::vector<Site> > m_sites; // in each chart, and on each edge of the polycube
+  std::vector<Group> m_groups;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_LINES_OF_CHARTS_3_H

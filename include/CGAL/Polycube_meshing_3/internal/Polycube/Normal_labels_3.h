@@ -1,0 +1,302 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NORMAL_LABELS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NORMAL_LABELS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Label_functional_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Relabelling of a chart, with the increase of the cost of all labels.
+struct Chart_relabelling_3
+{
+  std::size_t chart, label;
+  double cost;
+};
+
+// Labels the faces of a surface with axis directions that are close to their normals and change along short lines, which lower
+// the sum of `Label_functional_3`. Small regions and whole charts change their labels as long as it falls: nearly as far as with
+// minimum cuts, which take many times as long. No polycube has edges where opposite directions meet: around such edges,
+// labels of their axis are made expensive, until nothing changes.
+class Normal_labels_3
+{
+public:
+  using Labels = std::vector<std::size_t>;
+  using Face = Boundary_mesh_3::Face_index;
+
+  // Takes a surface of diameter about 1, such that lengths and areas compare, and whether each of its edges is sharp.
+  Normal_labels_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Budget& budget)
+    : m_mesh(mesh), m_is_sharp(is_sharp), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
+  {
+    const Label_functional_3 functional(mesh, is_sharp);
+    for(const Face f : mesh.faces())
+    {
+      m_face_costs.emplace_back();
+      for(std::size_t label = 0; label < 6; ++label)
+        m_face_costs.back()[label] = functional.cost(f, label);
+      auto side = m_sides.emplace(m_sides.end())->begin();
+      for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+        *side++ = { mesh.face(mesh.opposite(h)), functional.length(h) };
+      m_ring.emplace_back();
+      for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+        for(const Face g : CGAL::faces_around_target(mesh.halfedge(v), mesh))
+          if(g != f && std::find(m_ring.back().begin(), m_ring.back().end(), g) == m_ring.back().end())
+            m_ring.back().push_back(g);
+    }
+  }
+
+  // Returns the directions that are closest to the normals.
+  Labels closest() const
+  {
+    Labels labels;
+    for(const Costs& costs : m_face_costs)
+      labels.push_back(std::min_element(costs.begin(), costs.end()) - costs.begin());
+    return labels;
+  }
+
+  // Makes all faces of a plane that two directions suit equally prefer one of them, that of most of it in the given labels, as
+  // rounding would decide about each face. Returns whether there is such a plane.
+  bool decide_ties(const Labels& labels)
+  {
+    constexpr double least_area = 0.004, preference = 0.05; // guesses; parts of the whole area and of that of a face
+    const std::vector<std::size_t> ties = this->ties();
+    const auto [plane_of_face, n] = connected_charts_3(m_mesh, ties);
+    std::vector<double> area(n, 0);
+    std::vector<Costs> area_by_label(n, Costs{});
+    for(const Face f : m_mesh.faces())
+    {
+      area[plane_of_face[f]] += area_of_face(m_mesh, f);
+      area_by_label[plane_of_face[f]][labels[f]] += area_of_face(m_mesh, f);
+    }
+    const double whole_area = std::accumulate(area.begin(), area.end(), 0.);
+    bool has_changed = false;
+    for(const Face f : m_mesh.faces())
+    {
+      const std::size_t plane = plane_of_face[f], a = ties[f] / 6, b = ties[f] % 6;
+      if(ties[f] == no_tie || area[plane] < least_area * whole_area)
+        continue;
+      const std::size_t label = area_by_label[plane][b] > area_by_label[plane][a] ? b : a;
+      m_face_costs[f][label] -= preference * area_of_face(m_mesh, f);
+      has_changed = true;
+    }
+    return has_changed;
+  }
+
+  // Lowers the sum, `smoothing` being the weight of the lengths.
+  void minimize(const double smoothing, Labels& labels)
+  {
+    const std::vector<bool> none(labels.size(), false);
+    Settled_faces is_settled;
+    do
+    {
+      is_settled.fill(none);
+      while(!m_budget.is_exhausted())
+        if(relabel_regions(0, smoothing, is_settled, labels))
+          continue;
+        else if(relabel_charts(smoothing, labels))
+          is_settled.fill(none);
+        else if(!relabel_regions(1, smoothing, is_settled, labels) && !relabel_regions(2, smoothing, is_settled, labels))
+          break;
+    }
+    while(!m_budget.is_exhausted() && has_opposite_neighbors(labels));
+  }
+
+  double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
+
+  const std::vector<bool>& are_sharp() const { return m_is_sharp; }
+  bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const { return m_is_sharp[m_mesh.edge(h)]; }
+
+  // Returns all other labels of all charts, the cheapest one first.
+  std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
+                                                      const std::vector<std::size_t>& chart_of_face) const
+  {
+    const std::size_t n = 1 + *std::max_element(chart_of_face.begin(), chart_of_face.end());
+    std::vector<Costs> cost_of_chart(n, Costs{});
+    Labels label_of_chart(n);
+    for(const Face f : m_mesh.faces())
+    {
+      const std::size_t c = chart_of_face[f];
+      label_of_chart[c] = labels[f];
+      for(std::size_t label = 0; label < 6; ++label)
+        cost_of_chart[c][label] += cost(f, label);
+      for(const auto& [g, cost_of_edge] : m_sides[f])
+        if(chart_of_face[g] != c)
+          cost_of_chart[c][labels[g]] -= smoothing * cost_of_edge;
+    }
+    std::vector<Chart_relabelling_3> result;
+    for(std::size_t c = 0; c < cost_of_chart.size(); ++c)
+      for(std::size_t label = 0; label < 6; ++label)
+        if(label != label_of_chart[c])
+          result.push_back({ c, label, cost_of_chart[c][label] - cost_of_chart[c][label_of_chart[c]] });
+    std::stable_sort(result.begin(), result.end(), [](const Chart_relabelling_3& a, const Chart_relabelling_3& b)
+    {
+      return a.cost < b.cost;
+    });
+    return result;
+  }
+
+private:
+  using Costs = std::array<double, 6>;
+
+  // Side of a face: the face beyond it, and the cost of different labels on both sides, smoothing 1.
+  struct Side { Face face; double cost; };
+
+  // Returns for each face the number of the two directions that suit it about equally, `no_tie` if there are none.
+  std::vector<std::size_t> ties() const
+  {
+    constexpr double tolerance = 0.02; // a guess; by parts of the area, an angle of 0.8 degrees
+    std::vector<std::size_t> result;
+    for(const Face f : m_mesh.faces())
+    {
+      std::array<std::size_t, 6> order = { 0, 1, 2, 3, 4, 5 };
+      std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) { return cost(f, a) < cost(f, b); });
+      const auto [a, b] = std::minmax(order[0], order[1]);
+      result.push_back(cost(f, order[1]) - cost(f, order[0]) < tolerance * area_of_face(m_mesh, f) ? 6 * a + b : no_tie);
+    }
+    return result;
+  }
+
+  // Relabels the charts whose new labels lower the sum more than those of their neighbors. Returns whether there were any.
+  bool relabel_charts(const double smoothing, Labels& labels) const
+  {
+    const auto [chart_of_face, n] = connected_charts_3(m_mesh, labels);
+    std::vector<Chart_relabelling_3> best(n, Chart_relabelling_3{ 0, 0, 0 });
+    for(const Chart_relabelling_3& change : chart_relabellings(smoothing, labels, chart_of_face))
+      if(change.cost < best[change.chart].cost - least_gain)
+        best[change.chart] = change;
+    std::vector<bool> is_best(n);
+    for(std::size_t c = 0; c < n; ++c)
+      is_best[c] = best[c].cost < 0;
+    for(const auto h : m_mesh.halfedges())
+    {
+      const std::size_t c = chart_of_face[m_mesh.face(h)], d = chart_of_face[m_mesh.face(m_mesh.opposite(h))];
+      if(std::pair(best[d].cost, d) < std::pair(best[c].cost, c))
+        is_best[c] = false;
+    }
+    for(const Face f : m_mesh.faces())
+      if(is_best[chart_of_face[f]])
+        labels[f] = best[chart_of_face[f]].label;
+    return std::find(is_best.begin(), is_best.end(), true) != is_best.end();
+  }
+
+  // Tells by number of rings whether the region around a face keeps its labels as long as none nearby changes.
+  using Settled_faces = std::array<std::vector<bool>, 3>;
+
+  // Gives the faces within some rings around a face one label, where the sum falls thereby. Returns whether any label changed.
+  bool relabel_regions(const int rings, const double smoothing, Settled_faces& is_settled, Labels& labels) const
+  {
+    bool has_changed = false;
+    std::vector<Face> region, center_of_face(labels.size(), Boundary_mesh_3::null_face());
+    for(const Face f : m_mesh.faces())
+    {
+      if(is_settled[rings][f]
+         || std::all_of(m_sides[f].begin(), m_sides[f].end(), [&](const Side& side) { return labels[side.face] == labels[f]; }))
+        continue;
+      region.assign(1, f);
+      center_of_face[f] = f;
+      add_rings(rings, f, center_of_face, region);
+      const auto [label, gain] = best_label(region, f, center_of_face, smoothing, labels);
+      is_settled[rings][f] = gain <= least_gain;
+      if(is_settled[rings][f])
+        continue;
+      has_changed = true;
+      for(const Face g : region)
+        labels[g] = label;
+      add_rings(static_cast<int>(is_settled.size()), f, center_of_face, region); // all whose own regions reach beside it
+      for(const Face g : region)
+        for(std::vector<bool>& is : is_settled)
+          is[g] = false;
+    }
+    return has_changed;
+  }
+
+  void add_rings(const int rings, const Face center, std::vector<Face>& center_of_face, std::vector<Face>& region) const
+  {
+    for(int ring = 0; ring < rings; ++ring)
+      for(std::size_t i = 0, n = region.size(); i < n; ++i)
+        for(const Face g : m_ring[region[i]])
+          if(std::exchange(center_of_face[g], center) != center)
+            region.push_back(g);
+  }
+
+  // Returns the cheapest label for all faces of a region, and by how much it is cheaper than the labels there.
+  std::pair<std::size_t, double> best_label(const std::vector<Face>& region, const Face center,
+                                            const std::vector<Face>& center_of_face, const double smoothing,
+                                            const Labels& labels) const
+  {
+    Costs costs{};
+    double before = 0;
+    for(const Face f : region)
+    {
+      before += cost(f, labels[f]);
+      for(std::size_t label = 0; label < 6; ++label)
+        costs[label] += cost(f, label);
+      for(const auto& [g, cost_of_side] : m_sides[f])
+      {
+        const double cost_of_edge = smoothing * cost_of_side;
+        if(center_of_face[g] != center)
+        {
+          costs[labels[g]] -= cost_of_edge;
+          before -= (labels[g] == labels[f]) ? cost_of_edge : 0;
+        }
+        else if(labels[g] != labels[f])
+          before += cost_of_edge / 2; // the edge is met from both sides
+      }
+    }
+    const std::size_t label = std::min_element(costs.begin(), costs.end()) - costs.begin();
+    return { label, before - costs[label] };
+  }
+
+  // Makes labels expensive where opposite directions meet. Returns whether any were not so before.
+  bool has_opposite_neighbors(const Labels& labels)
+  {
+    bool has_changed = false;
+    for(const auto h : m_mesh.halfedges())
+    {
+      const std::size_t label = labels[m_mesh.face(h)], neighbor = labels[m_mesh.face(m_mesh.opposite(h))];
+      if(label == neighbor || axis_of_direction(label) != axis_of_direction(neighbor))
+        continue;
+      for(const auto k : CGAL::halfedges_around_target(h, m_mesh))
+      {
+        bool& is_expensive = m_is_expensive[m_mesh.face(k)][axis_of_direction(label)];
+        if(is_expensive)
+          continue;
+        is_expensive = has_changed = true;
+        Costs& costs = m_face_costs[m_mesh.face(k)];
+        const double area = (costs[label] + costs[neighbor]) / 2;
+        costs[label] += 9 * area;
+        costs[neighbor] += 9 * area;
+      }
+    }
+    return has_changed;
+  }
+
+  static constexpr std::size_t no_tie = 0;
+  static constexpr double least_gain = 1e-12; // above rounding of sums of about 1, so that no change is undone by the next
+
+  const Boundary_mesh_3& m_mesh;
+  const std::vector<bool> m_is_sharp;
+  const Budget& m_budget;
+  std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
+  std::vector<Costs> m_face_costs;                  // costs of a face by label
+  std::vector<std::array<Side, 3> > m_sides;        // of each face
+  std::vector<std::vector<Face> > m_ring;           // for each face, those with a vertex in common
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NORMAL_LABELS_3_H

@@ -1,0 +1,126 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ORDER_OF_SURFACE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ORDER_OF_SURFACE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Order of the points and facets of a surface that depends neither on their numbers nor on the position of the surface: by the
+// distances of the points from the center of the surface. Greedy searches that visit facets one after the other then find the
+// same however the surface is numbered and turned, up to points that rounding or a symmetry makes equally distant.
+class Order_of_surface_3
+{
+public:
+  explicit Order_of_surface_3(const Numbered_surface_3& surface)
+    : m_surface(surface), m_points(surface.points.size()), m_numbers(surface.points.size()), m_facets(surface.facets.size())
+  {
+    const std::vector<double> distance = squared_distances();
+    std::iota(m_points.begin(), m_points.end(), 0);
+    std::stable_sort(m_points.begin(), m_points.end(),
+                     [&](const std::size_t v, const std::size_t w) { return distance[v] < distance[w]; });
+    for(std::size_t i = 0; i < m_points.size(); ++i)
+      m_numbers[m_points[i]] = i;
+    std::vector<std::array<std::size_t, 3> > keys;
+    for(const std::array<std::size_t, 3>& facet : surface.facets)
+      keys.push_back(sorted(numbered(facet)));
+    std::iota(m_facets.begin(), m_facets.end(), 0);
+    std::sort(m_facets.begin(), m_facets.end(), [&](const std::size_t f, const std::size_t g) { return keys[f] < keys[g]; });
+  }
+
+  // Returns the surface in this order; each facet begins with its first point.
+  Numbered_surface_3 surface() const
+  {
+    Numbered_surface_3 result;
+    result.cells = m_surface.cells;
+    for(const std::size_t v : m_points)
+    {
+      result.points.push_back(m_surface.points[v]);
+      result.vertices.push_back(m_surface.vertices[v]);
+    }
+    for(const std::size_t f : m_facets)
+    {
+      std::array<std::size_t, 3> facet = numbered(m_surface.facets[f]);
+      std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
+      result.facets.push_back(facet);
+    }
+    for(const std::array<std::size_t, 2>& edge : m_surface.sharp_edges)
+      result.sharp_edges.push_back(sorted(numbered(edge)));
+    std::sort(result.sharp_edges.begin(), result.sharp_edges.end());
+    return result;
+  }
+
+  // Returns values of facets in this order.
+  std::vector<std::size_t> of_facets(const std::vector<std::size_t>& values) const
+  {
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < values.size(); ++i)
+      result.push_back(values[m_facets[i]]);
+    return result;
+  }
+
+  // Returns values of points that are in this order in that of the surface that was given. Points that were added to the surface
+  // come behind all others in both.
+  std::vector<Eigen::Vector3d> back(const std::vector<Eigen::Vector3d>& values) const
+  {
+    std::vector<Eigen::Vector3d> result(values.size());
+    for(std::size_t i = 0; i < values.size(); ++i)
+      result[point(i)] = values[i];
+    return result;
+  }
+
+  // Returns the point of the surface that was given, or that was added to it, at a place in this order.
+  std::size_t point(const std::size_t i) const { return i < m_points.size() ? m_points[i] : i; }
+
+private:
+  template <std::size_t n>
+  std::array<std::size_t, n> numbered(std::array<std::size_t, n> simplex) const
+  {
+    for(std::size_t& v : simplex)
+      v = m_numbers[v];
+    return simplex;
+  }
+
+  // Returns the squared distances from the center; 0 if a coordinate is not finite.
+  std::vector<double> squared_distances() const
+  {
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    double area = 0;
+    for(const auto& [a, b, c] : m_surface.facets)
+    {
+      const Eigen::Vector3d &p = m_surface.points[a], &q = m_surface.points[b], &r = m_surface.points[c];
+      const double twice_area = (q - p).cross(r - p).norm();
+      moment += twice_area * (p + q + r) / 3;
+      area += twice_area;
+    }
+    std::vector<double> result;
+    for(const Eigen::Vector3d& p : m_surface.points)
+    {
+      const double distance = (area * p - moment).squaredNorm();
+      result.push_back(std::isfinite(distance) ? distance : 0);
+    }
+    return result;
+  }
+
+  const Numbered_surface_3& m_surface;
+  std::vector<std::size_t> m_points, m_numbers, m_facets; // points and facets in this order, and the places of points in it
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ORDER_OF_SURFACE_3_H

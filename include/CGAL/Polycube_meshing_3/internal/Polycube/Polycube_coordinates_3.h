@@ -1,0 +1,279 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_COORDINATES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_COORDINATES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_groups_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/nested_polygons_2.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Finds the coordinates of the groups of faces of a polycube, along their axes, that minimize
+//   sum over groups g of area(g) (x(g) - wanted coordinate of g)^2
+// such that each edge of the polycube has at least a part of the length of its chain. The axes are independent of each other,
+// and small quadratic programs. Edges of a face that intersect then get the order that their chains have on the surface, too,
+// if the other orders allow it.
+class Polycube_coordinates_3
+{
+public:
+  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups,
+                         const Grid_planes_3& planes, const Budget& budget)
+    : m_mesh(mesh), m_charts(charts), m_groups(groups), m_planes(planes), m_budget(budget),
+      m_coordinate(groups.size()), m_borders(charts.borders()), m_order(groups.size())
+  {}
+
+  // Returns whether there are coordinates.
+  bool run(const std::vector<double>& wanted)
+  {
+    for(const Polycube_chain_3& chain : m_charts.chains())
+      m_edges.emplace_back(chain, *this);
+    for(const Edge& edge : m_edges)
+      add_order({ edge.lowest[edge.axis], edge.highest[edge.axis], smallest_part * edge.length });
+    do
+      for(int axis = 0; axis < 3; ++axis)
+        if(m_budget.is_exhausted() || (!m_is_solved[axis] && !solve(axis, wanted)))
+          return false;
+    while(enclose_holes() || separate_intersecting_edges());
+    join_equal_coordinates();
+    return m_are_separable && are_faces_whole();
+  }
+
+  std::vector<double> of_charts() const
+  {
+    std::vector<double> result;
+    for(std::size_t c = 0; c < m_groups.size(); ++c)
+      result.push_back(m_coordinate[m_groups[c]]);
+    return result;
+  }
+
+  // Returns the planes that the coordinates are on.
+  const Grid_planes_3& planes() const { return m_planes; }
+
+private:
+  using Border = std::vector<Polycube_charts_3::Vertex>;
+
+  // Edge of the polycube, with the box and the length of its chain on the surface.
+  struct Edge
+  {
+    int axis;
+    std::array<std::size_t, 2> charts;
+    std::array<std::size_t, 3> lowest, highest; // groups of charts at its ends, by axis
+    Eigen::AlignedBox3d box;
+    double length;
+
+    Edge(const Polycube_chain_3& chain, const Polycube_coordinates_3& coordinates)
+      : axis(chain.axis), charts(chain.charts)
+    {
+      const std::vector<Polycube_charts_3::Vertex> path = coordinates.m_charts.vertices(chain);
+      lowest = coordinates.m_groups.at(path.front());
+      highest = coordinates.m_groups.at(path.back());
+      if(chain.sign < 0)
+        lowest.swap(highest);
+      for(const Polycube_charts_3::Vertex v : path)
+        box.extend(eigen_point(coordinates.m_mesh, v));
+      length = arc_lengths(coordinates.m_mesh, path).back();
+    }
+
+    bool has_corner_with(const Edge& other) const
+    {
+      return lowest == other.lowest || lowest == other.highest || highest == other.lowest || highest == other.highest;
+    }
+  };
+
+  bool solve(const int axis, const std::vector<double>& wanted)
+  {
+    std::vector<std::size_t> groups, variables(m_groups.size());
+    std::vector<double> areas, moments;
+    for(std::size_t c = 0; c < m_groups.size(); ++c)
+      if(m_groups[c] == c && m_charts.axis(c) == axis)
+      {
+        variables[c] = groups.size();
+        groups.push_back(c);
+        areas.push_back(m_groups.areas()[c]);
+        moments.push_back(areas.back() * wanted[c]);
+      }
+    std::vector<Order_of_coordinates> orders;
+    for(const auto& [first, second, distance] : m_orders)
+      if(m_charts.axis(first) == axis)
+        orders.push_back({ variables[first], variables[second], distance });
+    const std::optional<Ordered_coordinates> coordinates = ordered_coordinates_3(areas, moments, orders, m_planes, axis);
+    if(!coordinates)
+      return false;
+    for(std::size_t i = 0; i < groups.size(); ++i)
+      m_coordinate[groups[i]] = coordinates->values[i];
+    m_planes.origin[axis] = coordinates->origin;
+    m_is_solved[axis] = true;
+    return true;
+  }
+
+  // Joins coordinates that differ by rounding alone, as of faces in one plane of bodies side by side: hexahedra between two
+  // planes so close would be a layer of slivers.
+  void join_equal_coordinates()
+  {
+    std::vector<std::size_t> groups(m_groups.size());
+    for(std::size_t c = 0; c < groups.size(); ++c)
+      groups[c] = m_groups[c];
+    std::sort(groups.begin(), groups.end(), [this](const std::size_t c, const std::size_t d)
+    {
+      return std::pair(m_charts.axis(c), m_coordinate[c]) < std::pair(m_charts.axis(d), m_coordinate[d]);
+    });
+    for(std::size_t i = 1; i < groups.size(); ++i)
+      if(const double previous = m_coordinate[groups[i - 1]];
+         m_charts.axis(groups[i]) == m_charts.axis(groups[i - 1]) && m_coordinate[groups[i]] - previous < 1e-12)
+        m_coordinate[groups[i]] = previous;
+  }
+
+  void add_order(const Order_of_coordinates& order)
+  {
+    m_orders.push_back(order);
+    m_is_solved[m_charts.axis(order.first)] = false;
+    m_order.add(order.first, order.second);
+  }
+
+  // Adds orders that keep holes of faces between the lowest and the highest edges of the outer polygons. Returns whether there are
+  // any new ones.
+  bool enclose_holes()
+  {
+    const std::size_t n = m_orders.size();
+    for(std::size_t c = 0; c < m_borders.size(); ++c)
+    {
+      const std::vector<Border>& borders = m_borders[c];
+      const auto outer = borders.size() < 2 ? borders.end()
+        : std::find_if(borders.begin(), borders.end(),
+                       [&](const Border& border) { return is_outer(image(border, m_charts.plane_axes(c))); });
+      for(auto hole = borders.begin(); hole != borders.end() && outer != borders.end(); ++hole)
+        for(const int axis : m_charts.plane_axes(c))
+          if(hole != outer)
+            enclose(extent(*hole, axis), extent(*outer, axis), c);
+    }
+    return m_are_separable && m_orders.size() > n;
+  }
+
+  using Extent = std::array<std::size_t, 2>; // groups with the lowest and the highest coordinate
+
+  Extent extent(const Border& border, const int axis) const
+  {
+    const auto [lowest, highest] = std::minmax_element(border.begin(), border.end(), [&](const auto v, const auto w)
+    { return m_coordinate[m_groups.at(v)[axis]] < m_coordinate[m_groups.at(w)[axis]]; });
+    return { m_groups.at(*lowest)[axis], m_groups.at(*highest)[axis] };
+  }
+
+  double shortest_edge(const std::size_t chart) const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for(const Edge& edge : m_edges)
+      if(edge.charts[0] == chart || edge.charts[1] == chart)
+        result = (std::min)(result, edge.length);
+    return result;
+  }
+
+  void enclose(const Extent& hole, const Extent& outer, const std::size_t chart)
+  {
+    for(const auto& [low, high] : { std::pair(outer[0], hole[0]), std::pair(hole[1], outer[1]) })
+      if(m_are_separable && !(m_coordinate[low] < m_coordinate[high]))
+      {
+        m_are_separable = m_order.may_precede(low, high);
+        add_order({ low, high, smallest_part * shortest_edge(chart) });
+      }
+  }
+
+  // Adds orders for edges of a face that intersect. Returns whether there are any new ones.
+  bool separate_intersecting_edges()
+  {
+    const std::size_t n = m_orders.size();
+    for(std::size_t i = 0; i < m_edges.size(); ++i)
+      for(std::size_t k = 0; k < i && m_are_separable; ++k)
+        for(const std::size_t c : m_edges[i].charts)
+          if((c == m_edges[k].charts[0] || c == m_edges[k].charts[1]) && intersect(m_edges[i], m_edges[k]))
+            separate(m_edges[i], m_edges[k], c);
+    return m_are_separable && m_orders.size() > n;
+  }
+
+  bool intersect(const Edge& a, const Edge& b) const
+  {
+    for(int axis = 0; axis < 3; ++axis)
+      if(m_coordinate[a.highest[axis]] < m_coordinate[b.lowest[axis]]
+         || m_coordinate[b.highest[axis]] < m_coordinate[a.lowest[axis]])
+        return false;
+    return !a.has_corner_with(b);
+  }
+
+  // Orders two edges along the axis of the face along which their chains are farthest apart, among the orders still possible.
+  void separate(const Edge& a, const Edge& b, const std::size_t chart)
+  {
+    Order_of_coordinates order = {};
+    double largest_gap = -(std::numeric_limits<double>::infinity)();
+    for(const int axis : m_charts.plane_axes(chart))
+      for(const auto& [low, high] : { std::tie(a, b), std::tie(b, a) })
+        if(const double gap = (high.box.min)()[axis] - (low.box.max)()[axis];
+           gap > largest_gap && m_order.may_precede(low.highest[axis], high.lowest[axis]))
+        {
+          largest_gap = gap;
+          order = { low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) };
+        }
+    m_are_separable = std::isfinite(largest_gap);
+    if(m_are_separable)
+      add_order(order);
+  }
+
+  // Tells whether each face has one outer polygon, with its other polygons inside.
+  bool are_faces_whole() const
+  {
+    for(std::size_t c = 0; c < m_borders.size(); ++c)
+    {
+      std::vector<Boundary_polygon_2> polygons;
+      for(const Border& border : m_borders[c])
+        polygons.push_back(image(border, m_charts.plane_axes(c)));
+      if(!are_nested(std::move(polygons)))
+        return false;
+    }
+    return true;
+  }
+
+  Boundary_polygon_2 image(const Border& border, const std::array<int, 2>& axes) const
+  {
+    Boundary_polygon_2 result;
+    for(const auto v : border)
+    {
+      const std::array<std::size_t, 3> groups = m_groups.at(v);
+      result.emplace_back(m_coordinate[groups[axes[0]]], m_coordinate[groups[axes[1]]]);
+    }
+    return result;
+  }
+
+  static constexpr double smallest_part = 0.2; // a guess; length of an edge of the polycube, relative to its chain
+
+  const Boundary_mesh_3& m_mesh;
+  const Polycube_charts_3& m_charts;
+  const Polycube_groups_3& m_groups;
+  Grid_planes_3 m_planes;
+  const Budget& m_budget;
+  std::vector<double> m_coordinate; // by group
+  std::array<bool, 3> m_is_solved = {}; // the orders along each axis
+  const std::vector<std::vector<Border> > m_borders; // of the charts
+  std::vector<Edge> m_edges;
+  std::vector<Order_of_coordinates> m_orders;
+  Order_of_elements m_order;
+  bool m_are_separable = true;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_COORDINATES_3_H

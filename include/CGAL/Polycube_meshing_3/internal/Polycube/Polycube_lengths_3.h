@@ -1,0 +1,215 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_LENGTHS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_LENGTHS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Harmonic_polycube_map_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/eigen_decomposition_2.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Moves the faces of a polycube along their axes such that lengths on it become those on the surface: a limb that leads askew
+// to the axes gets its own length, not that of its shadow. With s and t the singular values of the harmonic map, the least
+//   sum over facets of area (log(s)^2 + log(t)^2)
+// is looked for, by Newton's method on sums of squares that are weighted anew in each step. Its scale is that of the surface; if
+// the polycube has less volume than the body then, it gets the same, so that hexahedra are on the mean not larger than the spacing
+// of a grid, neither inside nor where thin limbs have more surface than volume.
+class Polycube_lengths_3
+{
+public:
+  Polycube_lengths_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups)
+    : m_mesh(mesh), m_map(mesh, charts, groups)
+  {}
+
+  // Returns the coordinates of the faces of the charts, from those to start with, in planes of a grid if there is one.
+  std::vector<double> run(const std::vector<double>& coordinates, const Grid_planes_3& planes, const Budget& budget) const
+  {
+    constexpr double rounding = 1e-12; // far below the energy of any polycube that is not the body itself
+    const VectorXd start = m_map.of_groups(coordinates);
+    if(energy(start, start) < rounding)
+      return coordinates;
+    VectorXd x = minimum_of_energy(start, budget);
+    if(const double volume = m_map.volume(x); volume > 0)
+      x *= (std::max)(1., std::cbrt(Polygon_mesh_processing::volume(m_mesh) / volume));
+    if(planes.spacing > 0)
+      round_to_planes(planes, x);
+    return m_map.of_charts(x);
+  }
+
+private:
+  using Matrix = Dynamic_matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
+
+  // Sum of squares x^T A x / 2 - b^T x, up to a constant.
+  struct Sum_of_squares { Matrix A; VectorXd b; };
+
+  static std::unique_ptr<Symmetric_sparse_solver> factorized(const Matrix& A)
+  {
+    std::vector<Sparse_entry> entries;
+    for(int i = 0; i < A.rows(); ++i)
+      for(int k = 0; k < A.cols(); ++k)
+        if(A(i, k) != 0)
+          entries.push_back({ i, k, A(i, k) });
+    std::unique_ptr<Symmetric_sparse_solver> solver = make_symmetric_sparse_solver();
+    solver->factorize(static_cast<int>(A.rows()), entries);
+    return solver;
+  }
+
+  VectorXd minimum_of_energy(const VectorXd& start, const Budget& budget) const
+  {
+    constexpr int maximal_number_of_steps = 20; // five or six are usual
+    constexpr double smallest_gain = 1e-3, shortest_step = 0.05; // guesses
+    VectorXd x = start;
+    double energy = this->energy(x, start), gain = 1;
+    for(int step = 0; step < maximal_number_of_steps && gain > smallest_gain
+        && budget.may_begin_round(Phase::BOUNDARY, "lengths of a polycube"); ++step)
+    {
+      const Sum_of_squares squares = sum_of_squares(x, start);
+      const VectorXd direction = factorized(squares.A)->solve(squares.b) - x;
+      gain = 0;
+      for(double length = 1; length > shortest_step && gain <= 0; length /= 2)
+      {
+        const VectorXd next = x + length * direction;
+        const double next_energy = this->energy(next, start);
+        if(!(next_energy < energy))
+          continue;
+        gain = 1 - next_energy / energy;
+        energy = next_energy;
+        x = next;
+      }
+    }
+    return x;
+  }
+
+  // Keeps the energy finite where a facet vanishes, as those at concave corners do.
+  static double bounded(const double singular_value) { return (std::max)(singular_value, 0.03); } // a guess
+
+  // Adds to the sum over facets what holds the polycube in its place.
+  double energy(const VectorXd& x, const VectorXd& start) const
+  {
+    double result = weight_of_position * (x - start).cwiseAbs2().dot(m_map.areas());
+    for(const Harmonic_chart_2& chart : m_map.charts())
+      for(const Chart_triangles_2::Triangle& t : chart.triangles)
+      {
+        const Small_matrix<2, 2> J = chart.jacobian(chart.gradients(t), x);
+        const double half = J.squaredNorm() / 2, determinant = std::abs(J.determinant());
+        const double largest = std::sqrt(half + std::sqrt((std::max)(half * half - determinant * determinant, 0.)));
+        const double smallest = largest > 0 ? determinant / largest : 0;
+        result += t.area * (std::pow(std::log(bounded(largest)), 2) + std::pow(std::log(bounded(smallest)), 2));
+      }
+    return result;
+  }
+
+  // Returns a sum of squares with the derivatives of the energy at x: with J = U S V^T, those of the elements of U^T J V - I, of
+  // which those on the diagonal have the weights log(s) / (s (s - 1)).
+  Sum_of_squares sum_of_squares(const VectorXd& x, const VectorXd& start) const
+  {
+    const VectorXd weights = weight_of_position * m_map.areas();
+    Sum_of_squares result = { weights.asDiagonal(), weights.cwiseProduct(start) };
+    for(const Harmonic_chart_2& chart : m_map.charts())
+      for(const Chart_triangles_2::Triangle& t : chart.triangles)
+        add_squares(chart, t, x, result);
+    return result;
+  }
+
+  static void add_squares(const Harmonic_chart_2& chart, const Chart_triangles_2::Triangle& t, const VectorXd& x,
+                          Sum_of_squares& sum)
+  {
+    const auto gradients = chart.gradients(t);
+    const Small_matrix<2, 2> J = chart.jacobian(gradients, x), V = eigen_decomposition_2(J.transpose() * J).vectors;
+    const Small_matrix<2, 2> images = J * V;
+    Small_matrix<2, 2> U; // is what a rotation makes of V, such that flipped facets are turned back
+    U.col(1) = images.col(1).stableNormalized();
+    U.col(0) << U(1, 1), -U(0, 1);
+    if(V.determinant() < 0)
+      U.col(0) *= -1;
+    const auto weight = [](const double s) { return std::abs(s - 1) < 1e-3 ? 1 : std::log(s) / (s * (s - 1)); };
+    const Small_matrix<2, 1> weights(weight(bounded(images.col(0).norm())), weight(bounded(images.col(1).norm())));
+    const Dynamic_matrix<double, Eigen::Dynamic, 2> turned = gradients * V;
+    const std::vector<Harmonic_chart_2::Function>& functions = chart.functions;
+    for(int i = 0; i < 2; ++i)
+      for(int k = 0; k < 2; ++k)
+      {
+        const double w = t.area * std::sqrt(weights[i] * weights[k]);
+        const auto derivative = [&](const std::size_t f) { return U(functions[f].row, i) * turned(f, k); };
+        for(std::size_t f = 0; f < functions.size(); ++f)
+        {
+          sum.b[functions[f].group] += i == k ? w * derivative(f) : 0;
+          for(std::size_t g = 0; g < functions.size(); ++g)
+            sum.A(functions[f].group, functions[g].group) += w * derivative(f) * derivative(g);
+        }
+      }
+  }
+
+  // Moves coordinates to planes of the grid, one after the other, the closest first. The others go along such that the sum of
+  // squares stays the least, as the mean of a normal distribution does if one of its numbers becomes known. Planes that may
+  // move start at the largest faces, wherever the body lies.
+  void round_to_planes(Grid_planes_3 planes, VectorXd& x) const
+  {
+    Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+    for(Eigen::Index g = 0; g < x.size() && planes.may_move; ++g)
+      if(const int axis = m_map.axes()[g]; m_map.areas()[g] > largest[axis])
+      {
+        largest[axis] = m_map.areas()[g];
+        planes.origin[axis] = x[g];
+      }
+    const std::unique_ptr<Symmetric_sparse_solver> solver = factorized(sum_of_squares(x, x).A);
+    Matrix covariance(x.size(), x.size());
+    for(Eigen::Index g = 0; g < x.size(); ++g)
+    {
+      VectorXd unit = VectorXd::Zero(x.size());
+      unit[g] = 1;
+      covariance.col(g) = solver->solve(unit);
+    }
+    const auto distance = [&](const Eigen::Index g)
+    {
+      const double multiple = (x[g] - planes.origin[m_map.axes()[g]]) / planes.spacing;
+      return planes.spacing * (std::round(multiple) - multiple);
+    };
+    std::vector<Eigen::Index> left(x.size());
+    for(std::iota(left.begin(), left.end(), 0); !left.empty(); )
+    {
+      const auto closest = std::min_element(left.begin(), left.end(), [&](const Eigen::Index g, const Eigen::Index h)
+      { return std::abs(distance(g)) < std::abs(distance(h)); });
+      const Eigen::Index known = *closest;
+      left.erase(closest);
+      const VectorXd column = covariance.col(known);
+      const double step = distance(known) / column[known];
+      x[known] += step * column[known];
+      for(const Eigen::Index g : left)
+      {
+        x[g] += step * column[g];
+        for(const Eigen::Index h : left)
+          covariance(g, h) -= column[g] * column[h] / column[known];
+      }
+    }
+  }
+
+  static constexpr double weight_of_position = 0.01; // a guess; hardly changes lengths, but holds the polycube
+
+  const Boundary_mesh_3& m_mesh;
+  const Harmonic_polycube_map_3 m_map;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_LENGTHS_3_H

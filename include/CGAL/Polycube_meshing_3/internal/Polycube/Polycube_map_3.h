@@ -1,0 +1,288 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_MAP_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_MAP_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Lines_of_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_coordinates_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_lengths_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
+
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <cmath>
+#include <optional>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is scaled such that
+// the longest side of its bounding box is 1; the polycube has the size of the box before scaling.
+class Polycube_map_3
+{
+public:
+  using Face = Boundary_mesh_3::Face_index;
+
+  // Takes the spacing that coordinates of faces are multiples of, or 0 for any coordinates, and whether the polycube may be moved
+  // from where the surface is to be close to it.
+  Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
+                 const double spacing, const bool may_move)
+    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels), m_groups(mesh, m_charts),
+      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero()), m_relaxations(m_charts.number_of_charts())
+  {
+    const double size = box.sizes().maxCoeff();
+    m_planes = { -box.center() / size, spacing / size, may_move };
+  }
+
+  // Finds the polycube that is closest to the surface, and maps the charts harmonically.
+  Error_code start(const Budget& budget)
+  {
+    if(m_charts.number_of_defects() > 0)
+      return ERROR_NO_POLYCUBE;
+    return start_close_to(mean_coordinates_3(m_mesh, m_charts, m_groups), budget);
+  }
+
+  // Returns the map to the polycube whose lengths are those of the surface, if that has less distortion.
+  std::optional<Polycube_map_3> with_lengths_of_surface(const Budget& budget) const
+  {
+    const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, m_groups).run(m_coordinates, m_planes, budget);
+    Polycube_map_3 result(*this);
+    if(result.start_close_to(coordinates, budget) != OK || !(result.distortion() < distortion()))
+      return std::nullopt;
+    return result;
+  }
+
+  // Maps the charts harmonically to faces with the coordinates along their axes.
+  Error_code start(const std::vector<double>& coordinates, const Budget& budget)
+  {
+    for(const auto v : m_charts.corners())
+      for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
+        m_images[v][m_charts.axis(m_charts.chart(h))] = coordinates[m_charts.chart(h)];
+    m_coordinates = coordinates;
+    m_is_on_line = m_is_held = Held_coordinates(m_images.size(), { false, false, false });
+    map_edges();
+    find_flipped_faces_between_edges();
+    if(!m_flipped_faces.empty())
+      return ERROR_BOUNDARY_TOO_COARSE;
+    map_charts(budget);
+    return OK;
+  }
+
+  // Lowers the distortion, and checks the map. Sharp edges inside charts become lines where that leaves room for all faces.
+  Error_code finish(const std::vector<bool>& is_sharp, const Budget& budget)
+  {
+    relax(budget);
+    if(m_flipped_faces.empty())
+      straighten(is_sharp, budget);
+    if(!m_flipped_faces.empty())
+      return ERROR_BOUNDARY_TOO_COARSE;
+    for(Eigen::Vector3d& image : m_images)
+      image = in_space(image);
+    if(m_spacing > 0)
+      move_to_multiples();
+    const auto faces = m_mesh.faces();
+    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
+      return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+    Boundary_mesh_3 image = m_mesh;
+    set_points(image, m_images);
+    return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
+  }
+
+  const std::vector<Eigen::Vector3d>& images() const { return m_images; }
+  const Polycube_charts_3& charts() const { return m_charts; }
+
+  // Returns faces for which the edges of the polycube leave no room, if the boundary is too coarse.
+  const std::vector<Face>& flipped_faces() const { return m_flipped_faces; }
+
+  // Returns the integral of log(s)^2 + log(t)^2 over the surface, s and t the singular values of the harmonic map after the best
+  // scaling. In experiments with several polycubes, the one of the least integral had (nearly) the least distortion inside, too.
+  double distortion() const
+  {
+    double area = 0, sum = 0, sum_of_squares = 0;
+    for(const Face f : m_mesh.faces())
+    {
+      const auto X = edges_of_face(m_mesh, f);
+      const auto U = edges_of_facet(vertices_of_face(m_mesh, f), [this](const auto v) { return m_images[v]; });
+      const Small_array_2 logarithms = squared_singular_values_of_facet(X, U).log() / 2;
+      area += area_of_facet(X);
+      sum += area_of_facet(X) * logarithms.sum();
+      sum_of_squares += area_of_facet(X) * logarithms.square().sum();
+    }
+    const double result = sum_of_squares - sum * sum / (2 * area);
+    return std::isfinite(result) ? result : (std::numeric_limits<double>::infinity)();
+  }
+
+private:
+  // Finds the polycube that is closest to coordinates of its faces, by chart.
+  Error_code start_close_to(const std::vector<double>& coordinates_of_charts, const Budget& budget)
+  {
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_groups, m_planes, budget);
+    if(!coordinates.run(coordinates_of_charts))
+      return ERROR_NO_POLYCUBE;
+    m_planes = coordinates.planes();
+    return start(coordinates.of_charts(), budget);
+  }
+
+  // Maps the lines between charts, by arc length between the vertices whose coordinate is held, and holds all their vertices.
+  void map_edges()
+  {
+    for(const Polycube_chain_3& chain : m_charts.chains())
+    {
+      const auto vertices = m_charts.vertices(chain);
+      std::size_t first = 0;
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+        if(i + 1 == vertices.size() || m_is_held[vertices[i]][chain.axis])
+        {
+          std::vector<Boundary_mesh_3::Vertex_index> part(vertices.begin() + first, vertices.begin() + i + 1);
+          for(int axis = 0; axis < 3; ++axis)
+            if(axis != chain.axis)
+              m_images[part.back()][axis] = m_images[part.front()][axis];
+          map_path_to_segment_3(m_mesh, part, chain.axis, m_images);
+          first = i;
+        }
+    }
+    for(const Polycube_chain_3& chain : m_charts.chains())
+      for(const auto v : m_charts.vertices(chain))
+        m_is_held[v] = { true, true, true };
+  }
+
+  // Moves the vertices inside charts for a low distortion, and finds the faces that are flipped then.
+  void relax(const Budget& budget)
+  {
+    for(std::optional<Chart_relaxation_2>& relaxation : m_relaxations)
+      if(relaxation)
+        relaxation->run(m_images, budget);
+    m_flipped_faces.clear();
+    for(const Face f : m_mesh.faces())
+      if(!is_positive(f))
+        m_flipped_faces.push_back(f);
+  }
+
+  // Makes lines of sharp edges inside charts as far as that leaves room for all faces.
+  void straighten(const std::vector<bool>& is_sharp, const Budget& budget)
+  {
+    const std::vector<Eigen::Vector3d> images = m_images;
+    for(Lines_of_charts_3 lines(m_mesh, m_charts, is_sharp, m_planes, images); !lines.are_empty(); )
+    {
+      map_with(lines, images, budget);
+      relax(budget);
+      if(m_flipped_faces.empty() || !lines.give_up(m_flipped_faces))
+        break;
+    }
+    if(m_flipped_faces.empty())
+      return;
+    m_images = images;
+    m_is_on_line.assign(m_images.size(), { false, false, false });
+    m_flipped_faces.clear();
+  }
+
+  // Maps the charts with lines, from the images of corners.
+  void map_with(const Lines_of_charts_3& lines, const std::vector<Eigen::Vector3d>& images, const Budget& budget)
+  {
+    m_images = images;
+    m_is_held.assign(m_images.size(), { false, false, false });
+    lines.apply(m_images, m_is_held);
+    m_is_on_line = m_is_held;
+    map_edges();
+    map_charts(budget);
+  }
+
+  void find_flipped_faces_between_edges()
+  {
+    constexpr std::array<bool, 3> all = { true, true, true };
+    for(const Face f : m_mesh.faces())
+    {
+      const auto around = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
+      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return m_is_held[v] == all; }) && !is_positive(f))
+        m_flipped_faces.push_back(f);
+    }
+  }
+
+  void map_charts(const Budget& budget)
+  {
+    std::vector<std::vector<Face> > faces(m_charts.number_of_charts());
+    for(const Face f : m_mesh.faces())
+    {
+      const std::size_t c = m_charts.chart_of_face()[f];
+      faces[c].push_back(f);
+      for(const auto v : CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh))
+        m_images[v][m_charts.axis(c)] = m_coordinates[c];
+    }
+    for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
+    {
+      const auto [u, v] = m_charts.plane_axes(c);
+      if(m_relaxations[c] && m_relaxations[c]->has_border(m_is_held, m_images))
+        m_relaxations[c]->write(m_images);
+      else
+        m_relaxations[c].emplace(m_mesh, faces[c], m_is_held, u, v, m_images);
+    }
+  }
+
+  bool is_positive(const Face f) const
+  {
+    const auto [u, v] = m_charts.plane_axes(m_charts.chart_of_face()[f]);
+    const auto point = [this, u = u, v = v](const Boundary_mesh_3::Vertex_index w)
+    {
+      return Boundary_point_2(m_images[w][u], m_images[w][v]);
+    };
+    const auto [a, b, c] = vertices_of_face(m_mesh, f);
+    return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
+  }
+
+  Eigen::Vector3d in_space(const Eigen::Vector3d& p) const { return m_box.center() + m_box.sizes().maxCoeff() * p; }
+
+  // Makes the coordinates of faces multiples of the spacing, and those of lines multiples of a part of it.
+  void move_to_multiples()
+  {
+    if(m_planes.may_move)
+    {
+      const Eigen::Array3d origin = in_space(m_planes.origin);
+      for(Eigen::Vector3d& image : m_images)
+        image.array() += m_spacing * (origin / m_spacing).round() - origin;
+    }
+    const auto round = [](double& x, const double unit) { x = unit * std::round(x / unit); };
+    for(const auto h : m_mesh.halfedges())
+      round(m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))], m_spacing);
+    for(std::size_t v = 0; v < m_images.size(); ++v)
+      for(int axis = 0; axis < 3; ++axis)
+        if(m_is_on_line[v][axis])
+          round(m_images[v][axis], Lines_of_charts_3::smallest_part_of_spacing * m_spacing);
+  }
+
+  const Boundary_mesh_3& m_mesh;
+  const Eigen::AlignedBox3d m_box;
+  const double m_spacing;
+  const Polycube_charts_3 m_charts;
+  const Polycube_groups_3 m_groups;
+  Grid_planes_3 m_planes;
+  std::vector<double> m_coordinates; // of the faces of the charts, along their axes
+  std::vector<Eigen::Vector3d> m_images;
+  Held_coordinates m_is_held;    // on edges of the polycube, and across lines
+  Held_coordinates m_is_on_line; // across lines
+  std::vector<std::optional<Chart_relaxation_2> > m_relaxations; // by chart; none of those not mapped yet
+  std::vector<Face> m_flipped_faces;
+};
+
+// Lowers the distortion of a map, and checks it; with the lengths of the surface, if that leads to a map.
+inline Error_code finish(Polycube_map_3& map, const std::vector<bool>& is_sharp, std::vector<Eigen::Vector3d>& images,
+                         const Budget& budget)
+{
+  std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget);
+  Polycube_map_3& best = other && other->finish(is_sharp, budget) == OK ? *other : map;
+  const Error_code status = &best == &map ? map.finish(is_sharp, budget) : OK;
+  if(status == OK)
+    images = best.images();
+  return status;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_MAP_3_H

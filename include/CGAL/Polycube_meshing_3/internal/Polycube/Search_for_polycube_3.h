@@ -1,0 +1,139 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_SEARCH_FOR_POLYCUBE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_SEARCH_FOR_POLYCUBE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/repair_labels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Search for the labels whose polycube has the least distortion.
+//
+// Labels are proposed with more and more smoothing. Where the boundary is too coarse, faces for which there is no room are given
+// to neighboring charts, and borders that fold are unfolded. If there are planes that two directions suit equally, labels are
+// proposed once more with one direction for each: they are taken if they have less distortion and give up no more sharp edges.
+class Search_for_polycube_3
+{
+public:
+  // Takes a surface whose longest side is 1, whether each of its edges is sharp, its bounding box before it was scaled, the
+  // spacing that coordinates of faces are multiples of, or 0, whether the polycube may be moved, and the factor from one weight of
+  // the lengths of edges to the next.
+  Search_for_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Eigen::AlignedBox3d& box,
+                        const double spacing, const bool may_move, const double factor, const Budget& budget)
+    : m_mesh(mesh), m_is_sharp(is_sharp), m_box(box), m_spacing(spacing), m_may_move(may_move), m_factor(factor), m_budget(budget)
+  {}
+
+  // Returns the images of the best polycube.
+  Error_code run(std::vector<Eigen::Vector3d>& images)
+  {
+    Normal_labels_3 costs(m_mesh, m_is_sharp, m_budget);
+    Polycube best = proposed(costs);
+    if(best.status == OK && costs.decide_ties(best.labels))
+      if(Polycube other = proposed(costs); other.status == OK && distortion(other) < distortion(best)
+                                           && length_given_up(other) <= length_given_up(best))
+        best = std::move(other);
+    images = std::move(best.images);
+    return best.status;
+  }
+
+private:
+  using Labels = Normal_labels_3::Labels;
+
+  struct Polycube
+  {
+    Error_code status = ERROR_NO_POLYCUBE;
+    std::vector<Eigen::Vector3d> images;
+    Labels labels;
+  };
+
+  // Returns the polycube of the least distortion among those that can be finished.
+  Polycube proposed(Normal_labels_3 costs)
+  {
+    Polycube result;
+    std::multimap<double, Polycube_map_3> maps; // by distortion
+    for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= m_factor)
+    {
+      Labels labels = costs.closest();
+      costs.minimize(smoothing, labels);
+      if(!m_proposed.insert(labels).second)
+        continue;
+      for(int attempt = 0; attempt < 10 && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
+      {
+        if(!repair_labels_3(m_mesh, costs, smoothing, labels, m_budget) || !m_tried.insert(labels).second)
+          break;
+        Polycube_map_3 map(m_mesh, m_box, labels, m_spacing, m_may_move);
+        const Error_code status = map.start(m_budget);
+        if(result.status == ERROR_NO_POLYCUBE)
+          result.status = status;
+        const bool has_changed = give_away_faces(m_mesh, map.flipped_faces(), costs, labels)
+          || unfold_chain(m_mesh, map.charts(), costs, labels);
+        if(status == OK)
+          maps.emplace(map.distortion(), std::move(map));
+        if(!has_changed)
+          break;
+      }
+    }
+    for(auto& [distortion, map] : maps)
+    {
+      result.status = finish(map, m_is_sharp, result.images, m_budget);
+      if(result.status != OK)
+        continue;
+      for(const std::size_t chart : map.charts().chart_of_face())
+        result.labels.push_back(map.charts().labels()[chart]);
+      break;
+    }
+    return result;
+  }
+
+  double distortion(const Polycube& polycube) const
+  {
+    std::vector<std::array<Boundary_mesh_3::Vertex_index, 3> > facets;
+    for(const auto f : m_mesh.faces())
+      facets.push_back(vertices_of_face(m_mesh, f));
+    return facet_distortion_3(facets, [this](const auto v) { return eigen_point(m_mesh, v); },
+                              [&](const auto v) { return polycube.images[v]; });
+  }
+
+  // Returns the length of the sharp edges whose images lead along no axis.
+  double length_given_up(const Polycube& polycube) const
+  {
+    double result = 0;
+    for(const auto e : m_mesh.edges())
+    {
+      const auto v = m_mesh.source(m_mesh.halfedge(e)), w = m_mesh.target(m_mesh.halfedge(e));
+      if(m_is_sharp[e] && !leads_along_axis(polycube.images[v], polycube.images[w]))
+        result += (eigen_point(m_mesh, w) - eigen_point(m_mesh, v)).norm();
+    }
+    return result;
+  }
+
+  const Boundary_mesh_3& m_mesh;
+  const std::vector<bool>& m_is_sharp;
+  const Eigen::AlignedBox3d& m_box;
+  const double m_spacing;
+  const bool m_may_move;
+  const double m_factor;
+  const Budget& m_budget;
+  std::set<Labels> m_proposed, m_tried; // before and after repair
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_SEARCH_FOR_POLYCUBE_3_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_BORDERS_OF_VOXEL_CHARTS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_BORDERS_OF_VOXEL_CHARTS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
+
+#include <algorithm>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Border between two charts of placed faces of voxels, from corner to corner.
+struct Border_of_voxel_charts_3
+{
+  std::vector<std::size_t> points;          // of the faces
+  std::size_t left, right;                  // charts
+  std::size_t first_index, last_index;      // which of the borders at its corners it is, counterclockwise
+};
+
+// Borders of charts of placed faces of voxels, and the corners where three or more of them meet.
+class Borders_of_voxel_charts_3
+{
+public:
+  Borders_of_voxel_charts_3(const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face)
+    : m_faces(faces), m_chart_of_face(chart_of_face), m_ends(faces.points.size())
+  {
+    for(std::size_t i = 0; i < faces.corners.size(); ++i)
+      for(std::size_t k = 0; k < 4; ++k)
+        m_side[{ faces.corners[i][k], faces.corners[i][(k + 1) % 4] }] = { i, k };
+    find_ends();
+    for(std::size_t p = 0; p < m_ends.size(); ++p)
+      if(m_ends[p].size() > 2)
+      {
+        m_corners.push_back(p);
+        for(std::size_t i = 0; i < m_ends[p].size(); ++i)
+          add_border(p, i);
+      }
+  }
+
+  const std::vector<std::size_t>& corners() const { return m_corners; }
+  const std::vector<Border_of_voxel_charts_3>& borders() const { return m_borders; }
+
+  // Returns the points next to a corner on the borders that leave it, counterclockwise.
+  const std::vector<std::size_t>& ends(const std::size_t corner) const { return m_ends[corner]; }
+
+  double length(const Border_of_voxel_charts_3& border) const
+  {
+    double result = 0;
+    for(std::size_t i = 1; i < border.points.size(); ++i)
+      result += (m_faces.points[border.points[i]] - m_faces.points[border.points[i - 1]]).norm();
+    return result;
+  }
+
+private:
+  std::size_t chart_on_left(const std::size_t v, const std::size_t w) const { return m_chart_of_face[m_side.at({ v, w }).first]; }
+
+  void find_ends()
+  {
+    std::vector<bool> is_done(m_ends.size(), false);
+    for(const auto& entry : m_side)
+    {
+      const auto [p, first] = entry.first;
+      if(is_done[p])
+        continue;
+      is_done[p] = true;
+      std::size_t v = first;
+      do
+      {
+        if(chart_on_left(p, v) != chart_on_left(v, p))
+          m_ends[p].push_back(v);
+        const auto [face, k] = m_side.at({ p, v });
+        v = m_faces.corners[face][(k + 3) % 4]; // the next one counterclockwise
+      }
+      while(v != first);
+    }
+  }
+
+  std::size_t index_of_end(const std::size_t p, const std::size_t end) const
+  { return static_cast<std::size_t>(std::find(m_ends[p].begin(), m_ends[p].end(), end) - m_ends[p].begin()); }
+
+  // Follows a border to its other corner, and adds it in one of its two directions.
+  void add_border(const std::size_t corner, const std::size_t index_at_corner)
+  {
+    Border_of_voxel_charts_3 border;
+    border.points = { corner, m_ends[corner][index_at_corner] };
+    while(m_ends[border.points.back()].size() == 2)
+    {
+      const std::vector<std::size_t>& ends = m_ends[border.points.back()];
+      border.points.push_back(ends[0] == border.points[border.points.size() - 2] ? ends[1] : ends[0]);
+    }
+    border.first_index = index_at_corner;
+    border.last_index = index_of_end(border.points.back(), border.points[border.points.size() - 2]);
+    border.left = chart_on_left(border.points[0], border.points[1]);
+    border.right = chart_on_left(border.points[1], border.points[0]);
+    if(std::make_pair(corner, border.first_index) < std::make_pair(border.points.back(), border.last_index))
+      m_borders.push_back(border);
+  }
+
+  const Voxel_faces_3& m_faces;
+  const std::vector<std::size_t>& m_chart_of_face;
+  std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t> > m_side; // face, corner of an edge
+  std::vector<std::vector<std::size_t> > m_ends;
+  std::vector<std::size_t> m_corners;
+  std::vector<Border_of_voxel_charts_3> m_borders;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_BORDERS_OF_VOXEL_CHARTS_3_H

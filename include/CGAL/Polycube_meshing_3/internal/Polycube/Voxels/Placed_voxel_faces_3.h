@@ -1,0 +1,177 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Split_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits.h>
+
+#include <array>
+#include <limits>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Finds among points with normals the one nearest to another point and normal: a tree in six dimensions.
+class Nearest_with_normal_3
+{
+public:
+  // Takes the distance that counts as much as a right angle between normals.
+  explicit Nearest_with_normal_3(const double weight) : m_weight(weight) {}
+
+  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) { m_tree.insert(joined(p, normal, m_tree.size())); }
+
+  std::size_t nearest(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
+  { return Search(m_tree, joined(p, normal, 0), 1).begin()->first.number; }
+
+private:
+  struct Point_6
+  {
+    std::array<double, 6> coordinates;
+    std::size_t number;
+  };
+
+  struct Coordinates
+  {
+    using result_type = const double*;
+    const double* operator()(const Point_6& p) const { return p.coordinates.data(); }
+    const double* operator()(const Point_6& p, int) const { return p.coordinates.data() + 6; }
+  };
+
+  using Search = Orthogonal_k_neighbor_search<Search_traits<double, Point_6, const double*, Coordinates, Dimension_tag<6> > >;
+
+  Point_6 joined(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const std::size_t number) const
+  {
+    const Eigen::Vector3d n = m_weight * normal;
+    return { { p[0], p[1], p[2], n[0], n[1], n[2] }, number };
+  }
+
+  double m_weight;
+  Search::Tree m_tree;
+};
+
+// Places the corners of faces of voxels on a surface, by rounds of smoothing and projection to planes of facets that are near
+// in position and normal.
+class Placement_of_voxel_faces_3
+{
+public:
+  Placement_of_voxel_faces_3(const Facets_3& facets, const double spacing)
+    : m_facets(facets), m_spacing(spacing), m_nearest(1.5 * spacing), m_nearest_in_position(0) // 1.5 is a guess
+  {
+    for(std::size_t f = 0; f < facets.areas.size(); ++f)
+    {
+      m_nearest.add(facets.centers[f], facets.normals[f]);
+      m_nearest_in_position.add(facets.centers[f], facets.normals[f]);
+    }
+  }
+
+  // Returns the faces after the number of rounds with which fewest of them are folded: more rounds make them smoother, but let
+  // them slide off thin parts.
+  Voxel_faces_3 run(const Voxel_faces_3& faces) const
+  {
+    constexpr int maximal_number_of_rounds = 40; // a guess
+    Voxel_faces_3 present = faces, best = faces;
+    std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
+    for(int round = 0; round < maximal_number_of_rounds && fewest > 0; ++round)
+    {
+      if(round > 0)
+        smooth(present);
+      project(present, round < 5 ? 0.5 : 1);
+      if(const std::size_t number = number_of_folded_faces(present); round > 0 && number < fewest)
+      {
+        fewest = number;
+        best = present;
+      }
+    }
+    return best;
+  }
+
+private:
+  static void smooth(Voxel_faces_3& faces)
+  {
+    std::vector<Eigen::Vector3d> sums(faces.points.size(), Eigen::Vector3d::Zero());
+    std::vector<double> numbers(faces.points.size(), 0);
+    for(const std::array<std::size_t, 4>& c : faces.corners)
+      for(std::size_t k = 0; k < 4; ++k) // each edge once in each direction
+      {
+        sums[c[k]] += faces.points[c[(k + 1) % 4]];
+        ++numbers[c[k]];
+      }
+    for(std::size_t v = 0; v < sums.size(); ++v)
+      faces.points[v] = (faces.points[v] + sums[v] / numbers[v]) / 2;
+  }
+
+  void project(Voxel_faces_3& faces, const double part) const
+  {
+    const std::vector<Eigen::Vector3d> normals = faces.normals_of_points();
+    for(std::size_t v = 0; v < faces.points.size(); ++v)
+    {
+      Eigen::Vector3d& p = faces.points[v];
+      const std::size_t f = m_nearest.nearest(p, normals[v]);
+      Eigen::Vector3d to = p - (p - m_facets.centers[f]).dot(m_facets.normals[f]) * m_facets.normals[f] - m_facets.centers[f];
+      if(const double distance = to.norm(); distance > m_spacing / 2)
+        to *= m_spacing / 2 / distance; // the plane may leave the surface
+      p += part * (m_facets.centers[f] + to - p);
+    }
+  }
+
+  // Counts faces with a corner whose normal leads away from that of the nearest facet.
+  std::size_t number_of_folded_faces(const Voxel_faces_3& faces) const
+  {
+    std::size_t result = 0;
+    for(const std::array<std::size_t, 4>& c : faces.corners)
+    {
+      const auto point = [&](const std::size_t k) { return faces.points[c[k % 4]]; };
+      const std::size_t f
+        = m_nearest_in_position.nearest((point(0) + point(1) + point(2) + point(3)) / 4, Eigen::Vector3d::Zero());
+      bool is_folded = false;
+      for(std::size_t k = 0; k < 4; ++k)
+        is_folded = is_folded
+          || (point(k + 1) - point(k)).cross(point(k + 3) - point(k)).dot(m_facets.normals[f]) <= 0;
+      result += is_folded;
+    }
+    return result;
+  }
+
+  const Facets_3& m_facets;
+  double m_spacing;
+  Nearest_with_normal_3 m_nearest, m_nearest_in_position;
+};
+
+// Returns the face that is nearest to each facet.
+inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, const Voxel_faces_3& faces, const double spacing)
+{
+  constexpr std::size_t samples = 5; // along each edge; a guess
+  Nearest_with_normal_3 nearest(spacing);
+  const std::vector<Eigen::Vector3d> normals = faces.normals_of_points();
+  for(const std::array<std::size_t, 4>& c : faces.corners)
+    for(std::size_t i = 0; i < samples; ++i)
+      for(std::size_t j = 0; j < samples; ++j)
+      {
+        const double u = (static_cast<double>(i) + 0.5) / samples, v = (static_cast<double>(j) + 0.5) / samples;
+        const auto bilinear = [&](const std::vector<Eigen::Vector3d>& values) -> Eigen::Vector3d
+        {
+          return (1 - v) * ((1 - u) * values[c[0]] + u * values[c[1]]) + v * (u * values[c[2]] + (1 - u) * values[c[3]]);
+        };
+        nearest.add(bilinear(faces.points), bilinear(normals).normalized());
+      }
+  std::vector<std::size_t> result;
+  for(std::size_t f = 0; f < facets.areas.size(); ++f)
+    result.push_back(nearest.nearest(facets.centers[f], facets.normals[f]) / (samples * samples));
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H

@@ -1,0 +1,180 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_ROUTED_CHARTS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_ROUTED_CHARTS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Corners_on_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <numeric>
+#include <unordered_map>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Finds charts on a surface that are connected like those of placed faces of voxels: their borders become paths that share no
+// vertices but corners, and leave these in the right order.
+class Routed_charts_3
+{
+public:
+  // Takes the faces of voxels on the surface, their charts, and the size of voxels. Facets at corners are split.
+  Routed_charts_3(Split_surface_3& surface, const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face,
+                  const std::size_t number_of_charts, const double spacing)
+    : m_surface(surface), m_faces(faces), m_borders(faces, chart_of_face), m_number_of_charts(number_of_charts),
+      m_spacing(spacing), m_paths(m_borders.borders().size())
+  {}
+
+  // Returns the chart of each facet; none if a path is blocked.
+  std::vector<std::size_t> run(const Budget& budget)
+  {
+    constexpr int layers_around_corners = 2; // give room to the paths that leave them
+    constexpr int maximal_number_of_attempts = 40; // a guess
+    m_corners = vertices_of_corners(m_surface, m_faces, m_borders);
+    if(m_corners.empty())
+      return {};
+    for(int i = 0; i < layers_around_corners; ++i)
+      split_around(m_corners, m_surface);
+    build_boundary_mesh_3(m_surface, m_mesh);
+    m_beside = vertices_beside_corners(m_surface, m_mesh, m_faces, m_borders, m_corners);
+    if(m_beside.empty())
+      return {};
+    for(std::size_t i = 0; i < m_corners.size(); ++i)
+      m_number_of_corner.emplace(m_borders.corners()[i], i);
+
+    std::vector<std::size_t> order(m_paths.size()); // shorter ones first
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
+    { return m_borders.length(m_borders.borders()[i]) < m_borders.length(m_borders.borders()[j]); });
+    for(int attempt = 0; attempt < maximal_number_of_attempts && !budget.is_exhausted(); ++attempt)
+    {
+      const auto blocked = route(order);
+      if(blocked == order.end())
+        return charts_between_paths();
+      const std::vector<std::size_t>& points = m_borders.borders()[*blocked].points;
+      m_blocked_points.insert(points.begin(), points.end());
+      std::rotate(order.begin(), blocked, blocked + 1); // it comes first
+    }
+    return {};
+  }
+
+  // Returns the points of the faces on the borders whose paths were blocked.
+  const std::set<std::size_t>& blocked_points() const { return m_blocked_points; }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // Routes the borders one after the other. Returns the first one that is blocked.
+  std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
+  {
+    m_is_used.assign(m_surface.points.size(), false);
+    for(std::size_t i = 0; i < m_corners.size(); ++i)
+    {
+      m_is_used[m_corners[i]] = true;
+      for(const std::size_t v : m_beside[i]) // belongs to one border
+        m_is_used[v] = true;
+    }
+    return std::find_if_not(order.begin(), order.end(), [&](const std::size_t i) { return route(i); });
+  }
+
+  bool route(const std::size_t i)
+  {
+    const Border_of_voxel_charts_3& border = m_borders.borders()[i];
+    const std::size_t first = m_number_of_corner.at(border.points.front()), last = m_number_of_corner.at(border.points.back());
+    std::vector<std::size_t> path
+      = shortest_path(m_beside[first][border.first_index], m_beside[last][border.last_index], border);
+    if(path.empty())
+      return false;
+    for(const std::size_t v : path)
+      m_is_used[v] = true;
+    path.insert(path.begin(), m_corners[first]);
+    path.push_back(m_corners[last]);
+    m_paths[i] = std::move(path);
+    return true;
+  }
+
+  // Returns how much longer a path is at a vertex that is off the border of the faces.
+  double factor(const Eigen::Vector3d& p, const Border_of_voxel_charts_3& border) const
+  {
+    constexpr double weight = 20; // a guess
+    double least = (std::numeric_limits<double>::infinity)();
+    for(std::size_t i = 1; i < border.points.size(); ++i)
+    {
+      const Eigen::Vector3d &a = m_faces.points[border.points[i - 1]], edge = m_faces.points[border.points[i]] - a;
+      const double t = edge.squaredNorm() > 0 ? (std::min)((std::max)((p - a).dot(edge) / edge.squaredNorm(), 0.), 1.) : 0;
+      least = (std::min)(least, (a + t * edge - p).squaredNorm());
+    }
+    return 1 + weight * least / (m_spacing * m_spacing);
+  }
+
+  // Returns the vertices of a path around those in use; none if there is none.
+  std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to,
+                                         const Border_of_voxel_charts_3& border) const
+  {
+    const auto for_each_edge = [&](const std::size_t v, const auto& reach)
+    {
+      for(const std::size_t w : vertices_around(m_mesh, v))
+        if(!m_is_used[w] || w == to)
+          reach(w, (m_surface.points[w] - m_surface.points[v]).norm() * factor(m_surface.points[w], border));
+    };
+    return Shortest_paths(m_surface.points.size(), std::array<std::size_t, 1>{ from }, for_each_edge,
+                          [&](const std::size_t v) { return v == to; }).path_to(to);
+  }
+
+  // Returns the charts of the facets between the paths; none if one has no part or several.
+  std::vector<std::size_t> charts_between_paths() const
+  {
+    std::vector<std::size_t> chart_of_halfedge(m_mesh.number_of_halfedges(), none);
+    for(std::size_t i = 0; i < m_paths.size(); ++i)
+      for(std::size_t k = 1; k < m_paths[i].size(); ++k)
+      {
+        const auto h = m_mesh.halfedge(vertex_index(m_paths[i][k - 1]), vertex_index(m_paths[i][k]));
+        chart_of_halfedge[h] = m_borders.borders()[i].left;
+        chart_of_halfedge[m_mesh.opposite(h)] = m_borders.borders()[i].right;
+      }
+    Disjoint_sets sets(m_surface.facets.size());
+    for(const auto h : m_mesh.halfedges())
+      if(chart_of_halfedge[h] == none)
+        sets.unite(m_mesh.face(h), m_mesh.face(m_mesh.opposite(h)));
+    std::unordered_map<std::size_t, std::size_t> chart_of_part, part_of_chart;
+    for(const auto h : m_mesh.halfedges())
+      if(const std::size_t chart = chart_of_halfedge[h]; chart != none)
+      {
+        const std::size_t part = sets.find(m_mesh.face(h));
+        if(chart_of_part.emplace(part, chart).first->second != chart || part_of_chart.emplace(chart, part).first->second != part)
+          return {};
+      }
+    std::vector<std::size_t> result;
+    for(std::size_t f = 0; f < m_surface.facets.size(); ++f)
+      if(const auto it = chart_of_part.find(sets.find(f)); it != chart_of_part.end())
+        result.push_back(it->second);
+    if(result.size() != m_surface.facets.size() || part_of_chart.size() != m_number_of_charts)
+      return {};
+    return result;
+  }
+
+  Split_surface_3& m_surface;
+  const Voxel_faces_3& m_faces;
+  const Borders_of_voxel_charts_3 m_borders;
+  const std::size_t m_number_of_charts;
+  const double m_spacing;
+  std::vector<std::vector<std::size_t> > m_paths; // vertices, of each border
+  std::vector<std::size_t> m_corners;             // vertices
+  std::vector<std::vector<std::size_t> > m_beside; // vertices, of the borders at each corner
+  std::unordered_map<std::size_t, std::size_t> m_number_of_corner;
+  std::vector<bool> m_is_used;
+  std::set<std::size_t> m_blocked_points;
+  Boundary_mesh_3 m_mesh;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_ROUTED_CHARTS_3_H

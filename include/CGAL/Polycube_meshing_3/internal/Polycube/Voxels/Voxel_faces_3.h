@@ -1,0 +1,241 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_FACES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_FACES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Returns the face of the boundary of voxels that has an edge with a face in a direction. Face `6 * v + d` is that of voxel v in
+// the direction d.
+inline std::size_t face_across(const Voxels_3& voxels, const std::size_t face, const std::size_t direction)
+{
+  const Eigen::Vector3i beside = voxels.voxel(face / 6) + step_of_direction(direction),
+                        above = beside + step_of_direction(face % 6);
+  if(!voxels.contains(beside))
+    return 6 * (face / 6) + direction;
+  return voxels.contains(above) ? 6 * voxels.index(above) + opposite_direction(direction) : 6 * voxels.index(beside) + face % 6;
+}
+
+// Returns the faces of the boundary, in the order of their numbers.
+inline std::vector<std::size_t> boundary_faces(const Voxels_3& voxels)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t v = 0; v < voxels.is_inside.size(); ++v)
+    for(std::size_t d = 0; d < 6 && voxels.is_inside[v]; ++d)
+      if(!voxels.contains(voxels.voxel(v) + step_of_direction(d)))
+        result.push_back(6 * v + d);
+  return result;
+}
+
+// Charts of the boundary of voxels: coplanar faces that are connected by edges. They are the faces of a polycube.
+struct Charts_of_voxels_3
+{
+  const Voxels_3& voxels;
+  std::vector<std::size_t> faces;         // of the boundary
+  std::vector<std::size_t> chart_of_face; // by the numbers of faces
+  std::vector<std::size_t> labels;        // of the charts
+
+  explicit Charts_of_voxels_3(const Voxels_3& voxels)
+    : voxels(voxels), faces(boundary_faces(voxels)), chart_of_face(6 * voxels.is_inside.size(), none)
+  {
+    std::vector<std::size_t> chart;
+    for(const std::size_t face : faces)
+    {
+      if(chart_of_face[face] != none)
+        continue;
+      chart_of_face[face] = labels.size();
+      chart.assign(1, face);
+      for(std::size_t i = 0; i < chart.size(); ++i)
+        for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
+        {
+          const std::size_t next = face_across(voxels, chart[i], e);
+          if(next % 6 != face % 6 || chart_of_face[next] != none)
+            return;
+          chart_of_face[next] = labels.size();
+          chart.push_back(next);
+        });
+      labels.push_back(face % 6);
+    }
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+};
+
+// Quadrangles of the boundary of voxels, with places of their corners that may move.
+struct Voxel_faces_3
+{
+  std::vector<std::size_t> faces;
+  std::vector<std::array<std::size_t, 4> > corners;   // counterclockwise seen from outside
+  std::vector<std::array<std::size_t, 4> > neighbors; // across the edges that begin at these corners
+  std::vector<Eigen::Vector3d> points;
+
+  explicit Voxel_faces_3(const Voxels_3& voxels) : faces(boundary_faces(voxels))
+  {
+    std::map<std::array<int, 3>, std::size_t> numbers;
+    for(const std::size_t face : faces)
+    {
+      std::array<std::size_t, 4> quadrangle;
+      for(unsigned int k = 0; k < 4; ++k)
+      {
+        const Eigen::Vector3i p = voxels.voxel(face / 6) + corner(face % 6, k);
+        const auto [it, is_new] = numbers.emplace(std::array<int, 3>{ p[0], p[1], p[2] }, points.size());
+        if(is_new)
+          points.push_back(voxels.origin + voxels.spacing * p.cast<double>());
+        quadrangle[sign_of_direction(face % 6) > 0 ? k : 3 - k] = it->second;
+      }
+      corners.push_back(quadrangle);
+    }
+    find_neighbors();
+  }
+
+  Eigen::Vector3d normal(const std::size_t i) const // of the length of twice the area
+  {
+    const auto& [a, b, c, d] = corners[i];
+    return (points[c] - points[a]).cross(points[d] - points[b]);
+  }
+
+  std::vector<Eigen::Vector3d> normals_of_points() const
+  {
+    std::vector<Eigen::Vector3d> result(points.size(), Eigen::Vector3d::Zero());
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      for(const std::size_t v : corners[i])
+        result[v] += normal(i);
+    for(Eigen::Vector3d& n : result)
+      n.normalize(); // a zero vector stays
+    return result;
+  }
+
+private:
+  static Eigen::Vector3i corner(const std::size_t direction, const unsigned int k)
+  {
+    const int axis = axis_of_direction(direction);
+    Eigen::Vector3i result = Eigen::Vector3i::Zero();
+    result[axis] = sign_of_direction(direction) > 0;
+    result[(axis + 1) % 3] = k == 1 || k == 2;
+    result[(axis + 2) % 3] = k >= 2;
+    return result;
+  }
+
+  void find_neighbors()
+  {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_edge;
+    for(std::size_t i = 0; i < corners.size(); ++i)
+      for(std::size_t k = 0; k < 4; ++k)
+        face_of_edge.emplace(std::make_pair(corners[i][k], corners[i][(k + 1) % 4]), i);
+    for(const std::array<std::size_t, 4>& c : corners)
+    {
+      neighbors.emplace_back();
+      for(std::size_t k = 0; k < 4; ++k)
+        neighbors.back()[k] = face_of_edge.at({ c[(k + 1) % 4], c[k] });
+    }
+  }
+};
+
+inline std::vector<std::pair<std::size_t, std::size_t> >
+without_repetitions(std::vector<std::pair<std::size_t, std::size_t> > pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+// Returns whether cells, one for each of the faces of voxels as they were once, are connected in each chart of the voxels as they
+// are now, and cells of two charts are neighbors if the charts are, and no others.
+inline bool have_cells_the_neighbors_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                               const std::vector<std::size_t>& face_of_cell)
+{
+  const auto chart_of_cell = [&](const std::size_t c) { return charts.chart_of_face[face_of_cell[c]]; };
+  std::vector<std::pair<std::size_t, std::size_t> > neighbors, neighbors_of_cells;
+  for(const std::size_t face : charts.faces)
+    for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
+    {
+      if(const std::size_t a = charts.chart_of_face[face], b = charts.chart_of_face[face_across(charts.voxels, face, e)]; a < b)
+        neighbors.emplace_back(a, b);
+    });
+  Disjoint_sets sets(face_of_cell.size());
+  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
+    for(const std::size_t other : old_faces.neighbors[c])
+      if(const std::size_t a = chart_of_cell(c), b = chart_of_cell(other); a == b)
+        sets.unite(c, other);
+      else if(a < b)
+        neighbors_of_cells.emplace_back(a, b);
+  std::vector<std::size_t> parts(charts.labels.size(), 0);
+  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
+    parts[chart_of_cell(c)] += sets.find(c) == c;
+  return std::all_of(parts.begin(), parts.end(), [](const std::size_t n) { return n == 1; })
+         && without_repetitions(std::move(neighbors)) == without_repetitions(std::move(neighbors_of_cells));
+}
+
+// Returns the two points of the edge between the face of a voxel in a direction and the one across another direction.
+inline std::array<std::size_t, 2> points_of_edge(const Voxels_3& voxels, const std::size_t face, const std::size_t direction)
+{
+  const auto number = [&](const Eigen::Vector3i& p)
+  { return static_cast<std::size_t>((p[2] * (voxels.size[1] + 1) + p[1]) * (voxels.size[0] + 1) + p[0]); };
+  Eigen::Vector3i p = voxels.voxel(face / 6);
+  for(const std::size_t d : { face % 6, direction })
+    p[axis_of_direction(d)] += sign_of_direction(d) > 0;
+  const int along = 3 - axis_of_direction(face % 6) - axis_of_direction(direction);
+  return { number(p), number(p + Eigen::Vector3i::Unit(along)) };
+}
+
+// Returns the charts around each point where more than two borders end, in sorted order, from the ends of the edges of borders:
+// pairs of points and charts, a pair for each side of an edge.
+inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std::pair<std::size_t, std::size_t> > ends)
+{
+  std::vector<std::vector<std::size_t> > result;
+  std::sort(ends.begin(), ends.end());
+  for(auto first = ends.begin(), last = first; first != ends.end(); first = last)
+  {
+    std::vector<std::size_t> charts;
+    for(; last != ends.end() && last->first == first->first; ++last)
+      charts.push_back(last->second);
+    if(charts.size() > 2 * 2)
+      result.push_back(std::move(charts));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Returns whether the charts of cells meet at as many corners as those of the voxels, and the same ones at each. Otherwise, an
+// edge of the polycube would begin and end at one point.
+inline bool have_cells_the_corners_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                             const std::vector<std::size_t>& face_of_cell)
+{
+  std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_cells;
+  for(const std::size_t face : charts.faces)
+    for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
+    {
+      if(const std::size_t chart = charts.chart_of_face[face]; chart != charts.chart_of_face[face_across(charts.voxels, face, e)])
+        for(const std::size_t p : points_of_edge(charts.voxels, face, e))
+          ends.emplace_back(p, chart);
+    });
+  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
+    for(std::size_t k = 0; k < 4; ++k)
+      if(const std::size_t chart = charts.chart_of_face[face_of_cell[c]];
+         chart != charts.chart_of_face[face_of_cell[old_faces.neighbors[c][k]]])
+        for(const std::size_t p : { old_faces.corners[c][k], old_faces.corners[c][(k + 1) % 4] })
+          ends_of_cells.emplace_back(p, chart);
+  return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_cells));
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_FACES_3_H

@@ -1,0 +1,288 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_SIMPLIFICATION_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_SIMPLIFICATION_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Cells_of_voxels_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_topology_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <unordered_map>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Simplifies a body of voxels with handles: its charts move by layers of voxels as long as that lowers the cost of labels of a
+// surface. The boundary stays a manifold, and its topology stays.
+class Voxel_simplification_3
+{
+public:
+  // Takes the faces of the voxels at first, which the cells belong to, and whether each move keeps corners where those of the
+  // cells are.
+  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Cells_of_voxels_3& cells, const bool do_keep_corners)
+    : m_voxels(voxels), m_faces(faces), m_costs(cells), m_do_keep_corners(do_keep_corners), m_face_of_cell(faces.faces),
+      m_is_moving(voxels.is_inside.size(), false)
+  {
+    for(std::size_t c = 0; c < m_face_of_cell.size(); ++c)
+      m_cells[m_face_of_cell[c]].push_back(c);
+  }
+
+  // Makes borders shorter and shorter.
+  void run(const Budget& budget)
+  {
+    constexpr double maximal_smoothing = 0.02; // in units of the body; with more, details of fingers and tails vanished
+    constexpr int maximal_number_of_sweeps = 20; // a guess
+    for(const double part : { 0.125, 0.25, 0.5, 1. })
+    {
+      m_smoothing = part * maximal_smoothing;
+      for(int i = 0; i < maximal_number_of_sweeps && !budget.is_exhausted() && sweep(); ++i) {}
+    }
+  }
+
+  // Returns the face of the voxels, as they are now, that each cell belongs to.
+  const std::vector<std::size_t>& face_of_cell() const { return m_face_of_cell; }
+
+private:
+  static constexpr int maximal_number_of_layers = 4; // a guess
+
+  // Undoes moves: voxels that changed, and cells with the faces that they had before.
+  struct Changes
+  {
+    std::vector<std::size_t> voxels;
+    std::vector<std::pair<std::size_t, std::size_t> > faces;
+  };
+
+  // Returns the voxels of the chart of a face.
+  std::vector<std::size_t> chart(const std::size_t face) const
+  {
+    std::vector<std::size_t> result(1, face / 6);
+    std::set<std::size_t> seen = { face / 6 };
+    for(std::size_t i = 0; i < result.size(); ++i)
+      for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
+      {
+        const std::size_t next = face_across(m_voxels, 6 * result[i] + face % 6, e);
+        if(next % 6 == face % 6 && seen.insert(next / 6).second)
+          result.push_back(next / 6);
+      });
+    return result;
+  }
+
+  // Moves a chart by a layer, and returns its voxels then; nothing if the topology would change.
+  std::optional<std::vector<std::size_t> > move(const std::vector<std::size_t>& chart, const std::size_t d, const bool is_outward,
+                                                Changes& changes)
+  {
+    constexpr int margin = 2; // voxels beside the body are asked for
+    const Eigen::Vector3i step = step_of_direction(d), ones = Eigen::Vector3i::Ones();
+    std::vector<std::size_t> layer;
+    Eigen::Vector3i lo = m_voxels.size, hi = Eigen::Vector3i::Zero();
+    for(const std::size_t i : chart)
+    {
+      const Eigen::Vector3i v = is_outward ? Eigen::Vector3i(m_voxels.voxel(i) + step) : m_voxels.voxel(i);
+      const Eigen::Vector3i next = is_outward ? Eigen::Vector3i(v + step) : Eigen::Vector3i(v - step);
+      if(!m_voxels.is_in_box(v, margin) || m_voxels.contains(next) == is_outward)
+        return std::nullopt;
+      layer.push_back(m_voxels.index(v));
+      lo = lo.cwiseMin(v);
+      hi = hi.cwiseMax(v);
+    }
+    const auto before = characteristic_of_voxels_3(m_voxels, lo - ones, hi + ones);
+    set(layer, is_outward);
+    if(characteristic_of_voxels_3(m_voxels, lo - ones, hi + ones) != before)
+    {
+      set(layer, !is_outward);
+      return std::nullopt;
+    }
+    changes.voxels.insert(changes.voxels.end(), layer.begin(), layer.end());
+    give_cells(moved_faces(layer, d, is_outward), changes);
+    for(std::size_t& v : layer)
+      v = is_outward ? v : m_voxels.index(m_voxels.voxel(v) - step);
+    return layer;
+  }
+
+  void set(const std::vector<std::size_t>& voxels, const bool is_inside)
+  {
+    for(const std::size_t v : voxels)
+      m_voxels.is_inside[v] = is_inside;
+  }
+
+  // Returns the faces that vanish with a layer, and those that get their cells: faces of the chart those of the moved chart, faces
+  // of the sides those beyond if the sides go on, or else those of the moved chart, too.
+  std::vector<std::pair<std::size_t, std::size_t> > moved_faces(const std::vector<std::size_t>& layer, const std::size_t d,
+                                                                const bool is_outward)
+  {
+    std::vector<std::pair<std::size_t, std::size_t> > result;
+    const Eigen::Vector3i step = step_of_direction(d);
+    for(const std::size_t v : layer)
+      m_is_moving[v] = true;
+    for(const std::size_t i : layer)
+    {
+      const Eigen::Vector3i v = m_voxels.voxel(i), below = v - step;
+      const std::size_t old_face = is_outward ? 6 * m_voxels.index(below) + d : 6 * i + d,
+                        new_face = is_outward ? 6 * i + d : 6 * m_voxels.index(below) + d;
+      result.emplace_back(old_face, new_face);
+      for_each_orthogonal_direction(d, [&](const std::size_t e)
+      {
+        const Eigen::Vector3i w = v + (is_outward ? -1 : 1) * step_of_direction(e);
+        if(m_voxels.contains(w) != is_outward || m_is_moving[m_voxels.index(w)])
+          return;
+        const Eigen::Vector3i beyond = is_outward ? Eigen::Vector3i(w + step) : below; // has the side beyond, if it goes on
+        const bool continues = m_voxels.contains(beyond) && !m_voxels.contains(beyond + step_of_direction(e));
+        result.emplace_back(6 * (is_outward ? m_voxels.index(w) : i) + e, continues ? 6 * m_voxels.index(beyond) + e : new_face);
+      });
+    }
+    for(const std::size_t v : layer)
+      m_is_moving[v] = false;
+    return result;
+  }
+
+  void give_cells(const std::vector<std::pair<std::size_t, std::size_t> >& faces, Changes& changes)
+  {
+    std::vector<std::pair<std::vector<std::size_t>, std::size_t> > moves; // all at once, as faces may be old and new ones
+    for(const auto& [from, to] : faces)
+      if(const auto it = m_cells.find(from); it != m_cells.end())
+      {
+        moves.emplace_back(std::move(it->second), to);
+        m_cells.erase(it);
+      }
+    for(const auto& [cells, to] : moves)
+      for(const std::size_t c : cells)
+      {
+        changes.faces.emplace_back(c, m_face_of_cell[c]);
+        m_face_of_cell[c] = to;
+        m_cells[to].push_back(c);
+      }
+  }
+
+  void revert(const Changes& changes)
+  {
+    for(auto it = changes.faces.rbegin(); it != changes.faces.rend(); ++it)
+    {
+      const auto [cell, face] = *it;
+      std::vector<std::size_t>& cells = m_cells[m_face_of_cell[cell]];
+      cells.erase(std::find(cells.begin(), cells.end(), cell));
+      if(cells.empty())
+        m_cells.erase(m_face_of_cell[cell]);
+      m_face_of_cell[cell] = face;
+      m_cells[face].push_back(cell);
+    }
+    for(const std::size_t v : changes.voxels)
+      m_voxels.is_inside[v] = !m_voxels.is_inside[v];
+  }
+
+  // Returns by how much changes have lowered the cost.
+  double gain(const Changes& changes) const
+  {
+    std::map<std::size_t, std::size_t> old_labels;
+    for(const auto& [cell, face] : changes.faces)
+      old_labels.emplace(cell, face % 6); // the first entry is the oldest one
+    const auto old_label = [&](const std::size_t cell)
+    {
+      const auto it = old_labels.find(cell);
+      return it == old_labels.end() ? m_face_of_cell[cell] % 6 : it->second;
+    };
+    double result = 0;
+    for(const auto& [cell, label] : old_labels)
+    {
+      const std::size_t new_label = m_face_of_cell[cell] % 6;
+      if(new_label == label)
+        continue;
+      result += m_costs.costs[cell][label] - m_costs.costs[cell][new_label];
+      for(const auto& [other, length] : m_costs.borders[cell])
+      {
+        const std::size_t label_of_other = old_label(other), new_label_of_other = m_face_of_cell[other] % 6;
+        const double part = label_of_other != new_label_of_other ? 0.5 : 1; // as both are visited
+        result += m_smoothing * part * length * ((label != label_of_other) - (new_label != new_label_of_other));
+      }
+    }
+    return result;
+  }
+
+  // Moves each chart as far as that lowers the cost most. Returns whether any has moved.
+  bool sweep()
+  {
+    std::vector<std::size_t> faces;
+    for(const auto& [face, cells] : m_cells)
+      faces.push_back(face);
+    std::sort(faces.begin(), faces.end());
+    for(std::size_t i = faces.size(); i > 1; --i) // `std::shuffle()` differs between libraries
+      std::swap(faces[i - 1], faces[m_random() % i]);
+    std::set<std::size_t> visited;
+    bool has_moved = false;
+    for(const std::size_t face : faces)
+    {
+      if(m_cells.count(face) == 0 || visited.count(face) > 0)
+        continue;
+      const std::vector<std::size_t> voxels = chart(face);
+      for(const std::size_t v : voxels)
+        visited.insert(6 * v + face % 6);
+      has_moved = move_best(voxels, face % 6) || has_moved;
+    }
+    return has_moved;
+  }
+
+  bool move_best(const std::vector<std::size_t>& voxels, const std::size_t d)
+  {
+    double best_gain = 1e-12; // more than rounding
+    int best = 0;             // layers, outward or inward
+    for(const bool is_outward : { true, false })
+    {
+      Changes changes;
+      std::vector<std::size_t> present = voxels;
+      for(int layer = 1; layer <= maximal_number_of_layers; ++layer)
+      {
+        const auto moved = move(present, d, is_outward, changes);
+        if(!moved)
+          break;
+        if(const double g = gain(changes); g > best_gain)
+        {
+          best_gain = g;
+          best = is_outward ? layer : -layer;
+        }
+        present = chart(6 * moved->front() + d);
+        if(present.size() != moved->size()) // it has been merged with another one
+          break;
+      }
+      revert(changes);
+    }
+    if(best == 0)
+      return false;
+    Changes changes;
+    std::optional<std::vector<std::size_t> > present = voxels;
+    for(int layer = 0; layer < std::abs(best) && present; ++layer)
+      present = move(*present, d, best > 0, changes);
+    const Charts_of_voxels_3 charts(m_voxels);
+    if(have_cells_the_neighbors_of_charts(charts, m_faces, m_face_of_cell)
+       && (!m_do_keep_corners || have_cells_the_corners_of_charts(charts, m_faces, m_face_of_cell)))
+      return true;
+    revert(changes);
+    return false;
+  }
+
+  Voxels_3& m_voxels;
+  const Voxel_faces_3& m_faces;
+  const Cells_of_voxels_3& m_costs;
+  const bool m_do_keep_corners;
+  std::vector<std::size_t> m_face_of_cell;
+  std::unordered_map<std::size_t, std::vector<std::size_t> > m_cells; // of each face
+  std::vector<bool> m_is_moving;
+  double m_smoothing = 0;
+  std::mt19937 m_random; // of a fixed seed
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_SIMPLIFICATION_3_H

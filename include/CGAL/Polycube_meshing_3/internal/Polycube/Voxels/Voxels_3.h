@@ -1,0 +1,166 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXELS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXELS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Chart_defects_3.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+inline std::size_t opposite_direction(const std::size_t d) { return d ^ 1; }
+
+inline Eigen::Vector3i step_of_direction(const std::size_t d)
+{ return sign_of_direction(d) * Eigen::Vector3i::Unit(axis_of_direction(d)); }
+
+// Calls f for the four directions that are orthogonal to one.
+template <typename Function>
+void for_each_orthogonal_direction(const std::size_t d, const Function& f)
+{
+  for(std::size_t e = 0; e < 6; ++e)
+    if(e / 2 != d / 2)
+      f(e);
+}
+
+// Body of voxels in a box, with three layers free on each side.
+struct Voxels_3
+{
+  Eigen::Vector3i size = Eigen::Vector3i::Zero();     // numbers of voxels along the axes
+  double spacing = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();   // lowest corner of the box
+  std::vector<double> parts;                          // part of each voxel that is inside of a surface
+  std::vector<bool> is_inside;                        // whether each voxel belongs to the body
+
+  std::size_t index(const Eigen::Vector3i& v) const { return static_cast<std::size_t>((v[2] * size[1] + v[1]) * size[0] + v[0]); }
+
+  Eigen::Vector3i voxel(const std::size_t index) const
+  {
+    const int i = static_cast<int>(index);
+    return Eigen::Vector3i(i % size[0], i / size[0] % size[1], i / size[0] / size[1]);
+  }
+
+  // Returns whether a voxel is in the box, and at least that far from its sides.
+  bool is_in_box(const Eigen::Vector3i& v, const int distance = 0) const
+  { return (v.array() >= distance).all() && (v.array() < size.array() - distance).all(); }
+
+  bool contains(const Eigen::Vector3i& v) const { return is_in_box(v) && is_inside[index(v)]; }
+
+  // Returns which of the eight voxels at the lowest corner of voxel p belong to the body: bit 1, 2, 4 of a place for +x, +y, +z.
+  unsigned int octants(const Eigen::Vector3i& p) const
+  {
+    unsigned int result = 0;
+    for(unsigned int k = 0; k < 8; ++k)
+      if(contains(p + octant(k) - Eigen::Vector3i::Ones()))
+        result |= 1u << k;
+    return result;
+  }
+
+  static Eigen::Vector3i octant(const unsigned int k)
+  { return Eigen::Vector3i(static_cast<int>(k & 1), static_cast<int>(k >> 1 & 1), static_cast<int>(k >> 2 & 1)); }
+};
+
+// Heights at which a surface crosses vertical lines, with their regular samples per voxel along each axis.
+class Columns_of_voxels_3
+{
+public:
+  static constexpr int samples = 3; // a guess: 27 points of a voxel tell which part is inside
+
+  explicit Columns_of_voxels_3(const Voxels_3& voxels)
+    : m_origin(voxels.origin), m_spacing(voxels.spacing / samples), m_size{ samples * voxels.size[0], samples * voxels.size[1] },
+      m_heights(static_cast<std::size_t>(m_size[0] * m_size[1]))
+  {}
+
+  void cross(const std::array<Eigen::Vector3d, 3>& triangle)
+  {
+    const Eigen::Vector3d a = scaled(triangle[0]), b = scaled(triangle[1]), c = scaled(triangle[2]);
+    const double area = cross(b - a, c - a);
+    if(area == 0)
+      return;
+    std::array<int, 2> lo, hi;
+    for(int axis = 0; axis < 2; ++axis)
+    {
+      const auto [least, largest] = std::minmax({ a[axis], b[axis], c[axis] });
+      lo[axis] = (std::max)(0, static_cast<int>(std::ceil(least)));
+      hi[axis] = (std::min)(m_size[axis] - 1, static_cast<int>(std::floor(largest)));
+    }
+    for(int j = lo[1]; j <= hi[1]; ++j)
+      for(int i = lo[0]; i <= hi[0]; ++i)
+      {
+        const Eigen::Vector3d p(i, j, 0);
+        const double u = cross(b - p, c - p) / area, v = cross(c - p, a - p) / area, w = 1 - u - v;
+        if(u >= 0 && v >= 0 && w >= 0)
+          m_heights[static_cast<std::size_t>(j * m_size[0] + i)].push_back(u * a[2] + v * b[2] + w * c[2]);
+      }
+  }
+
+  // Adds the parts of voxels between crossings to those of the voxels.
+  void add_to(Voxels_3& voxels)
+  {
+    constexpr double part = 1. / (samples * samples * samples);
+    for(int j = 0; j < m_size[1]; ++j)
+      for(int i = 0; i < m_size[0]; ++i)
+      {
+        std::vector<double>& heights = m_heights[static_cast<std::size_t>(j * m_size[0] + i)];
+        std::sort(heights.begin(), heights.end());
+        for(std::size_t k = 0; k + 1 < heights.size(); k += 2)
+          for(int l = (std::max)(0, static_cast<int>(std::ceil(heights[k])));
+              l < heights[k + 1] && l < samples * voxels.size[2]; ++l)
+            voxels.parts[voxels.index(Eigen::Vector3i(i / samples, j / samples, l / samples))] += part;
+      }
+  }
+
+private:
+  static double cross(const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return p[0] * q[1] - p[1] * q[0]; }
+
+  // Returns coordinates in which samples have whole numbers. Their lines miss vertices that lie regularly, too.
+  Eigen::Vector3d scaled(const Eigen::Vector3d& p) const
+  { return (p - m_origin) / m_spacing - Eigen::Vector3d(0.5 + 1.234e-4, 0.5 - 2.345e-4, 0.5); }
+
+  Eigen::Vector3d m_origin;
+  double m_spacing;
+  std::array<int, 2> m_size;
+  std::vector<std::vector<double> > m_heights;
+};
+
+// Returns the voxels that have at least some part of them inside of a closed surface. The grid is shifted by parts of a voxel.
+template <typename Facets>
+Voxels_3 voxels_of_surface_3(const std::vector<Eigen::Vector3d>& points, const Facets& facets, const double spacing,
+                             const Eigen::Vector3d& shift, const double least_part)
+{
+  constexpr int free_layers = 3; // on each side: charts may move outward, and voxels may be added where the body is pinched
+  Eigen::AlignedBox3d box;
+  for(const Eigen::Vector3d& p : points)
+    box.extend(p);
+  Voxels_3 voxels;
+  voxels.spacing = spacing;
+  voxels.size = (box.sizes() / spacing).array().ceil().cast<int>() + 2 * free_layers;
+  voxels.origin = box.center() - spacing / 2 * voxels.size.cast<double>() + spacing * shift;
+  voxels.parts.assign(static_cast<std::size_t>(voxels.size.prod()), 0);
+  Columns_of_voxels_3 columns(voxels);
+  for(const auto& [a, b, c] : facets)
+    columns.cross({ points[a], points[b], points[c] });
+  columns.add_to(voxels);
+  for(const double part : voxels.parts)
+    voxels.is_inside.push_back(part > least_part);
+  return voxels;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXELS_3_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MAP_TO_VOXELS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MAP_TO_VOXELS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Length_of_edges_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placed_voxel_faces_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_simplification_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/coordinates_of_voxel_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/relax_charts_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Map of a surface to a polycube of voxels, with the edges that are split for it one after the other, each at its midpoint.
+struct Map_to_voxels_3
+{
+  std::vector<std::array<std::size_t, 2> > splits;
+  std::vector<Eigen::Vector3d> images; // also of the midpoints; none if there is no map
+  double distortion = (std::numeric_limits<double>::infinity)(); // mean over the area
+};
+
+// Polycube of voxels: the charts of placed faces of the voxels that it was made of.
+struct Polycube_of_voxels_3
+{
+  double size_of_voxels;
+  Voxel_faces_3 faces;
+  std::vector<std::size_t> chart_of_face;
+  std::vector<std::size_t> label_of_chart;
+  std::vector<int> plane_of_chart; // numbers of layers of voxels
+};
+
+// Places the faces of voxels on a surface, and simplifies the voxels. Moves may change corners at first, as those that do not
+// leave more charts; if corners of the polycube are not those of its charts then, which no map has, all moves keep them.
+inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Split_surface_3& surface, const Budget& budget)
+{
+  Voxels_3 voxels = given;
+  Boundary_mesh_3 mesh;
+  build_boundary_mesh_3(surface, mesh);
+  const Facets_3 facets(surface);
+  Polycube_of_voxels_3 result = {
+    voxels.spacing, Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels)), {}, {}, {}
+  };
+  const Label_functional_3 functional(mesh, are_among(mesh, surface.sharp_edges));
+  const Cells_of_voxels_3 cells(mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
+                                result.faces.faces.size());
+  std::vector<std::size_t> face_of_cell;
+  for(const bool do_keep_corners : { false, true })
+  {
+    voxels = given;
+    Voxel_simplification_3 simplification(voxels, result.faces, cells, do_keep_corners);
+    simplification.run(budget);
+    face_of_cell = simplification.face_of_cell();
+    if(have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_cell))
+      break;
+  }
+
+  const Charts_of_voxels_3 charts(voxels);
+  for(const std::size_t face : face_of_cell)
+    result.chart_of_face.push_back(charts.chart_of_face[face]);
+  result.label_of_chart = charts.labels;
+  result.plane_of_chart.resize(charts.labels.size());
+  for(const std::size_t face : charts.faces)
+    result.plane_of_chart[charts.chart_of_face[face]]
+      = voxels.voxel(face / 6)[axis_of_direction(face % 6)] + (sign_of_direction(face % 6) > 0);
+  return result;
+}
+
+// Surface with the charts of a polycube.
+struct Drawn_polycube_3
+{
+  Split_surface_3 surface;
+  std::vector<std::size_t> chart_of_facet; // none if the charts cannot be drawn
+};
+
+// Draws the charts on a surface, whose edges are split to a length at the borders, and further where one is blocked.
+inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Split_surface_3& surface, const double length,
+                                        const Budget& budget)
+{
+  Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
+  for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
+  {
+    Drawn_polycube_3 result = { surface, {} };
+    result.surface.split_long_edges(lengths);
+    Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
+                           polycube.size_of_voxels);
+    result.chart_of_facet = charts.run(budget);
+    if(!result.chart_of_facet.empty())
+      return result;
+    has_changed = lengths.halve(charts.blocked_points());
+  }
+  return {};
+}
+
+// Splits edges inside of charts whose ends are on their borders.
+inline void split_between_borders(const Boundary_mesh_3& mesh, Drawn_polycube_3& drawn)
+{
+  std::vector<bool> is_on_border(drawn.surface.points.size(), false);
+  const auto is_border = [&](const auto h)
+  { return drawn.chart_of_facet[mesh.face(h)] != drawn.chart_of_facet[mesh.face(mesh.opposite(h))]; };
+  for(const auto h : mesh.halfedges())
+    if(is_border(h))
+      is_on_border[mesh.target(h)] = true;
+  std::set<Split_surface_3::Edge> edges;
+  for(const auto h : mesh.halfedges())
+    if(!is_border(h) && is_on_border[mesh.source(h)] && is_on_border[mesh.target(h)])
+      edges.insert((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h))));
+  std::vector<std::size_t> charts;
+  for(const std::size_t parent : drawn.surface.split(edges))
+    charts.push_back(drawn.chart_of_facet[parent]);
+  drawn.chart_of_facet = charts;
+}
+
+// Maps the surface with the charts that are drawn on it. It has the size 1, its polycube that of the box.
+inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn,
+                                            const Eigen::AlignedBox3d& box, const double spacing, const Budget& budget)
+{
+  constexpr double gap = 0.3; // between planes, in voxels; a guess
+  {
+    Boundary_mesh_3 mesh;
+    build_boundary_mesh_3(drawn.surface, mesh);
+    const Label_functional_3 functional(mesh, are_among(mesh, drawn.surface.sharp_edges));
+    relax_charts_3(mesh, functional, polycube.label_of_chart, drawn.chart_of_facet);
+    split_between_borders(mesh, drawn);
+  }
+  Boundary_mesh_3 mesh;
+  build_boundary_mesh_3(drawn.surface, mesh);
+  std::vector<std::size_t> labels;
+  for(const std::size_t c : drawn.chart_of_facet)
+    labels.push_back(polycube.label_of_chart[c]);
+  const double size = box.sizes().maxCoeff();
+  const std::vector<double> coordinates
+    = coordinates_of_voxel_charts_3(Facets_3(drawn.surface), drawn.chart_of_facet, polycube.label_of_chart,
+                                    polycube.plane_of_chart, gap * polycube.size_of_voxels, -box.center() / size, spacing / size);
+  Map_to_voxels_3 result;
+  Polycube_map_3 map(mesh, box, labels, spacing, false);
+  std::vector<double> of_charts(map.charts().number_of_charts());
+  if(of_charts.size() != coordinates.size())
+    return result;
+  for(std::size_t f = 0; f < labels.size(); ++f)
+    of_charts[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
+  if(map.start(of_charts, budget) != OK
+     || finish(map, are_among(mesh, drawn.surface.sharp_edges), result.images, budget) != OK)
+    return {};
+  result.splits = drawn.surface.splits;
+  const auto point = [&](const std::size_t v) { return Eigen::Vector3d(size * drawn.surface.points[v]); };
+  result.distortion = facet_distortion_3(drawn.surface.facets, point, [&](const std::size_t v) { return result.images[v]; });
+  return result;
+}
+
+// Maps a surface, of the size 1, to the best of some polycubes of voxels: finer and finer ones, at several places.
+inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh,
+                                       const Eigen::AlignedBox3d& box, const double spacing, const Budget& budget)
+{
+  constexpr int maximal_number_of_maps = 4, maximal_number_of_sizes = 3; // with maps; guesses, as all these numbers
+  constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
+  constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
+  constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
+  const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
+                           - static_cast<int>(mesh.number_of_edges());
+  Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
+  for(const auto& [v, w] : surface.sharp_edges)
+    unit_surface.sharp_edges.insert((std::minmax)(v, w));
+  std::mt19937 random; // of a fixed seed
+  const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
+  Map_to_voxels_3 best;
+  int number_of_maps = 0, number_of_sizes = 0;
+  for(const int number : numbers)
+  {
+    number_of_sizes += number_of_maps > 0;
+    for(std::size_t attempt = 0; number_of_sizes < maximal_number_of_sizes && attempt < least_parts.size(); ++attempt)
+    {
+      if(number_of_maps == maximal_number_of_maps || !budget.may_begin_round(Phase::BOUNDARY, "polycubes of voxels"))
+        return best;
+      const double size_of_voxels = 1. / number, x = shift(), y = shift(), z = shift();
+      const Eigen::Vector3d offset = attempt == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(x, y, z);
+      Voxels_3 voxels
+        = voxels_of_surface_3(unit_surface.points, unit_surface.facets, size_of_voxels, offset, least_parts[attempt]);
+      if(!make_surface_of_characteristic(voxels, least_parts[attempt], characteristic))
+        continue;
+      Split_surface_3 surface = unit_surface;
+      surface.split_edges_longer_than(size_of_voxels);
+      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, surface, budget);
+      for(const double length : lengths_of_edges)
+      {
+        Drawn_polycube_3 drawn = draw_polycube_3(polycube, unit_surface, length * size_of_voxels, budget);
+        if(drawn.chart_of_facet.empty())
+          continue;
+        Map_to_voxels_3 map = map_drawn_polycube_3(polycube, std::move(drawn), box, spacing, budget);
+        if(map.images.empty())
+          continue;
+        ++number_of_maps;
+        if(map.distortion < best.distortion)
+          best = std::move(map);
+        break;
+      }
+    }
+  }
+  return best;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MAP_TO_VOXELS_3_H

@@ -1,0 +1,309 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Order_of_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_polycube_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/map_to_voxels_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/frames_of_normals_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Box/map_to_box_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Body that shares no point with the other bodies of a surface, and the numbers of its vertices on the whole surface.
+struct Separate_body_3
+{
+  Numbered_surface_3 surface;
+  std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<std::size_t> vertices;
+};
+
+inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
+{
+  std::size_t number_of_points = 0;
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    number_of_points = (std::max)(number_of_points, *std::max_element(cell.begin(), cell.end()) + 1);
+  const std::size_t n = whole.cells->size();
+  Disjoint_sets sets(n + number_of_points); // cells, and points behind them
+  for(std::size_t c = 0; c < n; ++c)
+    for(const std::size_t v : (*whole.cells)[c])
+      sets.unite(c, n + v);
+  const std::vector<std::size_t> numbers = sets.numbers();
+  const auto body_of = [&](const std::size_t point) { return numbers[n + point]; };
+
+  std::vector<Separate_body_3> bodies(1 + *std::max_element(numbers.begin(), numbers.begin() + n));
+  for(std::size_t c = 0; c < n; ++c)
+    bodies[numbers[c]].cells.push_back((*whole.cells)[c]);
+  std::vector<std::size_t> number(whole.vertices.size());
+  for(std::size_t v = 0; v < number.size(); ++v)
+  {
+    Separate_body_3& body = bodies[body_of(whole.vertices[v])];
+    number[v] = body.vertices.size();
+    body.vertices.push_back(v);
+    body.surface.points.push_back(whole.points[v]);
+    body.surface.vertices.push_back(whole.vertices[v]);
+  }
+  for(const auto& [a, b, c] : whole.facets)
+    bodies[body_of(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+  for(const auto& [a, b] : whole.sharp_edges)
+    bodies[body_of(whole.vertices[a])].surface.sharp_edges.push_back({ number[a], number[b] });
+  return bodies;
+}
+
+// Moves points by a distance in units of the spacing, if there is one: multiples of it stay multiples, bit by bit.
+inline void move_along_x(const double distance, const double spacing, std::vector<Eigen::Vector3d>& points)
+{
+  const double unit = spacing > 0 ? spacing : 1;
+  for(Eigen::Vector3d& p : points)
+  {
+    const double multiple = std::round(p.x() / unit);
+    p.x() = spacing > 0 && p.x() == spacing * multiple ? spacing * (multiple + distance) : p.x() + unit * distance;
+  }
+}
+
+// Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
+// a ring linked with another one must be. A body with cavities is refused.
+inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
+                                     std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
+  if(bodies.size() == 1)
+    return ERROR_SEVERAL_BOUNDARY_COMPONENTS;
+  std::vector<Eigen::Vector3d> result(whole.points.size());
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for(Separate_body_3& body : bodies)
+  {
+    body.surface.cells = &body.cells;
+    std::vector<Eigen::Vector3d> part;
+    Eigen::Matrix3d none;
+    if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, false, part, none, budget); status != OK)
+      return status;
+    Eigen::AlignedBox3d box, other_boxes;
+    for(const Eigen::Vector3d& p : part)
+      box.extend(p);
+    for(const Eigen::AlignedBox3d& other : boxes)
+      other_boxes.extend(other);
+    if(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
+    {
+      const double distance = (other_boxes.max)().x() - (box.min)().x();
+      move_along_x(spacing > 0 ? std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8, spacing, part);
+      box.setEmpty();
+      for(const Eigen::Vector3d& p : part)
+        box.extend(p);
+    }
+    boxes.push_back(box);
+    for(std::size_t v = 0; v < part.size(); ++v)
+      result[body.vertices[v]] = part[v];
+  }
+  images = result;
+  return OK;
+}
+
+// Surface that is turned about the center of its bounding box, and the same as a mesh in the unit box.
+struct Turned_surface_3
+{
+  Eigen::Matrix3d rotation;
+  Numbered_surface_3 surface;
+  Boundary_mesh_3 mesh;
+  std::vector<bool> is_sharp; // of the edges of the mesh
+  Eigen::AlignedBox3d box;    // of the surface
+
+  Turned_surface_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh, const Eigen::Matrix3d& rotation)
+    : rotation(rotation), surface(surface), mesh(mesh), is_sharp(are_among(mesh, surface.sharp_edges))
+  {
+    if(rotation != Eigen::Matrix3d::Identity()) // which would round
+      turn(bounding_box(mesh).center());
+    box = bounding_box(this->mesh);
+    set_points(this->mesh, unit_points(this->mesh));
+  }
+
+private:
+  void turn(const Eigen::Vector3d& center)
+  {
+    for(Eigen::Vector3d& p : surface.points)
+      p = center + rotation * (p - center);
+    set_points(mesh, surface.points);
+  }
+};
+
+template <typename Facets>
+double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vector3d>& points,
+                              const std::vector<Eigen::Vector3d>& images)
+{
+  return facet_distortion_3(facets, [&](const std::size_t v) { return points[v]; },
+                            [&](const std::size_t v) { return images[v]; });
+}
+
+// Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
+// be far less distorted than a box with holes.
+inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing,
+                                         Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images,
+                                         const Budget& budget)
+{
+  constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
+  const Error_code status = map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,
+                                                    turned.surface.vertices, images, budget);
+  const double maximal_distortion = status != OK ? (std::numeric_limits<double>::infinity)()
+    : enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, images);
+  if(status != OK)
+    images.clear();
+  if(of_split == nullptr || maximal_distortion < usual)
+    return status;
+  Map_to_voxels_3 map = map_to_voxels_3(turned.surface, turned.mesh, turned.box, spacing, budget);
+  if(map.images.empty() || map.distortion > maximal_distortion)
+    return status;
+  *of_split = { std::move(map.splits), std::move(map.images) };
+  return OK;
+}
+
+// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
+inline Error_code map_to_bounding_box_3(const Turned_surface_3& turned, const double spacing,
+                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Eigen::Vector3d lower = (turned.box.min)(), upper = (turned.box.max)();
+  if(spacing > 0)
+  {
+    const Eigen::Array3d first = (lower / spacing).array().round();
+    lower = spacing * first;
+    upper = spacing * ((first + 1).max)((upper / spacing).array().round());
+  }
+  const double size = (upper - lower).maxCoeff();
+  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
+  Numbered_surface_3 unit_surface = turned.surface;
+  unit_surface.sharp_edges.clear();
+  for(std::size_t v = 0; v < unit_surface.points.size(); ++v)
+    unit_surface.points[v] = eigen_point(turned.mesh, vertex_index(v));
+  const Error_code status = map_to_box_3(unit_surface, half_lengths, std::nullopt, images, budget);
+  if(status != OK)
+    return status;
+  for(Eigen::Vector3d& image : images)
+    for(int axis = 0; axis < 3; ++axis)
+      image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
+        : (lower[axis] + upper[axis]) / 2 + size * image[axis];
+  Boundary_mesh_3 image = turned.mesh;
+  set_points(image, images);
+  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
+}
+
+// Maps a surface for which no labels of a polycube are found.
+inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, Map_of_split_surface_3* const of_split,
+                                   std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  const Error_code kind = check_sphere(turned.mesh);
+  if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+    return map_bodies_apart_3(turned.surface, spacing, images, budget);
+  return kind == OK ? map_to_bounding_box_3(turned, spacing, images, budget)
+                    : map_to_box_or_voxels_3(turned, spacing, of_split, images, budget);
+}
+
+inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
+                                             const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+{
+  Polycube_map_3 map(turned.mesh, turned.box, labels, spacing, false);
+  const Error_code status = map.start(budget);
+  return status == OK ? finish(map, turned.is_sharp, images, budget) : status;
+}
+
+// Takes the frame with the least distortion; if there is no polycube in any, the first one.
+inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing, const bool may_move,
+                                  Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images,
+                                  Eigen::Matrix3d& rotation, const Budget& budget)
+{
+  const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
+  double least_distortion = (std::numeric_limits<double>::infinity)();
+  bool has_polycube = false;
+  for(const Turned_surface_3& turned : frames)
+  {
+    std::vector<Eigen::Vector3d> candidate;
+    if(Search_for_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, factor, budget).run(candidate) != OK)
+      continue;
+    const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, candidate);
+    if(has_polycube && !(distortion < least_distortion))
+      continue;
+    has_polycube = true;
+    least_distortion = distortion;
+    images = candidate;
+    rotation = turned.rotation;
+  }
+  if(has_polycube)
+    return OK;
+  rotation = frames.front().rotation;
+  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, of_split, images, budget);
+}
+
+// Maps a surface in the order in which it is searched.
+inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
+                                        const double spacing, const bool do_find_axes, Map_of_split_surface_3* const of_split,
+                                        std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
+{
+  constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
+  if(spacing > largest_spacing)
+    return ERROR_SPACING_TOO_COARSE;
+  Boundary_mesh_3 mesh;
+  if(const Error_code status = build_boundary_mesh_3(surface, mesh); status != OK)
+    return status;
+  rotation.setIdentity();
+  std::vector<Turned_surface_3> frames(1, Turned_surface_3(surface, mesh, rotation));
+  if(do_find_axes && labels.empty())
+  {
+    const std::vector<Eigen::Matrix3d> rotations = frames_of_normals_3(frames.front().mesh);
+    frames.clear();
+    for(const Eigen::Matrix3d& r : rotations)
+      frames.emplace_back(surface, mesh, r);
+  }
+  const auto map = [&](const double spacing, Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images)
+  {
+    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, of_split, images, rotation, budget)
+                          : map_to_labelled_polycube_3(frames.front(), labels, spacing, images, budget);
+  };
+  const Error_code status = map(spacing, of_split, images);
+  std::vector<Eigen::Vector3d> any;
+  return status != OK && spacing > 0 && map(0, nullptr, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
+}
+
+CGAL_POLYCUBE_MESHING_3_INLINE
+Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
+                             const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
+                             Eigen::Matrix3d& rotation, const Budget& budget, Map_of_split_surface_3* const of_split_surface)
+{
+  const Order_of_surface_3 order(surface);
+  std::vector<Eigen::Vector3d> ordered_images;
+  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes,
+                                                  of_split_surface, ordered_images, rotation, budget);
+  if(status != OK)
+    return status;
+  images = order.back(ordered_images);
+  if(of_split_surface != nullptr)
+  {
+    of_split_surface->images = order.back(of_split_surface->images);
+    for(auto& [v, w] : of_split_surface->splits)
+    {
+      v = order.point(v);
+      w = order.point(w);
+    }
+  }
+  return OK;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H

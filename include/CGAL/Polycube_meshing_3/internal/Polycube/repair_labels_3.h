@@ -1,0 +1,286 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_REPAIR_LABELS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_REPAIR_LABELS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Normal_labels_3.h>
+
+#include <map>
+#include <optional>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Edge inside a chart that joins two vertices of a chain around the chart.
+struct Chain_chord_3
+{
+  Boundary_mesh_3::Halfedge_index edge;
+  Boundary_mesh_3::Halfedge_index cut_off; // a halfedge of the chain, in the chart, between the two vertices
+  std::size_t chart, other_chart;
+};
+
+inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                               const Polycube_chain_3& chain)
+{
+  const std::vector<Polycube_charts_3::Vertex> path = charts.vertices(chain);
+  std::vector<std::pair<Polycube_charts_3::Vertex, std::size_t> > positions; // in the order of vertices
+  for(std::size_t i = 0; i < path.size(); ++i)
+    positions.emplace_back(path[i], i);
+  std::sort(positions.begin(), positions.end());
+  const auto position = [&](const Polycube_charts_3::Vertex v)
+  {
+    const auto it = std::lower_bound(positions.begin(), positions.end(), std::pair(v, std::size_t(0)));
+    return it != positions.end() && it->first == v ? it->second : 0;
+  };
+  for(std::size_t i = 0; i < path.size(); ++i)
+    for(const auto h : CGAL::halfedges_around_source(path[i], mesh))
+    {
+      if(charts.chart(h) != charts.chart(mesh.opposite(h)) || position(mesh.target(h)) < i + 2)
+        continue;
+      if(charts.chart(h) == chain.charts[0])
+        return Chain_chord_3{ h, chain.halfedges[i], chain.charts[0], chain.charts[1] };
+      if(charts.chart(h) == chain.charts[1])
+        return Chain_chord_3{ h, mesh.opposite(chain.halfedges[i]), chain.charts[1], chain.charts[0] };
+    }
+  return std::nullopt;
+}
+
+// Returns the faces of a chart that a chord cuts off, together with a halfedge of the chain.
+inline std::vector<Boundary_mesh_3::Face_index> faces_cut_off(const Boundary_mesh_3& mesh,
+                                                              const Polycube_charts_3& charts,
+                                                              const Chain_chord_3& chord)
+{
+  std::vector<bool> is_reached(mesh.number_of_faces(), false);
+  std::vector<Boundary_mesh_3::Face_index> faces(1, mesh.face(chord.cut_off));
+  is_reached[faces[0]] = true;
+  for(std::size_t i = 0; i < faces.size(); ++i)
+    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(faces[i]), mesh))
+    {
+      const auto f = mesh.face(mesh.opposite(h));
+      if(mesh.edge(h) == mesh.edge(chord.edge) || charts.chart_of_face()[f] != chord.chart || is_reached[f])
+        continue;
+      is_reached[f] = true;
+      faces.push_back(f);
+    }
+  return faces;
+}
+
+// Gives faces that chords cut off to the chart on the other side of the chain, as the image of a chord would lie on an edge
+// of the polycube, and the faces be flat. Returns whether there were any.
+inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                std::vector<std::size_t>& labels)
+{
+  std::vector<bool> has_changed(charts.number_of_charts(), false);
+  for(const Polycube_chain_3& chain : charts.chains())
+  {
+    if(has_changed[chain.charts[0]] || has_changed[chain.charts[1]])
+      continue;
+    const std::optional<Chain_chord_3> chord = find_chord(mesh, charts, chain);
+    if(!chord)
+      continue;
+    for(const auto f : faces_cut_off(mesh, charts, *chord))
+      labels[f] = charts.labels()[chord->other_chart];
+    has_changed[chain.charts[0]] = has_changed[chain.charts[1]] = true;
+  }
+  return std::find(has_changed.begin(), has_changed.end(), true) != has_changed.end();
+}
+
+// Gives charts that are not valid, and their neighbors, other labels, each at most once: the cheapest label with which there
+// are fewer defects. If there is none, a chart that is not valid is merged into a neighbor. Returns whether a label changed.
+inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
+                           std::vector<std::size_t>& labels, const Budget& budget)
+{
+  std::vector<std::size_t> best = charts.labels();
+  std::optional<std::vector<std::size_t> > merged;
+  int defects = charts.number_of_defects();
+  for(const Chart_relabelling_3& change : changes)
+  {
+    if(budget.is_exhausted())
+      return false;
+    if(best[change.chart] != charts.labels()[change.chart] || !charts.is_beside_invalid(change.chart))
+      continue;
+    std::vector<std::size_t> candidate = best;
+    candidate[change.chart] = change.label;
+    const int n = charts.number_of_defects(candidate);
+    if(n < defects)
+    {
+      best = candidate;
+      defects = n;
+    }
+    else if(!merged && !charts.is_valid(change.chart) && charts.has_neighbor(change.chart, change.label))
+      merged = candidate;
+  }
+  if(best == charts.labels() && !merged)
+    return false;
+  for(std::size_t f = 0; f < labels.size(); ++f)
+    labels[f] = (best == charts.labels() ? *merged : best)[charts.chart_of_face()[f]];
+  return true;
+}
+
+// Makes all charts valid: straightens their borders, and relabels invalid charts or their neighbors. Returns whether all are
+// valid.
+inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
+                            std::vector<std::size_t>& labels, const Budget& budget)
+{
+  std::optional<std::size_t> steps;
+  while(!budget.is_exhausted())
+  {
+    const Polycube_charts_3 charts(mesh, labels);
+    if(!steps)
+      steps = charts.number_of_charts() + charts.number_of_defects(); // each step removes a chart or a defect
+    if(charts.number_of_charts() < 6)
+      return false;
+    if(straighten_chains_3(mesh, charts, labels))
+      continue;
+    if(charts.number_of_defects() == 0)
+      return true;
+    if((*steps)-- == 0
+       || !relabel_charts(charts, costs.chart_relabellings(smoothing, labels, charts.chart_of_face()), labels, budget))
+      return false;
+  }
+  return false;
+}
+
+// Gives each face to the neighboring chart that suits it best. Returns whether any face changed its chart.
+inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
+                            const Normal_labels_3& costs, std::vector<std::size_t>& labels)
+{
+  bool has_changed = false;
+  for(const auto f : faces)
+  {
+    const std::size_t label = labels[f];
+    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
+    {
+      const std::size_t candidate = labels[mesh.face(mesh.opposite(h))];
+      if(candidate != label && (labels[f] == label || costs.cost(f, candidate) < costs.cost(f, labels[f])))
+        labels[f] = candidate;
+    }
+    has_changed = has_changed || labels[f] != label;
+  }
+  return has_changed;
+}
+
+using Boundary_line_3 = std::vector<Boundary_mesh_3::Halfedge_index>;
+
+// Part of a chain that begins at a corner and leads back behind it, against the direction of the edge of the polycube.
+struct Chain_fold_3
+{
+  double depth = 0; // how far the part leads back
+  Boundary_line_3 line;
+  int axis = -1;
+};
+
+inline Chain_fold_3 fold_of_chain(const Boundary_mesh_3& mesh, const Polycube_chain_3& chain, const bool is_at_last)
+{
+  Chain_fold_3 result = { 0, chain.halfedges, chain.axis };
+  if(is_at_last)
+  {
+    std::reverse(result.line.begin(), result.line.end());
+    for(auto& h : result.line)
+      h = mesh.opposite(h);
+  }
+  const int sign = is_at_last ? chain.sign : -chain.sign;
+  const Eigen::Vector3d corner = eigen_point(mesh, mesh.source(result.line.front()));
+  double length = 0, length_of_fold = 0;
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < result.line.size(); ++i)
+  {
+    const Eigen::Vector3d p = eigen_point(mesh, mesh.target(result.line[i]));
+    length += (p - eigen_point(mesh, mesh.source(result.line[i]))).norm();
+    if(const double depth = sign * (p - corner)[chain.axis]; depth > result.depth)
+    {
+      result.depth = depth;
+      length_of_fold = length;
+      number = i + 1;
+    }
+  }
+  // one edge is due to a coarse mesh, and a line that is not along the axis leads elsewhere
+  if(number < 2 || result.depth < length_of_fold / 2)
+    return {};
+  result.line.resize(number);
+  return result;
+}
+
+inline Chain_fold_3 deepest_fold(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
+{
+  Chain_fold_3 result;
+  for(const Polycube_chain_3& chain : charts.chains())
+    for(const bool is_at_last : { false, true })
+      if(Chain_fold_3 fold = fold_of_chain(mesh, chain, is_at_last); fold.depth > result.depth)
+        result = std::move(fold);
+  return result;
+}
+
+// Returns the faces to the left of a line that are joined to it within their chart, not across sharp edges, with centers
+// between the ends of the line along an axis.
+inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
+                                                             const Normal_labels_3& costs, const Boundary_line_3& line,
+                                                             const int axis)
+{
+  const auto [lowest, highest]
+    = std::minmax<double>({ mesh.point(mesh.source(line.front()))[axis], mesh.point(mesh.target(line.back()))[axis] });
+  std::vector<bool> is_reached(mesh.number_of_faces(), false);
+  std::vector<Boundary_mesh_3::Face_index> faces;
+  const auto reach = [&, lowest = lowest, highest = highest](const Boundary_mesh_3::Halfedge_index h)
+  {
+    double center = 0;
+    for(const auto v : CGAL::vertices_around_face(h, mesh))
+      center += mesh.point(v)[axis] / 3;
+    if(is_reached[mesh.face(h)] || charts.chart(h) != charts.chart(line.front()) || center < lowest || center > highest)
+      return;
+    is_reached[mesh.face(h)] = true;
+    faces.push_back(mesh.face(h));
+  };
+  for(const auto h : line)
+    reach(h);
+  for(std::size_t i = 0; i < faces.size(); ++i)
+    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(faces[i]), mesh))
+      if(!costs.is_sharp(h))
+        reach(mesh.opposite(h));
+  return faces;
+}
+
+// Unfolds the chain that leads back farthest behind one of its corners, as edges of polycubes are monotone (Livesu et al.,
+// PolyCut): the third chart at the corner is extended as far as the chain leads back, at the expense of the chart beside it
+// whose faces lose least. Returns whether labels changed.
+inline bool unfold_chain(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
+                         std::vector<std::size_t>& labels)
+{
+  const Chain_fold_3 fold = deepest_fold(mesh, charts);
+  if(fold.line.empty())
+    return false;
+  Boundary_line_3 other_side;
+  for(const auto h : fold.line)
+    other_side.push_back(mesh.opposite(h));
+  std::size_t label = labels.size();
+  for(const auto h : CGAL::halfedges_around_source(fold.line.front(), mesh))
+    if(charts.chart(h) != charts.chart(fold.line.front()) && charts.chart(h) != charts.chart(other_side.front()))
+      label = labels[mesh.face(h)];
+  std::map<double, std::vector<Boundary_mesh_3::Face_index> > sides; // by the mean loss of their faces
+  for(const Boundary_line_3& line : { fold.line, other_side })
+  {
+    const auto faces = faces_beside(mesh, charts, costs, line, fold.axis);
+    double loss = 0;
+    for(const auto f : faces)
+      loss += costs.cost(f, label) - costs.cost(f, labels[f]);
+    if(!faces.empty())
+      sides[loss / static_cast<double>(faces.size())] = faces;
+  }
+  if(sides.empty())
+    return false;
+  for(const auto f : sides.begin()->second)
+    labels[f] = label;
+  return true;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_REPAIR_LABELS_3_H

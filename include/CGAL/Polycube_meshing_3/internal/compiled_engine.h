@@ -1,0 +1,23 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_COMPILED_ENGINE_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_COMPILED_ENGINE_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+// CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE, a macro that the target CGAL::Polycube_meshing_3_engine defines, means the same for
+// this package as CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE for the other one.
+#ifdef CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE
+#  define CGAL_POLYCUBE_MESHING_3_INLINE
+#else
+#  define CGAL_POLYCUBE_MESHING_3_INLINE inline
+#endif
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_COMPILED_ENGINE_H

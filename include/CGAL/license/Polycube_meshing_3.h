@@ -1,0 +1,22 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_LICENSE_POLYCUBE_MESHING_3_H
+#define CGAL_LICENSE_POLYCUBE_MESHING_3_H
+
+// Each header of this package includes this one before all others.
+#if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
+#  error "The package Polycube_meshing_3 needs C++17: compile with -std=c++17 or later."
+#endif
+
+// CGAL generates the header of this name for its packages; outside of CGAL there is only the GPL to choose.
+#include <CGAL/config.h>
+#include <CGAL/license.h>
+
+#endif // CGAL_LICENSE_POLYCUBE_MESHING_3_H

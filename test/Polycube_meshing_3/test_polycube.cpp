@@ -1,0 +1,1572 @@
+// Boundaries mapped to polycubes: those that are one already, bent ones, and labels that no polycube has. Boundaries
+// mapped to given surfaces.
+#include "Visitor_that_ends.h"
+#include "catch.h"
+#include "ring_of_prisms.h"
+
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/map_to_voxels_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/repair_labels_3.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+using K = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point_3 = K::Point_3;
+using Vector_3 = K::Vector_3;
+using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
+using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
+using Vertex_handle = C3t3::Vertex_handle;
+using Cell_handle = C3t3::Cell_handle;
+using Facet = C3t3::Facet;
+using Brick = std::array<int, 3>;
+using Polycube = VMP::Polycube_boundary_parameterizer_3;
+
+namespace {
+
+// The unit bricks in a box for which `is_solid` is true, of six cells each, moved by `move`.
+template <typename IsSolid, typename Move>
+VMP::Tetrahedron_soup_3 bricks(const Brick& size, const IsSolid& is_solid, const Move& move)
+{
+  VMP::Tetrahedron_soup_3 soup;
+  std::map<Brick, std::size_t> index;
+  for(int z = 0; z < size[2]; ++z)
+    for(int y = 0; y < size[1]; ++y)
+      for(int x = 0; x < size[0]; ++x)
+        for(int k = 0; k < 6 && is_solid(x, y, z); ++k)
+        {
+          Brick p = {x, y, z};
+          std::array<std::size_t, 4> cell;
+          for(int i = 0; i < 4; ++i)
+          {
+            const auto inserted = index.emplace(p, soup.points.size());
+            if(inserted.second)
+              soup.points.push_back(move(p[0], p[1], p[2]));
+            cell[i] = inserted.first->second;
+            ++p[(k + i * (k < 3 ? 1 : 2)) % 3];
+          }
+          if(k >= 3)
+            std::swap(cell[1], cell[2]);
+          soup.cells.push_back(cell);
+          soup.cell_references.push_back(1);
+        }
+  return soup;
+}
+
+std::array<double, 3> in_place(const double x, const double y, const double z)
+{
+  return {x, y, z};
+}
+
+std::array<double, 3> bend(const double x, const double y, const double z)
+{
+  const double angle = 0.08 * z;
+  return {x + 0.3 * std::sin(y), std::cos(angle) * y - std::sin(angle) * (z + 6),
+          std::sin(angle) * y + std::cos(angle) * (z + 6)};
+}
+
+const Brick size = {6, 5, 7};
+
+bool is_box(int, int, int) { return true; }
+bool is_bracket(const int x, int, const int z) { return x < 2 || z < 3; }
+bool is_ring(const int x, int, const int z) { return x < 2 || x > 3 || z < 2 || z > 4; }
+bool is_stair(const int x, const int y, const int z) { return z < 2 || (z < 4 && x < 4 && y < 3) || (x < 2 && y < 3); }
+
+struct Labelled_complex
+{
+  C3t3 c3t3;
+  std::vector<Vertex_handle> vertices;
+  std::vector<Cell_handle> cells;
+  std::unordered_map<Vertex_handle, Point_3> image;
+  std::map<Facet, std::size_t> labels;
+
+  explicit Labelled_complex(const VMP::Tetrahedron_soup_3& soup)
+  {
+    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+  }
+
+  Labelled_complex(const Labelled_complex&) = delete;
+
+  VMP::Error_code parameterize(const double spacing = 0)
+  {
+    image.clear();
+    return Polycube(spacing).parameterize(c3t3, boost::make_assoc_property_map(image));
+  }
+
+  VMP::Error_code parameterize_with_labels(const double spacing = 0)
+  {
+    image.clear();
+    return Polycube(spacing).parameterize(c3t3, boost::make_assoc_property_map(labels),
+                                          boost::make_assoc_property_map(image));
+  }
+
+  std::vector<Facet> boundary() const
+  {
+    std::vector<Facet> result;
+    for(const Cell_handle c : cells)
+      for(int i = 0; i < 4; ++i)
+        if(!c3t3.is_in_complex(c->neighbor(i)))
+          result.emplace_back(c, i);
+    return result;
+  }
+
+  // Counterclockwise as seen from outside.
+  static std::array<Vertex_handle, 3> vertices_of(const Facet& f)
+  {
+    std::array<Vertex_handle, 3> result;
+    for(int k = 0; k < 3; ++k)
+      result[k] = f.first->vertex((f.second + 1 + k) % 4);
+    if(f.second % 2 == 1)
+      std::swap(result[0], result[1]);
+    return result;
+  }
+
+  template <typename Point>
+  static std::array<Point_3, 3> triangle(const Facet& f, const Point& point)
+  {
+    const std::array<Vertex_handle, 3> v = vertices_of(f);
+    return { point(v[0]), point(v[1]), point(v[2]) };
+  }
+
+  std::array<Point_3, 3> source_triangle(const Facet& f) const
+  {
+    return triangle(f, [](const Vertex_handle v) { return v->point(); });
+  }
+
+  std::array<Point_3, 3> image_triangle(const Facet& f) const
+  {
+    return triangle(f, [this](const Vertex_handle v) { return image.at(v); });
+  }
+};
+
+// The direction to which a triangle normal to an axis turns its front, by exact predicates; 6 if it is not normal
+// to an axis or flat.
+std::size_t direction(const std::array<Point_3, 3>& t)
+{
+  for(int axis = 0; axis < 3; ++axis)
+    if(t[0][axis] == t[1][axis] && t[0][axis] == t[2][axis])
+    {
+      std::array<double, 3> above = { t[0].x(), t[0].y(), t[0].z() };
+      above[axis] = std::nextafter(above[axis], (std::numeric_limits<double>::infinity)());
+      switch(CGAL::orientation(t[0], t[1], t[2], Point_3(above[0], above[1], above[2])))
+      {
+        case CGAL::POSITIVE: return 2 * axis;
+        case CGAL::NEGATIVE: return 2 * axis + 1;
+        default: return 6;
+      }
+    }
+  return 6;
+}
+
+// Labels a complex like one with the same cells whose facets are normal to the axes.
+void copy_labels(const Labelled_complex& straight, Labelled_complex& complex)
+{
+  const std::vector<Facet> from = straight.boundary(), to = complex.boundary();
+  for(std::size_t i = 0; i < from.size(); ++i)
+    complex.labels[to[i]] = direction(straight.source_triangle(from[i]));
+}
+
+template <typename IsSolid>
+void check_identity(const IsSolid& is_solid, const Brick& size = ::size)
+{
+  Labelled_complex complex(bricks(size, is_solid, in_place));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  double largest = 0;
+  for(const auto& entry : complex.image)
+    largest = (std::max)(largest, CGAL::squared_distance(entry.first->point(), entry.second));
+  CHECK(largest < 1e-24);
+  for(const Facet& f : complex.boundary())
+    CHECK(direction(complex.image_triangle(f)) == direction(complex.source_triangle(f)));
+}
+
+template <typename IsSolid>
+void check_bent(const IsSolid& is_solid, const std::size_t number_of_coordinates)
+{
+  const Labelled_complex straight(bricks(size, is_solid, in_place));
+  Labelled_complex complex(bricks(size, is_solid, bend));
+  copy_labels(straight, complex);
+  REQUIRE(complex.parameterize_with_labels() == VMP::OK);
+  std::set<std::pair<std::size_t, double> > coordinates;
+  double volume = 0;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) == complex.labels.at(f));
+    coordinates.emplace(direction(t) / 2, t[0][static_cast<int>(direction(t) / 2)]);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+  }
+  CHECK(coordinates.size() == number_of_coordinates);
+  double volume_of_source = 0;
+  for(const Cell_handle c : complex.cells)
+    volume_of_source += complex.c3t3.triangulation().tetrahedron(c).volume();
+  CHECK(volume == Approx(volume_of_source).epsilon(0.3));
+}
+
+} // namespace
+
+TEST_CASE("polycubes are mapped to themselves")
+{
+  check_identity(is_box, {1, 1, 1});
+  check_identity(is_box);
+  check_identity(is_bracket);
+  check_identity(is_ring);
+  check_identity(is_stair);
+}
+
+TEST_CASE("bent polycubes are straightened, with one coordinate for each chart")
+{
+  check_bent(is_box, 6);
+  check_bent(is_bracket, 8);
+  check_bent(is_ring, 10);
+  check_bent(is_stair, 11);
+}
+
+// The coordinates of faces, in units of the spacing; those that are no multiples, bit by bit, are lost.
+template <typename IsSolid>
+std::set<std::pair<std::size_t, double> > multiples_of_bent(const IsSolid& is_solid, const double spacing)
+{
+  const Labelled_complex straight(bricks(size, is_solid, in_place));
+  Labelled_complex complex(bricks(size, is_solid, bend));
+  copy_labels(straight, complex);
+  REQUIRE(complex.parameterize_with_labels(spacing) == VMP::OK);
+  std::set<std::pair<std::size_t, double> > result;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) == complex.labels.at(f));
+    const double x = t[0][static_cast<int>(direction(t) / 2)];
+    REQUIRE(x == spacing * std::round(x / spacing));
+    result.emplace(direction(t) / 2, std::round(x / spacing));
+  }
+  return result;
+}
+
+TEST_CASE("faces of a polycube get multiples of a spacing")
+{
+  CHECK(multiples_of_bent(is_stair, 0.1).size() == 11);
+  CHECK(multiples_of_bent(is_ring, 0.3).size() == 10);
+  CHECK(multiples_of_bent(is_ring, 1).size() == 10);
+  CHECK(multiples_of_bent(is_bracket, 1.7).size() == 8);
+  CHECK(multiples_of_bent(is_ring, 50).size() == 10); // no edge is lost, although the body is smaller
+}
+
+TEST_CASE("a spacing that makes a polycube touch itself is named")
+{
+  // two columns in the middle face each other across a gap of 1
+  Labelled_complex complex(bricks({4, 3, 7}, [](const int x, const int y, const int z)
+  {
+    return x == 0 || z < 2 || z >= 5 || (x == 2 && y == 1 && z != 3);
+  }, in_place));
+  CHECK(complex.parameterize(1) == VMP::OK);
+  CHECK(complex.parameterize() == VMP::OK);
+  copy_labels(complex, complex);
+  CHECK(complex.parameterize_with_labels(2) == VMP::ERROR_SPACING_TOO_COARSE);
+  CHECK(complex.image.empty());
+  CHECK(complex.parameterize_with_labels(1) == VMP::OK); // smaller, as the message says
+  CHECK(complex.parameterize(1e200) == VMP::ERROR_SPACING_TOO_COARSE);
+  CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
+}
+
+TEST_CASE("faces of bodies that are moved aside get multiples of the spacing, bit by bit")
+{
+  // a channel, a box in it that would touch it, and a box beside it
+  const double first = GENERATE(0., 0.3, 0.6, 0.9, 1.2, 1.5), spacing = 0.3; // as wide as the channel
+  Labelled_complex complex(bricks({14, 10, 7}, [](const int x, const int y, const int z)
+  {
+    return (x < 7 && y < 3 && (x < 2 || x > 4 || z < 2)) || (x == 3 && y == 1 && (z == 4 || z == 5))
+        || (x > 9 && y > 7 && z < 2);
+  }, [&](const double x, const double y, const double z)
+  { return std::array<double, 3>{ first + 0.1 * x - 0.45, 0.1 * y + 12.7, 0.1 * z + 1. / 3 }; }));
+  const auto np = CGAL::parameters::maximum_running_time(1e9);
+  REQUIRE(Polycube(spacing).parameterize(complex.c3t3, boost::make_assoc_property_map(complex.image), np) == VMP::OK);
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) < 6);
+    const double x = t[0][static_cast<int>(direction(t) / 2)];
+    CHECK(x == spacing * std::round(x / spacing));
+  }
+}
+
+// Returns the faces by direction and coordinate. Each triangle of the image is normal to an axis.
+std::set<std::pair<std::size_t, double> > faces_of_image(const Labelled_complex& complex)
+{
+  std::set<std::pair<std::size_t, double> > faces;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    REQUIRE(direction(t) < 6);
+    faces.emplace(direction(t), t[0][static_cast<int>(direction(t) / 2)]);
+  }
+  return faces;
+}
+
+TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
+{
+  const double scale = GENERATE(0.1, 0.3, 0.7);
+  Labelled_complex complex(bricks({7, 5, 6}, [](const int x, const int y, const int z)
+  {
+    return x < 3 || (x > 3 && y < 3 && z < 4);
+  }, [&](const double x, const double y, const double z) { return in_place(scale * x, scale * y, scale * z); }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 10); // two of twelve are in planes of other ones
+}
+
+TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")
+{
+  // two arms of a fork turn twice around each other, so that no labels of its charts are valid
+  Labelled_complex complex(bricks({4, 3, 16}, [](const int x, int, const int z) { return z < 2 || x == 0 || x == 3; },
+    [](const double x, const double y, const double z) -> std::array<double, 3>
+  {
+    const double angle = 0.7 * (std::max)(0., z - 2), c = std::cos(angle), s = std::sin(angle);
+    return {c * (x - 2) - s * (y - 1.5), s * (x - 2) + c * (y - 1.5), z};
+  }));
+  CHECK(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
+  complex.image.clear();
+  CHECK(complex.parameterize(0.5) == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
+}
+
+namespace {
+
+const Brick size_of_frame = {24, 4, 24};
+
+bool is_frame(const int x, int, const int z) { return x < 6 || x > 17 || z < 6 || z > 17; }
+
+// Lays the frame along a trefoil knot.
+std::array<double, 3> tie(const double x, const double y, const double z)
+{
+  const double u = x - 12, v = z - 12, t = std::atan2(v, u), along = 0.1 * (y - 2);
+  const double outwards = 0.1 * ((std::max)(std::abs(u), std::abs(v)) - 9);
+  const Vector_3 curve(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
+  const Vector_3 tangent(std::cos(t) + 4 * std::cos(2 * t), -std::sin(t) + 4 * std::sin(2 * t), -3 * std::cos(3 * t));
+  Vector_3 normal = CGAL::cross_product(tangent, Vector_3(0, 0, 1));
+  normal = normal / std::sqrt(normal.squared_length());
+  Vector_3 binormal = CGAL::cross_product(tangent, normal);
+  binormal = binormal / std::sqrt(binormal.squared_length());
+  const Vector_3 p = curve + outwards * normal + along * binormal;
+  return {p.x(), p.y(), p.z()};
+}
+
+} // namespace
+
+TEST_CASE("a body with handles that has no other polycube is mapped to a box with holes")
+{
+  Labelled_complex complex(bricks(size_of_frame, is_frame, tie));
+  const double spacing = GENERATE(0., 0.25);
+  REQUIRE(complex.parameterize(spacing) == VMP::OK);
+  const auto faces = faces_of_image(complex);
+  CHECK(faces.size() == 10);
+  std::map<std::size_t, double> area;
+  std::map<std::size_t, std::set<double> > coordinates;
+  double volume = 0;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    const std::size_t d = direction(t);
+    REQUIRE(d < 6);
+    area[d] += std::sqrt(CGAL::squared_area(t[0], t[1], t[2]));
+    coordinates[d].insert(t[0][static_cast<int>(d / 2)]);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+    if(spacing > 0)
+      CHECK(std::remainder(t[0][static_cast<int>(d / 2)], spacing) == 0);
+  }
+  // seen from above, a rectangle in a rectangle
+  const auto size_of_hole = [&](const int axis) { return *coordinates[2 * axis + 1].rbegin() - *coordinates[2 * axis].begin(); };
+  const auto size_of_box = [&](const int axis) { return *coordinates[2 * axis].rbegin() - *coordinates[2 * axis + 1].begin(); };
+  CHECK(size_of_hole(0) > 0);
+  CHECK(size_of_hole(1) > 0);
+  CHECK(area[4] == Approx(size_of_box(0) * size_of_box(1) - size_of_hole(0) * size_of_hole(1)));
+  CHECK(area[5] == Approx(area[4]));
+  CHECK(volume == Approx(area[4] * size_of_box(2)));
+}
+
+TEST_CASE("lines of a box run apart from each other along a thin tube, where they have crossed each other")
+{
+  using namespace VMP::internal;
+  constexpr int around = 6, along = 48;
+  std::mt19937 engine(GENERATE(range(0, 6)));
+  Boundary_mesh_3 mesh;
+  std::vector<Boundary_mesh_3::Vertex_index> vertices;
+  for(int i = 0; i < along; ++i) // rings of different widths, turned a little
+  {
+    const double turn = 3e-4 * (engine() % 1000), width = 0.3 + 7e-4 * (engine() % 1000), a = 2 * CGAL_PI * i / along;
+    for(int j = 0; j < around; ++j)
+    {
+      const double b = 2 * CGAL_PI * (j + turn) / around, radius = 5 + width * std::cos(b);
+      vertices.push_back(mesh.add_vertex({radius * std::cos(a), radius * std::sin(a), width * std::sin(b)}));
+    }
+  }
+  const auto at = [&](const int i, const int j) { return vertices[(i % along) * around + j % around]; };
+  for(int i = 0; i < along; ++i)
+    for(int j = 0; j < around; ++j)
+    {
+      const int k = engine() % 2; // which diagonal
+      mesh.add_face(at(i, j), at(i + 1, j), at(i + k, j + 1));
+      mesh.add_face(at(i + 1 - k, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  REQUIRE(CGAL::is_closed(mesh));
+
+  Lines_of_box_3 lines(mesh, {{0, 1, 2, 3, 4, 5}});
+  REQUIRE(lines.run(Budget()));
+  std::set<Boundary_mesh_3::Vertex_index> used;
+  for(const Surface_line_3& line : {lines.box(true), lines.box(false), lines.hole(0, true), lines.hole(0, false)})
+    for(std::size_t i = 0; i < line.size(); ++i)
+    {
+      CHECK(used.insert(mesh.source(line[i])).second);
+      CHECK(mesh.target(line[i]) == mesh.source(line[(i + 1) % line.size()]));
+    }
+}
+
+TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too coarse")
+{
+  using namespace VMP::internal;
+  const int holes = GENERATE(1, 2, 3, 4);
+  const VMP::Tetrahedron_soup_3 soup = bricks({2 * holes + 1, 3, 1}, [](const int x, const int y, int)
+  { return x % 2 == 0 || y != 1; }, bend);
+  const Body_3 body = body_of(soup.points, soup.cells);
+  const Numbered_surface_3 surface = surface_of(body);
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Eigen::AlignedBox3d box = bounding_box(mesh);
+  set_points(mesh, unit_points(mesh));
+  std::vector<Eigen::Vector3d> images;
+  const VMP::Error_code status = map_to_box_with_holes_3(mesh, are_among(mesh, surface.sharp_edges), box, 0, *surface.cells,
+                                                         surface.vertices, images, Budget());
+  CHECK((status == VMP::OK || status == VMP::ERROR_BOUNDARY_TOO_COARSE));
+  CHECK(images.size() == (status == VMP::OK ? surface.points.size() : 0));
+}
+
+TEST_CASE("bodies whose polycubes would touch are mapped side by side")
+{
+  VMP::Tetrahedron_soup_3 soup = bricks(size_of_frame, is_frame, tie);
+  const std::size_t number_of_points = soup.points.size(), number_of_cells = soup.cells.size();
+  for(std::size_t v = 0; v < number_of_points; ++v) // a second knot, whose bounding box meets that of the first one
+    soup.points.push_back({ soup.points[v][0] + 3.75, soup.points[v][1], soup.points[v][2] + 0.5 });
+  for(std::size_t c = 0; c < number_of_cells; ++c)
+  {
+    std::array<std::size_t, 4> cell = soup.cells[c];
+    for(std::size_t& v : cell)
+      v += number_of_points;
+    soup.cells.push_back(cell);
+    soup.cell_references.push_back(1);
+  }
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube().parameterize(soup.points, soup.cells, targets) == VMP::OK);
+  double right = -(std::numeric_limits<double>::infinity)(), left = (std::numeric_limits<double>::infinity)();
+  for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
+    if(v < number_of_points)
+      right = (std::max)(right, targets[v][0]);
+    else
+      left = (std::min)(left, targets[v][0]);
+  CHECK(left > right);
+}
+
+TEST_CASE("maps to boxes with holes can be ended anywhere, with nothing written")
+{
+  Labelled_complex complex(bricks(size_of_frame, is_frame, tie));
+  const auto target = boost::make_assoc_property_map(complex.image);
+  check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, target, np); }, complex.image);
+}
+
+namespace {
+
+double volume_of(const VMP::Tetrahedron_soup_3& soup)
+{
+  const auto vector = [&](const std::size_t v) { return VMP::internal::to_vector(soup.points[v]); };
+  double result = 0;
+  for(const auto& [a, b, c, d] : soup.cells)
+  {
+    const double volume = (vector(b) - vector(a)).cross(vector(c) - vector(a)).dot(vector(d) - vector(a)) / 6;
+    CHECK(volume > 0);
+    result += volume;
+  }
+  return result;
+}
+
+// Voxels of the solid bricks, two voxels along each side of a brick.
+template <typename IsSolid>
+VMP::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
+{
+  const VMP::Tetrahedron_soup_3 soup = bricks(size, is_solid, in_place);
+  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
+  return VMP::internal::voxels_of_surface_3(surface.points, surface.facets, 0.5, {0, 0, 0}, 0.5);
+}
+
+} // namespace
+
+TEST_CASE("a body with a cavity and without a polycube is told to have several boundary components")
+{
+  // a tetrahedron without a smaller one inside
+  VMP::Tetrahedron_soup_3 soup;
+  for(const double size : {10., 1.})
+    for(const std::array<double, 3>& p : {std::array<double, 3>{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
+      soup.points.push_back({size * p[0], size * p[1], size * p[2]});
+  for(const auto& [a, b, c] : {std::array<std::size_t, 3>{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}})
+  {
+    soup.cells.push_back({a, b, c, c + 4});
+    soup.cells.push_back({a, b, b + 4, c + 4});
+    soup.cells.push_back({a, a + 4, b + 4, c + 4});
+  }
+  soup.cell_references.assign(soup.cells.size(), 1);
+  VMP::orient_tetrahedron_soup(soup);
+  std::vector<std::array<double, 3> > targets;
+  CHECK(Polycube().parameterize(soup, targets) == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS);
+}
+
+TEST_CASE("labels that are found are told, and lead to the same labels again")
+{
+  const VMP::Tetrahedron_soup_3 soup = bricks(size, is_ring, in_place);
+  VMP::Polycube_result result;
+  const Polycube polycube(0, VMP::Polycube_axes::GIVEN, &result);
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
+  REQUIRE(result.labels.size() == soup.cells.size());
+  std::size_t number = 0;
+  std::set<std::size_t> all;
+  for(const std::size_t side : VMP::internal::body_of(soup).sides)
+  {
+    const std::array<std::size_t, 4>& cell = soup.cells[side / 4];
+    const auto point = [&](const auto& points, const std::size_t k)
+    {
+      const auto& [x, y, z] = points[cell[(side % 4 + k) % 4]];
+      return Point_3(x, y, z);
+    };
+    std::array<Point_3, 3> t = {point(targets, 1), point(targets, 2), point(targets, 3)};
+    if(CGAL::orientation(point(soup.points, 1), point(soup.points, 2), point(soup.points, 3), point(soup.points, 0))
+       == CGAL::POSITIVE)
+      std::swap(t[0], t[1]); // counterclockwise seen from outside
+    CHECK(result.labels[side / 4][side % 4] == direction(t));
+    all.insert(result.labels[side / 4][side % 4]);
+    ++number;
+  }
+  CHECK(all == std::set<std::size_t>{0, 1, 2, 3, 4, 5});
+  const auto labels = result.labels;
+  for(const auto& of_cell : labels)
+    number += std::count(of_cell.begin(), of_cell.end(), VMP::Polycube_result::no_label);
+  CHECK(number == 4 * labels.size());
+  REQUIRE(polycube.parameterize(soup.points, soup.cells, labels, targets) == VMP::OK);
+  CHECK(result.labels == labels);
+}
+
+TEST_CASE("a ring that is too coarse for a box with holes is refined for a polycube of voxels")
+{
+  const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube().parameterize(ring, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  const double spacing = GENERATE(0., 0.25);
+  VMP::internal::Body_3 body = VMP::internal::body_of(ring);
+  std::vector<VMP::internal::Mapped_boundary_3> boundaries;
+  REQUIRE(Polycube(spacing).find_boundaries(body, true, VMP::internal::Budget(), boundaries) == VMP::OK);
+  REQUIRE(boundaries.size() == 1); // there is no box
+  REQUIRE(VMP::internal::split_any_edges_3(body, boundaries[0].splits));
+  const VMP::Tetrahedron_soup_3& soup = body.soup;
+  targets = boundaries[0].targets;
+  REQUIRE(soup.points.size() > ring.points.size());
+  REQUIRE(targets.size() == soup.points.size());
+  CHECK(std::equal(ring.points.begin(), ring.points.end(), soup.points.begin()));
+  CHECK(volume_of(soup) == Approx(volume_of(ring)));
+  CHECK(soup.cell_references == std::vector<int>(soup.cells.size(), 1));
+
+  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(body);
+  double volume = 0;
+  for(const auto& [a, b, c] : surface.facets)
+  {
+    const auto image = [&](const std::size_t v)
+    {
+      const auto& [x, y, z] = targets[surface.vertices[v]];
+      return Point_3(x, y, z);
+    };
+    const std::array<Point_3, 3> t = {image(a), image(b), image(c)};
+    const std::size_t d = direction(t);
+    REQUIRE(d < 6);
+    if(spacing > 0)
+      CHECK(std::remainder(t[0][static_cast<int>(d / 2)], spacing) == 0);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+  }
+  CHECK(volume > 0);
+}
+
+TEST_CASE("a search for polycubes of voxels can be ended anywhere, with nothing written")
+{
+  const VMP::internal::Body_3 ring = VMP::internal::body_of(ring_of_prisms());
+  std::vector<VMP::internal::Mapped_boundary_3> boundaries;
+  check_interruption([&](const auto& np)
+  {
+    VMP::internal::Limits limits(np);
+    return Polycube().find_boundaries(ring, true, limits.budget(), boundaries);
+  }, boundaries);
+}
+
+TEST_CASE("voxels have the topology of their body")
+{
+  using namespace VMP::internal;
+  const auto is_plate = [](const int x, const int y, int) { return x % 2 == 0 || y != 1; };
+  const int holes = GENERATE(0, 1, 2, 3);
+  Voxels_3 voxels = voxels_of({2 * holes + 1, 3, 1}, is_plate);
+  CHECK(std::count(voxels.is_inside.begin(), voxels.is_inside.end(), true) == 8 * (3 * (2 * holes + 1) - holes));
+  CHECK(characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size) == 2 - 2 * holes);
+  const std::vector<bool> is_inside = voxels.is_inside;
+  CHECK(make_surface_of_characteristic(voxels, 0.5, 2 - 2 * holes));
+  CHECK(voxels.is_inside == is_inside);
+  CHECK(!make_surface_of_characteristic(voxels, 0.5, 4 - 2 * holes));
+}
+
+TEST_CASE("voxels that touch along an edge or at a corner are joined or parted")
+{
+  using namespace VMP::internal;
+  const int z = GENERATE(0, 1); // of the second brick
+  const auto are_two = [&](const int x, const int y, const int k)
+  { return (x == 0 && y == 0 && k == 0) || (x == 1 && y == 1 && k == z); };
+  Voxels_3 voxels = voxels_of({2, 2, 2}, are_two);
+  CHECK(!characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size));
+  CHECK(make_manifold(voxels, 0.5));
+  CHECK(characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size).value_or(0) > 0);
+}
+
+TEST_CASE("a cut between two parts of a border is no border of the voxels")
+{
+  using namespace VMP::internal;
+  // a block with a notch in front, above: its top and its front meet on both sides of the notch
+  const Voxels_3 voxels = voxels_of({3, 2, 2}, [](const int x, const int y, const int z) { return x != 1 || y != 0 || z != 1; });
+  const Voxel_faces_3 faces(voxels);
+  std::vector<std::size_t> face_of_cell = faces.faces;
+  CHECK(have_cells_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
+  CHECK(have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
+  // on the left, the side, the front, the wall of the notch and the top now meet at one point, each with the same neighbors
+  const auto give = [&](const int x, const int y, const std::size_t direction)
+  {
+    const std::size_t voxel = voxels.index(Eigen::Vector3i(3 + x, 3 + y, 6)); // behind three free layers
+    const auto cell = std::find(faces.faces.begin(), faces.faces.end(), 6 * voxel + 4) - faces.faces.begin();
+    face_of_cell.at(static_cast<std::size_t>(cell)) = 6 * voxel + direction;
+  };
+  give(0, 1, 1);
+  give(0, 0, 3);
+  give(1, 0, 0);
+  CHECK(have_cells_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
+  CHECK(!have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
+}
+
+TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")
+{
+  using namespace VMP::internal;
+  Split_surface_3 square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const auto length = [](const Eigen::Vector3d& p) { return p.x() < 0.4 ? 0.05 : 10.; };
+  square.split_long_edges(length);
+  CHECK(square.facets.size() < 1200); // more with short edges everywhere
+  double area = 0;
+  for(const auto& facet : square.facets)
+    for(std::size_t i = 0; i < 3; ++i)
+    {
+      const Eigen::Vector3d &p = square.points[facet[i]], &q = square.points[facet[(i + 1) % 3]],
+                            &r = square.points[facet[(i + 2) % 3]];
+      CHECK((q - p).norm() <= length((p + q) / 2));
+      CHECK((q - p).normalized().dot((r - p).normalized()) < std::cos(0.4)); // half of a right angle by bisection, and less
+      area += (q - p).cross(r - p).z() / 6;
+    }
+  CHECK(area == Approx(1));
+}
+
+TEST_CASE("sharp edges stay sharp while a surface is split, and are free borders of charts")
+{
+  using namespace VMP::internal;
+  const VMP::Tetrahedron_soup_3 box = bricks({3, 2, 2}, is_box, in_place);
+  const Numbered_surface_3 surface = surface_of(body_of(box));
+  Split_surface_3 split = {surface.points, surface.facets};
+  for(const auto& [v, w] : surface.sharp_edges) // 28 on the edges of the box
+    split.sharp_edges.insert((std::minmax)(v, w));
+  split.split_edges_longer_than(0.3);
+  double length = 0;
+  for(const auto& e : split.sharp_edges)
+    length += split.length(e);
+  CHECK(length == Approx(28));
+  CHECK(split.sharp_edges.size() == 4 * 28);
+
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(split, mesh) == VMP::OK);
+  const Label_functional_3 functional(mesh, are_among(mesh, split.sharp_edges));
+  const Label_functional_3 blunt(mesh, std::vector<bool>(mesh.number_of_edges(), false));
+  for(const auto e : mesh.edges())
+  {
+    const auto h = mesh.halfedge(e);
+    const bool is_sharp = split.sharp_edges.count((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))) > 0;
+    CHECK((functional.length(h) == 0) == is_sharp);
+    CHECK(blunt.length(h) == functional.length(h)); // by the angle
+  }
+  // marked edges count, whatever the angle is
+  const auto h = *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(),
+                               [&](const auto h) { return functional.length(h) > 0; });
+  const std::set<Split_surface_3::Edge> marked
+    = {(std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))};
+  CHECK(Label_functional_3(mesh, are_among(mesh, marked)).length(h) == 0);
+}
+
+TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
+{
+  using namespace VMP::internal;
+  const VMP::Tetrahedron_soup_3 ring = bricks(size, is_ring, bend);
+  const Numbered_surface_3 surface = surface_of(body_of(ring));
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  Voxels_3 voxels = voxels_of_surface_3(points, surface.facets, 0.1, {0, 0, 0}, 0.5);
+  REQUIRE(make_surface_of_characteristic(voxels, 0.5, 0));
+  const Split_surface_3 given = {points, surface.facets};
+  Split_surface_3 fine = given;
+  fine.split_edges_longer_than(0.05);
+  const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
+  CHECK(polycube.label_of_chart.size() >= 10); // of a ring along the axes
+  CHECK(polycube.label_of_chart.size() <= 12);
+  const double length = GENERATE(0.05, 0.2); // the longer one is halved where borders are blocked
+  const Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
+  REQUIRE(drawn.chart_of_facet.size() == drawn.surface.facets.size());
+  Boundary_mesh_3 refined;
+  REQUIRE(build_boundary_mesh_3(drawn.surface, refined) == VMP::OK);
+  std::vector<std::size_t> labels;
+  for(const std::size_t c : drawn.chart_of_facet)
+    labels.push_back(polycube.label_of_chart[c]);
+  const Polycube_charts_3 charts(refined, labels);
+  CHECK(charts.number_of_charts() == polycube.label_of_chart.size());
+  CHECK(charts.number_of_defects() == 0);
+}
+
+TEST_CASE("ordered means are the closest ones that keep a gap")
+{
+  using namespace VMP::internal;
+  const std::vector<Plane_of_voxels_3> planes = {{1, 0}, {2, 6}, {1, 1}, {4, 40}}; // means 0, 3, 1, 10
+  const std::vector<double> means = ordered_means(planes, 1);
+  const std::vector<double> expected = {0, 2, 3, 10}; // (2 (x - 3)^2 + (x + 1 - 1)^2)' = 0 at x = 2
+  REQUIRE(means.size() == expected.size());
+  for(std::size_t i = 0; i < means.size(); ++i)
+    CHECK(means[i] == Approx(expected[i]).margin(1e-12));
+}
+
+TEST_CASE("meridians bound discs, and cut all handles")
+{
+  // a plate with three holes
+  const auto is_plate = [](const int x, const int y, int) { return x % 4 < 2 || y < 2 || y > 2; };
+  const VMP::Tetrahedron_soup_3 soup = bricks({13, 5, 3}, is_plate, in_place);
+  VMP::internal::Meridians_3 meridians(soup.cells);
+  const auto loops = meridians.loops(3, 0, VMP::internal::Budget());
+  REQUIRE(loops.size() == 3);
+  using Edge = std::pair<std::size_t, std::size_t>;
+  std::set<Edge> cut;
+  std::set<std::size_t> vertices;
+  for(const auto& loop : loops)
+  {
+    vertices.insert(loop.begin(), loop.end());
+    std::array<double, 3> turns = {}; // around the axes of the holes: a disc inside does not meet these
+    for(std::size_t i = 0; i < loop.size(); ++i)
+    {
+      const std::size_t v = loop[i], w = loop[(i + 1) % loop.size()];
+      cut.insert({ v, w });
+      cut.insert({ w, v });
+      for(int k = 0; k < 3; ++k)
+      {
+        const auto angle
+          = [&](const std::size_t u) { return std::atan2(soup.points[u][1] - 2.5, soup.points[u][0] - (4 * k + 3)); };
+        turns[k] += std::remainder(angle(w) - angle(v), 2 * CGAL_PI);
+      }
+    }
+    for(const double turn : turns)
+      CHECK(std::abs(turn) < 1e-6);
+  }
+  CHECK(vertices.size() == loops[0].size() + loops[1].size() + loops[2].size()); // loops are disjoint
+
+  // the surface remains connected, so that none of them bounds a disc on it, too, nor some of them a part of it
+  const auto facets = VMP::internal::boundary_facets_3(soup.cells);
+  std::map<Edge, std::size_t> facet_of_edge;
+  for(std::size_t f = 0; f < facets.size(); ++f)
+    for(int i = 0; i < 3; ++i)
+      facet_of_edge[{ facets[f][i], facets[f][(i + 1) % 3] }] = f;
+  std::vector<bool> is_reached(facets.size(), false);
+  std::vector<std::size_t> reached(1, 0);
+  is_reached[0] = true;
+  for(std::size_t n = 0; n < reached.size(); ++n)
+    for(int i = 0; i < 3; ++i)
+    {
+      const Edge edge(facets[reached[n]][(i + 1) % 3], facets[reached[n]][i]);
+      const std::size_t f = facet_of_edge.at(edge);
+      if(cut.count(edge) == 0 && !is_reached[f])
+      {
+        is_reached[f] = true;
+        reached.push_back(f);
+      }
+    }
+  CHECK(reached.size() == facets.size());
+}
+
+namespace {
+
+// The boundary of a soup, with points of its own.
+struct Soup_surface
+{
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::array<std::size_t, 3> > facets;
+
+  explicit Soup_surface(const VMP::Tetrahedron_soup_3& soup)
+  {
+    std::map<std::size_t, std::size_t> number;
+    for(std::array<std::size_t, 3> facet : VMP::internal::boundary_facets_3(soup.cells))
+    {
+      for(std::size_t& v : facet)
+      {
+        const auto inserted = number.emplace(v, points.size());
+        if(inserted.second)
+          points.emplace_back(soup.points[v][0], soup.points[v][1], soup.points[v][2]);
+        v = inserted.first->second;
+      }
+      facets.push_back(facet);
+    }
+  }
+
+  Eigen::Vector3d center(const std::size_t facet) const
+  {
+    const auto& [a, b, c] = facets[facet];
+    return (points[a] + points[b] + points[c]) / 3;
+  }
+};
+
+} // namespace
+
+TEST_CASE("labels are proposed for a cylinder")
+{
+  Labelled_complex complex(bricks({8, 8, 6}, is_box, [](const double x, const double y, const double z) -> std::array<double, 3>
+  {
+    const double u = x - 4, v = y - 4, length = std::hypot(u, v), radius = (std::max)(std::abs(u), std::abs(v));
+    return (length == 0) ? in_place(0, 0, z) : in_place(u * radius / length, v * radius / length, z);
+  }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
+}
+
+TEST_CASE("where the normals turn around, a face is put between")
+{
+  // a tent: no facet looks upwards, and the ridge is so sharp that its sides could have opposite labels
+  Labelled_complex complex(bricks({12, 10, 6}, is_box, [](const double x, const double y, const double z)
+  {
+    return in_place(x, y, z * (1 + 4 * (6 - std::abs(x - 6))));
+  }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
+}
+
+TEST_CASE("features in a face become lines but for one that joins two side by side, and one that leaves no room for a facet")
+{
+  const auto bent = [](const double x, const double y, const double z)
+  { return std::array<double, 3>{ x + 0.4 * std::sin(y / 3), y, z }; };
+  const auto on_top = [&](const double x, const double y)
+  {
+    return x == 4 && y == 3 ? bent(3.5, 3, 2) : x == 4 && y == 5 ? bent(4.5, 5, 2) // a line from (3, 2) to (5, 6)
+         : x == 6 && y == 4 ? bent(6.35, 3.65, 2) : bent(x, y, 2);                 // near the middle of an edge
+  };
+  VMP::Tetrahedron_soup_3 soup = bricks({ 8, 8, 2 }, is_box, [&](const double x, const double y, const double z)
+                                        { return z == 2 ? on_top(x, y) : bent(x, y, z); });
+  const auto vertex = [&](const double x, const double y)
+  { return static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), on_top(x, y)) - soup.points.begin()); };
+  std::vector<std::vector<std::array<double, 2> > > lines(4);
+  for(int y = 0; y <= 8; ++y)
+    for(const int i : { 0, 1 })
+      lines[i].push_back({ 3. + 2 * i, y * 1. });
+  lines[2] = { { 3, 2 }, { 4, 3 }, { 4, 4 }, { 4, 5 }, { 5, 6 } };
+  lines[3] = { { 6, 0 }, { 6, 1 }, { 6, 2 }, { 6, 3 }, { 6, 4 }, { 7, 4 } }; // its last three vertices are those of a facet
+  for(const auto& line : lines)
+    for(std::size_t k = 1; k < line.size(); ++k)
+    {
+      soup.edges.push_back({ vertex(line[k - 1][0], line[k - 1][1]), vertex(line[k][0], line[k][1]) });
+      soup.edge_references.push_back(1);
+    }
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube(1).parameterize(soup, targets) == VMP::OK);
+  for(const int i : { 0, 1 })
+    for(const auto& [x, y] : lines[i])
+      CHECK(targets[vertex(x, y)][0] == targets[vertex(x, 0)][0]);
+  CHECK(targets[vertex(3, 0)][0] < targets[vertex(5, 0)][0]);
+  CHECK(targets[vertex(6, 3)][0] != targets[vertex(7, 4)][0]);
+}
+
+TEST_CASE("a feature in a face becomes a line unless it is shorter than the spacing")
+{
+  const auto waved = [](const double x, const double y, const double z)
+  { return std::array<double, 3>{ x, y + 0.3 * std::sin(x), z }; };
+  VMP::Tetrahedron_soup_3 soup = bricks({ 8, 8, 2 }, is_box, waved);
+  std::vector<std::size_t> feature;
+  for(int x = 2; x <= 5; ++x)
+  {
+    const auto vertex = std::find(soup.points.begin(), soup.points.end(), waved(x, 4, 2));
+    feature.push_back(static_cast<std::size_t>(vertex - soup.points.begin()));
+  }
+  for(std::size_t k = 1; k < feature.size(); ++k)
+    soup.edges.push_back({ feature[k - 1], feature[k] });
+  soup.edge_references.assign(soup.edges.size(), 1);
+  const auto is_line = [&](const double spacing)
+  {
+    std::vector<std::array<double, 3> > targets;
+    REQUIRE(Polycube(spacing).parameterize(soup, targets) == VMP::OK);
+    return std::all_of(feature.begin(), feature.end(),
+                       [&](const std::size_t v) { return targets[v][1] == targets[feature[0]][1]; });
+  };
+  CHECK(is_line(1));
+  CHECK_FALSE(is_line(4));
+}
+
+TEST_CASE("features that are given up are told as polylines, the longest one first")
+{
+  VMP::Tetrahedron_soup_3 soup = bricks({ 6, 6, 2 }, is_box, in_place);
+  const auto vertex = [&](const double x, const double y)
+  { return static_cast<std::size_t>(std::find(soup.points.begin(), soup.points.end(), in_place(x, y, 2)) - soup.points.begin()); };
+  const auto mark = [&](const std::vector<std::array<double, 2> >& line)
+  {
+    for(std::size_t k = 1; k < line.size(); ++k)
+    {
+      soup.edges.push_back({ vertex(line[k - 1][0], line[k - 1][1]), vertex(line[k][0], line[k][1]) });
+      soup.edge_references.push_back(1);
+    }
+  };
+  mark({ { 0, 5 }, { 1, 5 }, { 2, 5 } });           // along an axis
+  mark({ { 1, 3 }, { 2, 4 } });                     // diagonals, which are edges of bricks
+  mark({ { 1, 0 }, { 2, 1 }, { 3, 2 }, { 4, 3 } });
+  VMP::Polycube_result result;
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube(1, VMP::Polycube_axes::FOUND, &result).parameterize(soup, targets) == VMP::OK);
+  CHECK(result.number_of_sharp_edges == 6);
+  CHECK(result.number_of_edges_given_up() == 4);
+  REQUIRE(result.features_given_up.size() == 2);
+  VMP::Polycube_result::Polyline longest = result.features_given_up[0];
+  std::sort(longest.begin(), longest.end());
+  CHECK(longest == VMP::Polycube_result::Polyline{ { 1, 0, 2 }, { 2, 1, 2 }, { 3, 2, 2 }, { 4, 3, 2 } });
+  CHECK(result.features_given_up[1].size() == 2);
+}
+
+TEST_CASE("where a line between charts leads back behind its corner, another chart is extended to the turn")
+{
+  using namespace VMP::internal;
+  // the cube [0, 4]^3, whose top will be so steep that it is low at y = 0
+  Soup_surface surface(bricks({4, 4, 4}, is_box, in_place));
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Budget budget;
+  const std::vector<bool> is_sharp(mesh.number_of_edges(), false);
+  const std::vector<std::size_t> labels = Normal_labels_3(mesh, is_sharp, budget).closest();
+  std::vector<std::size_t> folded = labels; // on the top, a part has the label of the face y = 4
+  for(const auto f : mesh.faces())
+  {
+    const Eigen::Vector3d center = surface.center(f);
+    if(labels[f] == 4 && center[0] > 3 && center[1] > 2)
+      folded[f] = 2;
+  }
+  for(Eigen::Vector3d& p : surface.points)
+    p[2] *= 0.2 + 0.2 * p[1];
+  set_points(mesh, surface.points);
+  const auto position = [&](const std::size_t v) { return surface.points[v]; };
+  const Normal_labels_3 costs(mesh, are_among(mesh, sharp_edges_3(surface.facets, {}, position)), budget);
+  CHECK(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded)); // the line leads up, and down along the top
+  CHECK(folded == labels);
+  CHECK_FALSE(unfold_chain(mesh, Polycube_charts_3(mesh, folded), costs, folded));
+}
+
+TEST_CASE("a plane that two directions suit equally gets one label, that of most of it")
+{
+  using namespace VMP::internal;
+  // the cube [0, 4]^3, whose top will be z = 1 + y up to what rounding may be
+  Soup_surface surface(bricks({4, 4, 4}, is_box, in_place));
+  std::vector<bool> is_on_top;
+  for(std::size_t f = 0; f < surface.facets.size(); ++f)
+    is_on_top.push_back(surface.center(f)[2] == 4);
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Budget budget;
+  const std::vector<bool> is_sharp(mesh.number_of_edges(), false);
+  CHECK_FALSE(Normal_labels_3(mesh, is_sharp, budget).decide_ties(Normal_labels_3(mesh, is_sharp, budget).closest()));
+  for(Eigen::Vector3d& p : surface.points)
+    p[2] *= (1 + p[1] + 1e-4 * std::sin(7 * p[0] + 13 * p[1])) / 4;
+  set_points(mesh, surface.points);
+  const Normal_labels_3 costs(mesh, is_sharp, budget);
+  const std::vector<std::size_t> closest = costs.closest();
+  std::map<std::size_t, int> number_on_top;
+  for(const auto f : mesh.faces())
+    if(is_on_top[f])
+      ++number_on_top[closest[f]];
+  CHECK(number_on_top.size() == 2);
+  for(const auto& [label, number] : number_on_top)
+  {
+    std::vector<std::size_t> expected = closest;
+    for(const auto f : mesh.faces())
+      if(is_on_top[f])
+        expected[f] = label;
+    std::vector<std::size_t> labels = expected;
+    labels[std::find(is_on_top.begin(), is_on_top.end(), true) - is_on_top.begin()] = 0; // one face of 32
+    Normal_labels_3 decided = costs;
+    CHECK(decided.decide_ties(labels));
+    CHECK(decided.closest() == expected);
+  }
+}
+
+TEST_CASE("a polycube has the lengths of the body, not those of its shadow, also in multiples of a spacing")
+{
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.6, Eigen::Vector3d(0.3, 0.2, 1).normalized()).toRotationMatrix();
+  const VMP::Tetrahedron_soup_3 soup = bricks({12, 3, 2}, is_box, [&](const double x, const double y, const double z)
+  {
+    const Eigen::Vector3d p = turn * Eigen::Vector3d(x, y, z);
+    return std::array<double, 3>{ p.x(), p.y(), p.z() };
+  });
+  for(const double spacing : { 0., 0.5 })
+  {
+    std::vector<std::array<double, 3> > image;
+    REQUIRE(Polycube(spacing, VMP::Polycube_axes::GIVEN).parameterize(soup.points, soup.cells, image) == VMP::OK);
+    Eigen::AlignedBox3d box;
+    for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
+      box.extend(Eigen::Vector3d(image[v].data()));
+    CHECK((box.sizes() - Eigen::Vector3d(12, 3, 2)).norm() < 1e-3);
+  }
+}
+
+TEST_CASE("the size and the place of the source do not matter")
+{
+  const double scale = GENERATE(1e-150, 1e150);
+  Labelled_complex complex(bricks(size, is_bracket, [&](const double x, const double y, const double z)
+  {
+    return in_place(scale * x, scale * (y + 100), scale * z);
+  }));
+  REQUIRE(complex.parameterize() == VMP::OK);
+  for(const auto& entry : complex.image)
+    for(int axis = 0; axis < 3; ++axis)
+      CHECK(std::abs(entry.second[axis] - entry.first->point()[axis]) < 1e-12 * scale);
+}
+
+// Body of bricks that are moved, then turned, with its image by arrays.
+struct Turned_body
+{
+  VMP::Tetrahedron_soup_3 soup;
+  std::vector<std::array<double, 3> > image;
+  VMP::Polycube_result result; // of the polycube
+
+  template <typename IsSolid, typename Move>
+  Turned_body(const IsSolid& is_solid, const Move& move, const Eigen::Matrix3d& turn)
+    : soup(bricks(size, is_solid, [&](const double x, const double y, const double z)
+      {
+        const std::array<double, 3> p = move(x, y, z);
+        const Eigen::Vector3d q = turn * Eigen::Vector3d(p[0], p[1], p[2]);
+        return std::array<double, 3>{ q.x(), q.y(), q.z() };
+      }))
+  {}
+
+  VMP::Error_code parameterize(const VMP::Polycube_axes axes, const double spacing = 0)
+  { return Polycube(spacing, axes, &result).parameterize(soup.points, soup.cells, image); }
+
+  Eigen::Vector3d point(const std::size_t v) const { return Eigen::Vector3d(soup.points[v].data()); }
+  Eigen::Vector3d image_of(const std::size_t v) const { return Eigen::Vector3d(image[v].data()); }
+
+  Eigen::Matrix3d told() const
+  {
+    Eigen::Matrix3d rotation;
+    for(int i = 0; i < 3; ++i)
+      for(int k = 0; k < 3; ++k)
+        rotation(i, k) = result.rotation[i][k];
+    return rotation;
+  }
+
+  double distortion() const
+  {
+    const auto surface = VMP::internal::surface_of(VMP::internal::body_of(soup.points, soup.cells));
+    return VMP::internal::facet_distortion_3(surface.facets,
+                                             [&](const std::size_t v) { return point(surface.vertices[v]); },
+                                             [&](const std::size_t v) { return image_of(surface.vertices[v]); });
+  }
+};
+
+// Returns rotations that are far from all symmetries of the cube.
+std::vector<Eigen::Matrix3d> turns()
+{
+  const auto turn = [](const double x, const double y, const double z)
+  {
+    return (Eigen::AngleAxisd(x, Eigen::Vector3d::UnitX()) * Eigen::AngleAxisd(y, Eigen::Vector3d::UnitY())
+            * Eigen::AngleAxisd(z, Eigen::Vector3d::UnitZ())).toRotationMatrix();
+  };
+  return { turn(0.4, 0, 0.5), turn(0.9, 0.3, -0.7), turn(-0.2, 2.5, 1.2) };
+}
+
+template <typename IsSolid>
+void check_turned(const IsSolid& is_solid)
+{
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_solid, in_place, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    Eigen::AlignedBox3d box;
+    for(std::size_t v = 0; v < body.soup.points.size(); ++v)
+      box.extend(body.point(v));
+    double largest = 0;
+    for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
+      largest = (std::max)(largest,
+                           (box.center() + body.told() * (body.point(v) - box.center()) - body.image_of(v)).norm());
+    CHECK(largest < 1e-5); // the polycube is the body itself, turned as is told
+    const Eigen::Matrix3d symmetry = body.told() * turn;
+    CHECK((symmetry - symmetry.array().round().matrix()).norm() < 1e-5);
+    if(body.parameterize(VMP::Polycube_axes::GIVEN) == VMP::OK)
+      CHECK(body.told() == Eigen::Matrix3d::Identity());
+  }
+}
+
+TEST_CASE("a turned polycube is mapped to itself, and by which rotation is told")
+{
+  check_turned(is_box);
+  check_turned(is_bracket);
+  check_turned(is_ring);
+}
+
+TEST_CASE("a bent body has about the same polycube in each position")
+{
+  Turned_body as_drawn(is_ring, bend, Eigen::Matrix3d::Identity());
+  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_ring, bend, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    CHECK(body.distortion() == Approx(as_drawn.distortion()).epsilon(0.05));
+  }
+}
+
+TEST_CASE("a body has the same faces as multiples of a spacing in each position and at each place")
+{
+  const double spacing = 1.3; // no length of the body is a multiple
+  Turned_body as_drawn(is_bracket, in_place, Eigen::Matrix3d::Identity());
+  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body turned(is_bracket, in_place, turn);
+    REQUIRE(turned.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    CHECK(turned.distortion() == Approx(as_drawn.distortion()).epsilon(1e-3));
+    Turned_body moved(is_bracket, [&](const double x, const double y, const double z)
+                      { return in_place(x + turn(0, 1), y + turn(1, 2), z + turn(2, 0)); }, Eigen::Matrix3d::Identity());
+    REQUIRE(moved.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    CHECK(moved.distortion() == Approx(as_drawn.distortion()).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("lengths are rounded to multiples of the spacing, not the places of faces")
+{
+  const auto between = [](const double x, const double y, const double z) // from 0.3 to 3.7 along x
+  { return std::array<double, 3>{ 0.3 + 3.4 / 6 * x, y, z }; };
+  const auto width = [](const Turned_body& body)
+  {
+    const auto [low, high] = std::minmax_element(body.image.begin(), body.image.end());
+    return (*high)[0] - (*low)[0];
+  };
+  Turned_body body(is_box, between, Eigen::Matrix3d::Identity());
+  for(const VMP::Polycube_axes axes : { VMP::Polycube_axes::GIVEN, VMP::Polycube_axes::FOUND })
+  {
+    REQUIRE(body.parameterize(axes, 1) == VMP::OK);
+    CHECK(width(body) == 3);
+  }
+}
+
+TEST_CASE("integers are moved by the best shift")
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(0, 10);
+  for(int i = 0; i < 50; ++i)
+  {
+    const std::vector<double> x = { number(random), number(random), number(random), number(random) };
+    const std::vector<double> weights = { number(random), number(random), number(random), number(random) };
+    const auto sum = [&](const double shift)
+    {
+      double result = 0, weight = 0;
+      for(std::size_t k = 0; k < x.size(); ++k)
+      {
+        weight += weights[k];
+        result += weights[k] * std::pow(x[k] - shift - std::round(x[k] - shift), 2);
+      }
+      return result / weight;
+    };
+    double least = 1;
+    for(int k = 0; k < 1000; ++k)
+      least = (std::min)(least, sum(k / 1000.));
+    const double shift = VMP::internal::closest_shift_of_integers(weights, x);
+    CHECK(std::abs(shift) <= 0.5);
+    CHECK(sum(shift) < least + 0.01); // a larger extent is worth as much
+  }
+}
+
+TEST_CASE("the order of vertices and cells does not decide about a polycube")
+{
+  const auto uneven = [](const double x, const double y, const double z) // so that no two vertices are equally far from the center
+  { return bend(x + 0.1 * std::sin(7 * y + 3 * z), y + 0.1 * std::sin(5 * z + 2 * x), z + 0.1 * std::sin(4 * x + 6 * y)); };
+  Turned_body body(is_stair, uneven, Eigen::Matrix3d::Identity());
+  REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND, 0.5) == VMP::OK);
+  std::mt19937 random(1);
+  for(int i = 0; i < 3; ++i)
+  {
+    Turned_body shuffled = body;
+    std::vector<std::size_t> new_index(body.soup.points.size());
+    std::iota(new_index.begin(), new_index.end(), 0);
+    std::shuffle(new_index.begin(), new_index.end(), random);
+    for(std::size_t v = 0; v < new_index.size(); ++v)
+      shuffled.soup.points[new_index[v]] = body.soup.points[v];
+    for(auto& cell : shuffled.soup.cells)
+      for(std::size_t& v : cell)
+        v = new_index[v];
+    std::shuffle(shuffled.soup.cells.begin(), shuffled.soup.cells.end(), random);
+    REQUIRE(shuffled.parameterize(VMP::Polycube_axes::FOUND, 0.5) == VMP::OK);
+    double largest = 0;
+    for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
+      largest = (std::max)(largest, (shuffled.image_of(new_index[v]) - body.image_of(v)).norm());
+    CHECK(largest < 1e-9);
+  }
+}
+
+TEST_CASE("a body that lies well is not turned, and its polycube is the same, bit by bit")
+{
+  const auto check = [](const auto& move)
+  {
+    Turned_body body(is_bracket, move, Eigen::Matrix3d::Identity());
+    REQUIRE(body.parameterize(VMP::Polycube_axes::GIVEN) == VMP::OK);
+    const auto given = body.image;
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    CHECK(body.told() == Eigen::Matrix3d::Identity());
+    for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
+      CHECK(body.image[v] == given[v]);
+  };
+  check(in_place);
+  check([](const double x, const double y, const double z) { return in_place(y, z, x); }); // a symmetry of the cube
+  check([](const double x, const double y, const double z) { return in_place(x + 1e-4 * y, y - 1e-4 * x, z); });
+}
+
+TEST_CASE("given labels keep the axes")
+{
+  const Labelled_complex straight(bricks(size, is_bracket, in_place));
+  Labelled_complex complex(bricks(size, is_bracket, [](const double x, const double y, const double z)
+  { return std::array<double, 3>{ 0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, z }; }));
+  copy_labels(straight, complex);
+  REQUIRE(complex.parameterize_with_labels() == VMP::OK);
+  for(const Facet& f : complex.boundary())
+    REQUIRE(direction(complex.image_triangle(f)) == complex.labels.at(f));
+}
+
+TEST_CASE("a ball, which has no directions, has a polycube")
+{
+  const auto ball = [](const double x, const double y, const double z)
+  {
+    const Eigen::Vector3d p = Eigen::Vector3d(x, y, z).cwiseQuotient(Eigen::Vector3d(6, 5, 7)) * 2 - Eigen::Vector3d::Ones();
+    const Eigen::Vector3d q = p.norm() > 0 ? Eigen::Vector3d(p * p.lpNorm<Eigen::Infinity>() / p.norm()) : p;
+    return std::array<double, 3>{ q.x(), q.y(), q.z() };
+  };
+  for(const Eigen::Matrix3d& turn : turns())
+  {
+    Turned_body body(is_box, ball, turn);
+    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    CHECK(body.distortion() < 0.5);
+  }
+}
+
+TEST_CASE("labels that no polycube has are named")
+{
+  Labelled_complex complex(bricks(size, is_box, in_place));
+  copy_labels(complex, complex);
+  CHECK(complex.parameterize_with_labels() == VMP::OK);
+  const auto status = [&](const auto& change)
+  {
+    const std::map<Facet, std::size_t> labels = complex.labels;
+    for(auto& entry : complex.labels)
+      entry.second = change(entry.first, entry.second);
+    const VMP::Error_code result = complex.parameterize_with_labels();
+    CHECK(complex.image.empty());
+    complex.labels = labels;
+    return result;
+  };
+  const auto one_label = [](const Facet&, std::size_t) -> std::size_t { return 0; };
+  CHECK(status(one_label) == VMP::ERROR_NO_POLYCUBE);
+  const auto opposite_neighbours = [](const Facet&, const std::size_t label) { return label == 2 ? 1 : label; };
+  CHECK(status(opposite_neighbours) == VMP::ERROR_NO_POLYCUBE);
+  const auto inside_out = [](const Facet&, const std::size_t label) { return label ^ 1; };
+  CHECK(status(inside_out) == VMP::ERROR_NO_POLYCUBE);
+  const auto without_top = [](const Facet&, const std::size_t label) -> std::size_t { return label == 4 ? 0 : label; };
+  CHECK(status(without_top) == VMP::ERROR_NO_POLYCUBE);
+  const auto island = [&](const Facet& f, const std::size_t label) -> std::size_t
+  {
+    const Point_3 p = CGAL::centroid(complex.source_triangle(f)[0], complex.source_triangle(f)[1],
+                                     complex.source_triangle(f)[2]);
+    return label == 4 && std::abs(p.x() - 3) < 1 && std::abs(p.y() - 3) < 1 ? 0 : label;
+  };
+  CHECK(status(island) == VMP::ERROR_NO_POLYCUBE);
+}
+
+TEST_CASE("a face of a polycube has no handle, although a cube on it would turn its border by the right angles")
+{
+  // a frame with a cube on it, all around which there is one label
+  Labelled_complex complex(bricks({8, 8, 2}, [](const int x, const int y, const int z)
+  {
+    return z == 0 ? x / 2 != 2 || y / 2 != 2 : x == 1 && y == 1;
+  }, in_place));
+  copy_labels(complex, complex);
+  CHECK(complex.parameterize_with_labels() == VMP::OK);
+  for(auto& [facet, label] : complex.labels)
+  {
+    const std::array<Point_3, 3> t = complex.source_triangle(facet);
+    if(CGAL::centroid(t[0], t[1], t[2]).z() <= 1)
+      label = 4;
+  }
+  CHECK(complex.parameterize_with_labels() == VMP::ERROR_NO_POLYCUBE);
+}
+
+TEST_CASE("no other coordinates of the faces of a polycube have less distortion, and it has no less volume than the body")
+{
+  using namespace VMP::internal;
+  const Soup_surface straight(bricks(size, is_stair, in_place)), surface(bricks(size, is_stair, bend));
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  set_points(mesh, unit_points(mesh));
+  std::vector<std::size_t> labels;
+  for(const std::array<std::size_t, 3>& facet : straight.facets)
+  {
+    std::array<Point_3, 3> triangle;
+    for(int i = 0; i < 3; ++i)
+      triangle[i] = Point_3(straight.points[facet[i]][0], straight.points[facet[i]][1], straight.points[facet[i]][2]);
+    labels.push_back(direction(triangle));
+  }
+  const Budget budget;
+  Polycube_map_3 map(mesh, bounding_box(mesh), labels, 0, false);
+  REQUIRE(map.start(budget) == VMP::OK);
+  const std::optional<Polycube_map_3> best = map.with_lengths_of_surface(budget);
+  REQUIRE(best);
+
+  std::vector<double> coordinates(best->charts().number_of_charts());
+  double volume = 0;
+  for(const auto f : mesh.faces())
+  {
+    const auto [a, b, c] = vertices_of_face(mesh, f);
+    const std::size_t chart = best->charts().chart_of_face()[f];
+    coordinates[chart] = best->images()[a][best->charts().axis(chart)];
+    volume += best->images()[a].cross(best->images()[b]).dot(best->images()[c]) / 6;
+  }
+  CHECK(volume > (1 - 1e-9) * CGAL::Polygon_mesh_processing::volume(mesh));
+  const Polycube_groups_3 groups(mesh, best->charts());
+  for(std::size_t group = 0; group < groups.size(); ++group)
+    for(const double step : { -0.02, 0.02 })
+    {
+      std::vector<double> moved = coordinates;
+      for(std::size_t chart = 0; chart < groups.size(); ++chart)
+        moved[chart] += groups[chart] == group ? step : 0;
+      Polycube_map_3 other = *best;
+      REQUIRE(other.start(moved, budget) == VMP::OK);
+      CHECK(other.distortion() >= best->distortion());
+    }
+}
+
+TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the face on average")
+{
+  using namespace VMP::internal;
+  Soup_surface surface(bricks({8, 8, 1}, [](const int x, const int y, int) { return x / 2 != 2 || y / 2 != 2; }, in_place));
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
+  const Budget budget;
+  const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest());
+  const Grid_planes_3 any_planes;
+  const Polycube_groups_3 groups(mesh, charts);
+  Polycube_coordinates_3 inside(mesh, charts, groups, any_planes, budget);
+  CHECK(inside.run(mean_coordinates_3(mesh, charts, groups)));
+  for(Eigen::Vector3d& p : surface.points)
+    if((p - Eigen::Vector3d(5, 5, 0)).head<2>().lpNorm<Eigen::Infinity>() <= 1)
+      p[0] += 20;
+  set_points(mesh, surface.points);
+  Polycube_coordinates_3 beside(mesh, charts, groups, any_planes, budget);
+  REQUIRE(beside.run(mean_coordinates_3(mesh, charts, groups)));
+  const std::vector<double> coordinates = beside.of_charts();
+  for(const auto f : mesh.faces())
+  {
+    const std::size_t chart = charts.chart_of_face()[f];
+    const double x = mesh.point(mesh.source(mesh.halfedge(f))).x();
+    if(charts.axis(chart) == 0 && x > 10) // at the hole
+      for(const auto g : mesh.faces())
+      {
+        const std::size_t other = charts.chart_of_face()[g];
+        const double y = mesh.point(mesh.source(mesh.halfedge(g))).x();
+        if(charts.axis(other) == 0 && y == 0)
+          CHECK(coordinates[other] < coordinates[chart]);
+        else if(charts.axis(other) == 0 && y == 8)
+          CHECK(coordinates[chart] < coordinates[other]);
+      }
+  }
+}
+
+TEST_CASE("polygons are those of a face if one is around all others, which are holes beside each other")
+{
+  using VMP::internal::Boundary_polygon_2;
+  const auto square = [](const double x, const double y, const double size)
+  { return Boundary_polygon_2{ { x, y }, { x + size, y }, { x + size, y + size }, { x, y + size } }; };
+  const auto hole = [&](const double x, const double y, const double size)
+  {
+    const Boundary_polygon_2 p = square(x, y, size);
+    return Boundary_polygon_2(p.rbegin(), p.rend());
+  };
+  const Boundary_polygon_2 bracket = { { 0, 0 }, { 9, 0 }, { 9, 3 }, { 3, 3 }, { 3, 9 }, { 0, 9 } };
+  using VMP::internal::are_nested;
+  CHECK(are_nested({ bracket }));
+  CHECK(are_nested({ hole(1, 1, 1), bracket, hole(4, 1, 1) }));
+  CHECK(!are_nested({ bracket, hole(5, 5, 1) }));                // not inside
+  CHECK(!are_nested({ bracket, hole(0.5, 0.5, 2), hole(1, 1, 1) })); // inside of each other
+  CHECK(!are_nested({ bracket, square(1, 1, 1) }));              // no hole
+  CHECK(!are_nested({ bracket, square(5, 5, 1) }));              // two faces
+  CHECK(!are_nested({ hole(1, 1, 1) }));                         // only a hole
+}
+
+TEST_CASE("a polycube that has a hole beside a face, in a notch of it, is refused")
+{
+  using namespace VMP::internal;
+  // a bracket with a hole at its corner
+  const auto is_solid = [](const int x, const int y, int) { return (x < 3 || y < 3) && (x != 1 || y != 1); };
+  Boundary_mesh_3 mesh;
+  REQUIRE(build_boundary_mesh_3(Soup_surface(bricks({9, 9, 3}, is_solid, in_place)), mesh) == VMP::OK);
+  const Budget budget;
+  const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest());
+  const Polycube_groups_3 groups(mesh, charts);
+  std::vector<double> wanted = mean_coordinates_3(mesh, charts, groups);
+  CHECK(Polycube_coordinates_3(mesh, charts, groups, Grid_planes_3(), budget).run(wanted));
+  for(double& x : wanted)
+    x += x > 0.5 && x < 2.5 ? 5 : 0; // of the walls of the hole, across the two walls of the notch
+  CHECK(!Polycube_coordinates_3(mesh, charts, groups, Grid_planes_3(), budget).run(wanted));
+}
+
+TEST_CASE("a facet between two lines of the same edge is named")
+{
+  Labelled_complex complex(bricks(size, is_box, in_place));
+  copy_labels(complex, complex);
+  for(const Facet& f : complex.boundary()) // one with two vertices on the edge
+  {
+    const std::array<Point_3, 3> t = complex.source_triangle(f);
+    const Point_3 p = CGAL::centroid(t[0], t[1], t[2]);
+    if(complex.labels[f] == 0 && std::abs(p.y() - 2.5) < 0.5 && p.z() > 6.5)
+      complex.labels[f] = 4;
+  }
+  CHECK(complex.parameterize_with_labels() == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  CHECK(complex.image.empty());
+}
+
+TEST_CASE("a boundary with fewer vertices than a box has corners is too coarse")
+{
+  Labelled_complex tetrahedron({ { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { 0, 1, 2, 3 } }, { 1 }, {}, {} });
+  CHECK(tetrahedron.parameterize() == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  CHECK(tetrahedron.image.empty());
+}
+
+TEST_CASE("boundaries without a polycube are named")
+{
+  Labelled_complex broken(bricks(size, is_box, in_place));
+  broken.vertices.front()->set_point(Point_3((std::numeric_limits<double>::infinity)(), 0, 0));
+  CHECK(broken.parameterize() == VMP::ERROR_NON_FINITE_COORDINATE);
+
+  Labelled_complex kissing(bricks({2, 2, 1}, [](const int x, const int y, int) { return x == y; }, in_place));
+  CHECK(kissing.parameterize() == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
+
+  const C3t3 empty;
+  std::unordered_map<Vertex_handle, Point_3> image;
+  CHECK(Polycube().parameterize(empty, boost::make_assoc_property_map(image)) == VMP::ERROR_EMPTY_COMPLEX);
+}
+
+TEST_CASE("maps to polycubes can be ended anywhere, with nothing written")
+{
+  Labelled_complex complex(bricks(size, is_stair, bend));
+  const auto target = boost::make_assoc_property_map(complex.image);
+  check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, target, np); }, complex.image);
+  check_interruption([&](const auto& np) { return Polycube(0.5).parameterize(complex.c3t3, target, np); }, complex.image);
+
+  copy_labels(Labelled_complex(bricks(size, is_stair, in_place)), complex);
+  const auto labels = boost::make_assoc_property_map(complex.labels);
+  check_interruption([&](const auto& np) { return Polycube().parameterize(complex.c3t3, labels, target, np); },
+                     complex.image);
+}
+
+namespace {
+
+using Surface = CGAL::Surface_mesh<Point_3>;
+
+Surface boundary_surface(const Labelled_complex& complex)
+{
+  Surface result;
+  std::map<Vertex_handle, Surface::Vertex_index> index;
+  for(const Facet& f : complex.boundary())
+    for(const Vertex_handle v : Labelled_complex::vertices_of(f))
+      if(index.count(v) == 0)
+        index[v] = result.add_vertex(v->point());
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Vertex_handle, 3> v = Labelled_complex::vertices_of(f);
+    result.add_face(index[v[1]], index[v[2]], index[v[0]]);
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("the boundary is mapped to a surface with the same connectivity")
+{
+  Labelled_complex complex(bricks(size, is_ring, bend));
+  Surface boundary = boundary_surface(complex), target = boundary;
+  for(const auto v : target.vertices())
+    target.point(v) = Point_3(boundary.point(v).z(), boundary.point(v).x(), 2 * boundary.point(v).y());
+  const auto parameterize = [&]()
+  {
+    complex.image.clear();
+    return VMP::Surface_boundary_parameterizer_3<Surface>(boundary, target)
+      .parameterize(complex.c3t3, boost::make_assoc_property_map(complex.image));
+  };
+  REQUIRE(parameterize() == VMP::OK);
+  CHECK(complex.image.size() == boundary.number_of_vertices());
+  for(const auto& entry : complex.image)
+  {
+    const Point_3 p = entry.first->point();
+    CHECK(entry.second == Point_3(p.z(), p.x(), 2 * p.y()));
+  }
+
+  CGAL::Euler::flip_edge(*target.halfedges().begin(), target);
+  CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
+  CGAL::Euler::flip_edge(*boundary.halfedges().begin(), boundary);
+  CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
+  CHECK(complex.image.empty());
+  boundary = target = boundary_surface(complex);
+  CHECK(parameterize() == VMP::OK);
+  boundary.point(*boundary.vertices().begin()) = Point_3(-1, -1, -1);
+  CHECK(parameterize() == VMP::ERROR_OTHER_CONNECTIVITY);
+}
+
+TEST_CASE("maps to given surfaces can be ended anywhere, with nothing written")
+{
+  Labelled_complex complex(bricks(size, is_ring, bend));
+  const Surface boundary = boundary_surface(complex);
+  const VMP::Surface_boundary_parameterizer_3<Surface> parameterizer(boundary, boundary);
+  check_interruption([&](const auto& np)
+  {
+    return parameterizer.parameterize(complex.c3t3, boost::make_assoc_property_map(complex.image), np);
+  }, complex.image);
+}
