@@ -1,4 +1,7 @@
 # The target CGAL::Polycube_meshing_3, in this build and installed, as that of the package on which it depends.
+if(NOT CGAL_Polycube_meshing_3)
+  return()
+endif()
 set(_package CGAL_Polycube_meshing_3)
 set(_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/${_package})
 

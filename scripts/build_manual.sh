@@ -24,13 +24,14 @@ rm -rf $output
 mkdir -p $output
 configure scripts/manual/defaults.in $output/defaults
 configure $doc/Doxyfile.in $output/Doxyfile
+printf 'INPUT += doc/Polycube_meshing_3\nEXCLUDE += include/CGAL/Polycube_meshing_3/internal\n' >> $output/Doxyfile # one manual here
 BIBINPUTS=. BSTINPUTS=. doxygen $output/Doxyfile # bibtex finds files without a TeX installation
 # As in CGAL's manual, concepts are called so, and have no header; the tree has room for names without namespaces and parameters.
 for concept in $doc/Concepts/*.h; do
   name=$(basename "$concept" .h)
   sed -i "s/$name Class Reference/$name Concept Reference/; /#include.*Concepts\/$name/d" "$output/html/class${name//_/__}.html"
 done
-sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/; s/"Volume_mesh_parameterization\/([^"]*\.(cpp|h)")/"\1/' $output/html/*.js
+sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/; s/"(Volume_mesh_parameterization|Polycube_meshing_3)\/([^"]*\.(cpp|h)")/"\2/' $output/html/*.js
 echo "Open $PWD/$output/html/index.html"
 if [ "${1:-}" = --open ]; then
   xdg-open "$PWD/$output/html/index.html"

@@ -5,13 +5,13 @@ set -euo pipefail
 export LC_ALL=C
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-list="$root/package_info/Volume_mesh_parameterization/dependencies"
 
 # The package in which CGAL keeps a header.
 package_of()
 {
   case $1 in
     Volume_mesh_parameterization/* | stretch_minimizing_volume_parameterization.h) echo Volume_mesh_parameterization ;;
+    Polycube_meshing_3/*) echo Polycube_meshing_3 ;;
     STL_Extension/internal/parameters_interface.h) echo STL_Extension ;;
     license/*) basename "$1" .h ;;
     license.h | config.h | version.h) echo Installation ;;
@@ -41,13 +41,21 @@ package_of()
   esac
 }
 
-included=$(grep -rhoE '^ *#\s*include(_next)? <CGAL/[^>]+' "$root/include" | sed 's|.*<CGAL/||' | sort -u)
-packages=$(for header in $included; do package_of "$header"; done | sort -u)
-missing=$(comm -23 <(echo "$packages") <(sort "$list"))
+# Checks the list of a package whose headers are in the folders given.
+check()
+{
+  local list="$root/package_info/$1/dependencies" included packages missing
+  shift
+  included=$(cd "$root/include/CGAL" && grep -rhoE '^ *#\s*include(_next)? <CGAL/[^>]+' "$@" | sed 's|.*<CGAL/||' | sort -u)
+  packages=$(for header in $included; do package_of "$header"; done | sort -u)
+  missing=$(comm -23 <(echo "$packages") <(sort "$list"))
+  sort --check --unique "$list"
+  if [ -n "$missing" ]; then
+    echo "Not in $list:"
+    echo "$missing"
+    exit 1
+  fi
+}
 
-sort --check --unique "$list"
-if [ -n "$missing" ]; then
-  echo "Not in $list:"
-  echo "$missing"
-  exit 1
-fi
+check Volume_mesh_parameterization Volume_mesh_parameterization stretch_minimizing_volume_parameterization.h STL_Extension license
+check Polycube_meshing_3 Polycube_meshing_3

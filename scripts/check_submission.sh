@@ -7,7 +7,7 @@ shopt -s lastpipe # forbid() remembers what it was told in a pipe
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-package=Volume_mesh_parameterization
+packages=(Volume_mesh_parameterization Polycube_meshing_3)
 cgal=${1:-/usr}/include
 status=0
 
@@ -32,16 +32,16 @@ mapfile -t headers < <(list include | grep -E '\.(h|inc)$')
 mapfile -t sources < <(list include examples test benchmark | grep -E '\.(h|inc|cpp)$')
 
 # 1. What CGAL's scripts read of a package.
-for name in copyright dependencies description.txt license.txt long_description.txt maintainer; do
-  [ -s "package_info/$package/$name" ] || echo "package_info/$package/$name"
-done | forbid "this file is missing or empty"
-for name in "doc/$package"/{"$package.txt",PackageDescription.txt,Doxyfile.in,dependencies,examples.txt} \
-            {examples,test}/"$package/CMakeLists.txt" "include/CGAL/license/$package.h" CHANGES.md; do
-  [ -s "$name" ] || echo "$name"
-done | forbid "this file is missing or empty"
-[ "$(wc -l < "package_info/$package/description.txt")" -le 1 ] || forbid "one sentence" <<< "package_info/$package/description.txt"
-grep -qxE '(L?GPL) \(v3 or later\)' "package_info/$package/license.txt" ||
-  forbid "neither GPL nor LGPL (v3 or later)" <<< "package_info/$package/license.txt"
+for package in "${packages[@]}"; do
+  for name in "package_info/$package"/{copyright,dependencies,description.txt,license.txt,long_description.txt,maintainer} \
+              "doc/$package"/{"$package.txt",PackageDescription.txt,Doxyfile.in,dependencies,examples.txt} \
+              examples/"$package/CMakeLists.txt" "include/CGAL/license/$package.h" CHANGES.md; do
+    [ -s "$name" ] || echo "$name"
+  done | forbid "this file is missing or empty"
+  [ "$(wc -l < "package_info/$package/description.txt")" -le 1 ] || forbid "one sentence" <<< "package_info/$package/description.txt"
+  grep -qxE '(L?GPL) \(v3 or later\)' "package_info/$package/license.txt" ||
+    forbid "neither GPL nor LGPL (v3 or later)" <<< "package_info/$package/license.txt"
+done
 
 # 2. A licence for each file, by itself or by REUSE.toml; the text of each licence.
 mapfile -t annotated < <(sed -n '/^path = \[/,/^\]/p' REUSE.toml | grep -o '"[^"]*"' | tr -d '"')
@@ -73,6 +73,8 @@ for header in "${headers[@]}"; do
   guard=${guard^^}
   guard=${guard//[\/.]/_}
   [ -n "${is_defined["$header #define $guard"]:-}" ] || forbid "the guard is not $guard" <<< "$header"
+  package=Volume_mesh_parameterization
+  [[ $header != */Polycube_meshing_3/* ]] || package=Polycube_meshing_3
   [ "${first_include[$header]:-}" = "#include <CGAL/license/$package.h>" ] ||
     forbid "the licence is not included first" <<< "$header"
 done
@@ -81,13 +83,13 @@ done
 printf '%s\n' "${files[@]}" | tr A-Z a-z | uniq -d | forbid "two files of this name, but for the case"
 printf '%s\n' "${headers[@]##*/}" | sort | uniq -d | forbid "two headers of this name"
 printf '%s\n' "${headers[@]#include/}" | grep -v parameters_interface | while read -r header; do
-  [ ! -e "$cgal/$header" ] || grep -q "$package" "$cgal/$header" || echo "$header"
+  [ ! -e "$cgal/$header" ] || grep -q Volume_mesh_parameterization "$cgal/$header" || echo "$header"
 done | forbid "CGAL has a header of this name"
 list examples test benchmark | grep '\.cpp$' | sed 's|.*/||' | sort | uniq -d | forbid "two programs of this name"
 programs=/usr/share/doc/libcgal-dev/examples.tar.gz
 if [ -e "$programs" ]; then
   comm -12 <(tar tzf "$programs" | grep '\.cpp$' | sed 's|.*/||' | sort -u) \
-           <(list "examples/$package" "test/$package" | grep '\.cpp$' | sed 's|.*/||' | sort) |
+           <(list "${packages[@]/#/examples/}" "${packages[@]/#/test/}" | grep '\.cpp$' | sed 's|.*/||' | sort) |
     forbid "CGAL has a program of this name"
 fi
 

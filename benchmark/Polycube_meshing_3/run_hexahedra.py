@@ -16,6 +16,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Volume_mesh_parameterization"))
 from check_hexahedra import hexahedra_not_positive
 from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, make_mesh
 from tables import write_csv, write_json
