@@ -24,9 +24,9 @@ require()
 
 require "named parameter" "$headers/stretch_minimizing_volume_parameterization.h" < <(
   sed -n 's/^CGAL_add_named_parameter(.*, \(.*\))/cgalParamNBegin{\1}/p' \
-    "$headers/STL_Extension/internal/parameters_interface.h" | grep -v -e minimal_scaled_jacobian -e do_keep_interfaces)
-require "named parameter" "$headers/$polycubes/hexahedral_mesh.h" \
-  <<< $'cgalParamNBegin{minimal_scaled_jacobian}\ncgalParamNBegin{do_keep_interfaces}'
+    "$headers/STL_Extension/internal/parameters_interface.h" | grep -v -e minimum_scaled_jacobian -e do_keep_interfaces)
+require "named parameter" "$headers/$polycubes/make_hexahedral_mesh_3.h" \
+  <<< $'cgalParamNBegin{minimum_scaled_jacobian}\ncgalParamNBegin{do_keep_interfaces}'
 
 # Prints the header, the name, and 1 or 0 for with or without a comment, of each class and function in a public namespace.
 list_declarations()

@@ -15,7 +15,7 @@ part_of()
   if [[ $1 == Polycube_meshing_3/* ]]; then
     case $header in
       internal/Polycube/* | Polycube_*.h) REPLY=Polycube ;;
-      internal/Hexahedra/* | Hexahedr*.h | hexahedral_mesh.h) REPLY=Hexahedra ;;
+      internal/Hexahedra/* | Hexahedr*.h | make_hexahedral_mesh_3.h) REPLY=Hexahedra ;;
       internal/compiled_engine.h) REPLY=compiled_engine ;;
       IO/*) REPLY=IO_of_hexahedra ;;
       *) REPLY="no part" ;;

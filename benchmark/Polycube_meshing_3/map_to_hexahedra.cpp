@@ -1,7 +1,7 @@
 // Maps a tetrahedral mesh to a cube or a polycube, pulls a grid back, and prints what the hexahedra are like.
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
@@ -144,14 +144,14 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   VMP::Hexahedron_soup_3 mesh;
   CGAL::Real_timer timer;
   timer.start();
-  const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
+  const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
     c3t3, VMP::make_vertex_point_map(uvw), spacing, mesh);
   timer.stop();
   std::cout << "status: " << (result.status == VMP::OK ? "OK" : result.message)
             << "\ntetrahedra: " << map.number_of_cells
             << "\nhexahedra: " << result.number_of_cells << "\npadding: " << result.has_padding
             << "\ninverted_hexahedra: " << result.number_of_inverted_hexahedra
-            << "\nminimal_scaled_jacobian: " << result.minimal_scaled_jacobian
+            << "\nminimum_scaled_jacobian: " << result.minimum_scaled_jacobian
             << "\nmean_scaled_jacobian: " << result.mean_scaled_jacobian
             << "\nseconds_map: " << map.seconds_total << "\nseconds_hexahedra: " << timer.time() << std::endl;
   if(result.status == VMP::OK)

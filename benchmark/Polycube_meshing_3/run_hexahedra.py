@@ -22,7 +22,7 @@ from run_models import MECHANICAL, MECHANICAL_WITH_HANDLES, SMOOTH, make_mesh
 from tables import write_csv, write_json
 
 LINE = [("case", "<24"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("padding", ">4"),
-        ("minimal_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("sharp_edges", ">7.4f"),
+        ("minimum_scaled_jacobian", ">9.4f"), ("mean_scaled_jacobian", ">7.4f"), ("sharp_edges", ">7.4f"),
         ("hausdorff_distance", ">9.3f"),
         ("seconds_map", ">7.2f"), ("seconds_hexahedra", ">7.2f"), ("status", "")]
 TITLES = ["case", "tets", "hexes", "pad", "min SJ", "mean SJ", "sharp", "Hausdorff", "s map", "s hexes", "status"]

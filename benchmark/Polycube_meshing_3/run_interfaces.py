@@ -49,7 +49,7 @@ EndFor
 Mesh.MeshSizeMax = {edge};
 Mesh.SaveElementTagType = 2;
 """
-LINE = [("case", "<26"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("minimal_scaled_jacobian", ">7.3f"),
+LINE = [("case", "<26"), ("tetrahedra", ">8"), ("hexahedra", ">8"), ("minimum_scaled_jacobian", ">7.3f"),
         ("mean_scaled_jacobian", ">7.3f"), ("interface_distance", ">9.2g"), ("volume_error", ">9.2g"),
         ("seconds", ">7.2f"), ("status", "")]
 TITLES = ["case", "tets", "hexes", "min SJ", "mean SJ", "distance", "volume", "s hexes", "status"]
@@ -83,7 +83,7 @@ def run_case(arguments, mesh, length, number, options=("--to", "polycube")):
         return {**row, "status": run.stderr.strip() or said.get("status", f"exit code {run.returncode}")}
     row.update(tetrahedra=said["cells"], hexahedra=result["cells"], seconds=said["seconds_hexahedra"],
                interface_distance=result["interface_distance"] / spacing, status=result["status_code"])
-    row.update((key, result[key]) for key in ("minimal_scaled_jacobian", "mean_scaled_jacobian"))
+    row.update((key, result[key]) for key in ("minimum_scaled_jacobian", "mean_scaled_jacobian"))
     volumes = zip(result["volumes_of_tetrahedra"], result["volumes_of_hexahedra"])
     row["volume_error"] = max(abs(after / before - 1) for before, after in volumes)
     if output.exists():

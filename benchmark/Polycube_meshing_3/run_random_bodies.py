@@ -28,7 +28,7 @@ LARGEST_DISTANCE = 1e-9  # of boundary vertices, relative to the diagonal
 TOLERANCE = 1e-6  # of scaled Jacobians and of distances in spacings, in comparisons
 TRIANGLES = list(itertools.combinations(range(4), 3))
 QUADRANGLES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (3, 7, 6, 2), (0, 4, 7, 3)]
-LINE = [("case", "<16"), ("tetrahedra", ">6"), ("hexahedra", ">6"), ("minimal_scaled_jacobian", ">8.4f"),
+LINE = [("case", "<16"), ("tetrahedra", ">6"), ("hexahedra", ">6"), ("minimum_scaled_jacobian", ">8.4f"),
         ("interface_distance", ">9.2g"), ("off_boundary", ">9.2g"), ("jacobian_of_staircases", ">8.4f"),
         ("distance_of_staircases", ">9.2g"), ("seconds", ">7.2f"), ("status", ""), ("refuted", "")]
 TITLES = ["case", "tets", "hexes", "min SJ", "interface", "off", "min SJ_s", "interf_s", "s hexes", "status", "refuted"]
@@ -165,9 +165,9 @@ def run_body(arguments, mesh, edge):
     faults = ["positive"] * (row["refuted_hexahedra"] > 0) + ["boundary"] * (row["off_boundary"] > LARGEST_DISTANCE)
     plain = run_case(arguments, mesh, edge, number, [*options, "--staircases"])
     if plain["exit_code"] == 0:
-        row["jacobian_of_staircases"] = plain["minimal_scaled_jacobian"]
+        row["jacobian_of_staircases"] = plain["minimum_scaled_jacobian"]
         row["distance_of_staircases"] = plain["interface_distance"]
-        if (plain["minimal_scaled_jacobian"] > row["minimal_scaled_jacobian"] + TOLERANCE
+        if (plain["minimum_scaled_jacobian"] > row["minimum_scaled_jacobian"] + TOLERANCE
                 and plain["interface_distance"] < row["interface_distance"] - TOLERANCE):
             faults.append("staircases")
     row["refuted"] = " ".join(faults)

@@ -3,7 +3,7 @@
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/make_mesh_3.h>
@@ -25,7 +25,7 @@ int main()
   const auto map = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw),
     boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(0.05)).refinement_mode(VMP::Refinement_mode::BOUNDARY));
   VMP::Hexahedron_soup_3 hexahedra;
-  const auto result = VMP::hexahedral_mesh(c3t3, VMP::make_vertex_point_map(uvw), 0.05, hexahedra);
+  const auto result = VMP::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), 0.05, hexahedra);
   std::cout << map.message << " " << result.message << " " << hexahedra.cells.size() << " hexahedra" << std::endl;
   return VMP::IO::write_VTU("hexahedra_of_handles.vtu", hexahedra) && result.status == VMP::OK ? 0 : 1;
 }

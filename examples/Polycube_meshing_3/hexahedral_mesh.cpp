@@ -4,7 +4,7 @@
 #include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
@@ -50,10 +50,10 @@ int main(int argc, char* argv[])
 
   // and back
   VMP::Hexahedron_soup_3 hexahedra;
-  const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh(c3t3, uvw_map, spacing, hexahedra);
+  const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(c3t3, uvw_map, spacing, hexahedra);
   std::cout << result.message << "\n"
             << result.number_of_cells << " hexahedra, " << result.number_of_vertices << " vertices\n"
-            << "scaled Jacobian: minimal " << result.minimal_scaled_jacobian
+            << "scaled Jacobian: minimal " << result.minimum_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << std::endl;
   if(result.status != VMP::OK)
     return EXIT_FAILURE;

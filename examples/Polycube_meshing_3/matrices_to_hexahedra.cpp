@@ -1,6 +1,6 @@
 // Maps a ring as libigl has it, points V and tetrahedra T in the rows of matrices, onto its polycube, and makes hexahedra.
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <Eigen/Core>
 #include <array>
@@ -23,7 +23,7 @@ int main()
     np.refinement_mode(VMP::Refinement_mode::BOUNDARY)); // edges of the boundary may be split, and new rows are appended
   VMP::Hexahedron_soup_3 hexahedra;
   if(map.status == VMP::OK)
-    std::cout << VMP::hexahedral_mesh(V, T, U, 0.5, hexahedra).message << " ";
+    std::cout << VMP::make_hexahedral_mesh_3(V, T, U, 0.5, hexahedra).message << " ";
   std::cout << map.message << " " << V.rows() << " points, " << hexahedra.cells.size() << " hexahedra" << std::endl;
   return hexahedra.cells.empty() ? 1 : 0;
 }

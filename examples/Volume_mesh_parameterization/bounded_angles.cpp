@@ -21,7 +21,7 @@ int main()
 
   const double bound = 8; // the stretch energy alone reaches 8.6
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    cube.points, cube.cells, targets, images, CGAL::parameters::maximal_angle_distortion(bound));
+    cube.points, cube.cells, targets, images, CGAL::parameters::maximum_angle_distortion(bound));
 
   std::cout << result.message << "\n"
             << "distortion of angles: mean " << result.distortion.angle_mean

@@ -1,6 +1,6 @@
 // Maps points and cells to a ball, a cube and a polycube, carries any points, and makes hexahedra: with arrays alone.
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -31,8 +31,8 @@ int main()
     return 1;
 
   VMP::Hexahedron_soup_3 hexahedra;
-  const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh(points, cells, images, 0.5, hexahedra);
+  const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(points, cells, images, 0.5, hexahedra);
   std::cout << "(1, 1, 0.5) goes to " << VMP::Volume_map_3(points, cells, images).image({ 1, 1, 0.5 })->point << std::endl
-            << hexahedra.cells.size() << " hexahedra, scaled Jacobian from " << result.minimal_scaled_jacobian << std::endl;
+            << hexahedra.cells.size() << " hexahedra, scaled Jacobian from " << result.minimum_scaled_jacobian << std::endl;
   return result.status == VMP::OK ? 0 : 1;
 }

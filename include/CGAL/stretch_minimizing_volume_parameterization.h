@@ -112,7 +112,7 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
     \cgalParamExtra{The energy is evaluated with source and target scaled to the same volume.}
   \cgalParamNEnd
-  \cgalParamNBegin{maximal_angle_distortion}
+  \cgalParamNBegin{maximum_angle_distortion}
     \cgalParamDescription{a bound for the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of every cell
                           (\ref VMPAngleBound)}
     \cgalParamType{`double`}
@@ -120,7 +120,7 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamExtra{The status reports whether the bound is met. It is ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
-  \cgalParamNBegin{minimize_maximal_angle_distortion}
+  \cgalParamNBegin{minimize_maximum_angle_distortion}
     \cgalParamDescription{whether the largest distortion of angles is made as small as possible, up to 2 %}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}

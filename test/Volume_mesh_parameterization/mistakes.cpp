@@ -2,7 +2,7 @@
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #if defined HEXAHEDRA_OF_A_CONTAINER || defined MAP_OF_A_CONTAINER || defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
-#  include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#  include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #elif defined SOLVER_OF_EIGEN
 #  include <CGAL/Eigen_solver_traits.h>
 #endif
@@ -102,7 +102,7 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::initial_map(VMP::make_vertex_point_map(start)));
 #elif defined HEXAHEDRA_OF_A_CONTAINER
   VMP::Hexahedron_soup_3 hexahedra;
-  VMP::hexahedral_mesh(c3t3, uvw, 0.1, hexahedra);
+  VMP::make_hexahedral_mesh_3(c3t3, uvw, 0.1, hexahedra);
 #elif defined MAP_OF_A_CONTAINER
   VMP::Volume_map_3 map(c3t3, uvw);
 #elif defined VISITOR_RETURNS_NOTHING
@@ -124,7 +124,7 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, uvw_map, params::number_of_iterations(10));
 #elif defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
   VMP::Hexahedron_soup_3 hexahedra;
-  VMP::hexahedral_mesh(c3t3, uvw_map, 0.1, hexahedra, params::verbose(true));
+  VMP::make_hexahedral_mesh_3(c3t3, uvw_map, 0.1, hexahedra, params::verbose(true));
 #else
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map); // none
 #endif

@@ -18,7 +18,7 @@
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
@@ -287,12 +287,12 @@ TEST_CASE("A body has hexahedra once it is mapped to a box or a polycube")
   for(std::array<double, 3>& p : bent)
     p[2] += 0.1 * p[0] * p[0];
   VMP::Hexahedron_soup_3 hexahedra;
-  CHECK(VMP::hexahedral_mesh(bent, soup.cells, bent, 1, hexahedra).status == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
+  CHECK(VMP::make_hexahedral_mesh_3(bent, soup.cells, bent, 1, hexahedra).status == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
   CHECK(has(VMP::get_error_message(VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL), "map the body to a box or a polycube"));
   const auto np = params::maximum_running_time(1e9);
   REQUIRE(VMP::Polycube_boundary_parameterizer_3(1).parameterize(bent, soup.cells, targets, np) == VMP::OK);
   REQUIRE(CGAL::stretch_minimizing_volume_parameterization(bent, soup.cells, targets, images).status == VMP::OK);
-  CHECK(VMP::hexahedral_mesh(bent, soup.cells, images, 1, hexahedra).status == VMP::OK);
+  CHECK(VMP::make_hexahedral_mesh_3(bent, soup.cells, images, 1, hexahedra).status == VMP::OK);
 }
 
 TEST_CASE("A spacing that would do is taken")
@@ -301,7 +301,7 @@ TEST_CASE("A spacing that would do is taken")
   const auto hexahedra = [&](const double spacing) // millions of them would take minutes, hence only the grid is checked
   {
     VMP::Hexahedron_soup_3 mesh;
-    return VMP::hexahedral_mesh(soup.points, soup.cells, soup.points, spacing, mesh, params::maximum_running_time(0.));
+    return VMP::make_hexahedral_mesh_3(soup.points, soup.cells, soup.points, spacing, mesh, params::maximum_running_time(0.));
   };
   const VMP::Hexahedral_mesh_result refused = hexahedra(2. / 300);
   CHECK(refused.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
@@ -320,10 +320,10 @@ TEST_CASE("Hexahedra that are inverted become positive with a smaller spacing")
     p = { radius * std::sin(angle), radius * std::cos(angle), p[2] };
   }
   VMP::Hexahedron_soup_3 hexahedra;
-  const VMP::Hexahedral_mesh_result coarse = VMP::hexahedral_mesh(ring, soup.cells, soup.points, 6, hexahedra);
+  const VMP::Hexahedral_mesh_result coarse = VMP::make_hexahedral_mesh_3(ring, soup.cells, soup.points, 6, hexahedra);
   CHECK(coarse.status == VMP::ERROR_INVERTED_HEXAHEDRON);
   CHECK(has(coarse.message, "Make the spacing smaller"));
-  CHECK(VMP::hexahedral_mesh(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
+  CHECK(VMP::make_hexahedral_mesh_3(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
 }
 
 TEST_CASE("Where flat cells hold the energy, vertices that slide help, and so does a boundary with less distortion there")

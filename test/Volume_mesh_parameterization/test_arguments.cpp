@@ -6,7 +6,7 @@
 #include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
@@ -179,7 +179,7 @@ TEST_CASE("Nothing at all is answered by all functions of arrays and complexes")
   CHECK_FALSE(VMP::Volume_map_3(none, no_cells, none).image({ 0, 0, 0 }));
   CHECK(VMP::Volume_map_3(none, no_cells, none).images(std::vector<Complex::Point_3>()).empty());
   Hexahedron_soup_3 hexahedra;
-  CHECK(VMP::hexahedral_mesh(none, no_cells, none, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(VMP::make_hexahedral_mesh_3(none, no_cells, none, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
   VMP::orient_tetrahedron_soup(soup);
   std::ostringstream os;
   VMP::IO::write_MEDIT(os, soup);
@@ -196,7 +196,7 @@ TEST_CASE("Nothing at all is answered by all functions of arrays and complexes")
         == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map).status == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(VMP::make_parameterizable(c3t3) == 0);
-  CHECK(VMP::hexahedral_mesh(c3t3, uvw_map, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(VMP::make_hexahedral_mesh_3(c3t3, uvw_map, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
 }
 
 TEST_CASE("Any valid map is found for an energy that is constant")

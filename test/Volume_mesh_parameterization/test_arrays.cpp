@@ -4,7 +4,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
@@ -289,8 +289,8 @@ TEST_CASE("A map is the same in each type of ranges, with its distortion and all
   }
 
   VMP::Hexahedron_soup_3 hexahedra, hexahedra_of_complex;
-  REQUIRE(VMP::hexahedral_mesh(points_of_cgal, body.cells, images, 0.5, hexahedra).status == VMP::OK);
-  REQUIRE(VMP::hexahedral_mesh(body.complex.c3t3, body.complex.uvw_map(), 0.5, hexahedra_of_complex).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(points_of_cgal, body.cells, images, 0.5, hexahedra).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(body.complex.c3t3, body.complex.uvw_map(), 0.5, hexahedra_of_complex).status == VMP::OK);
   CHECK(has_same_bits(hexahedra.points, hexahedra_of_complex.points));
   CHECK(hexahedra.cells == hexahedra_of_complex.cells);
 }
@@ -533,17 +533,17 @@ TEST_CASE("The quality of cells has closed forms, and that of the image is part 
   const VMP::Cell_quality_3 best = VMP::measure_quality(regular, Int_cells{ { 0, 2, 1, 3 } });
   CHECK(best.smallest_dihedral_angle == Approx(70.528779365509));
   CHECK(best.largest_dihedral_angle == Approx(70.528779365509));
-  CHECK(best.smallest_scaled_Jacobian == Approx(1));
+  CHECK(best.minimum_scaled_jacobian == Approx(1));
   CHECK(best.largest_aspect_ratio == Approx(1));
 
   const Points corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   const VMP::Cell_quality_3 quality = VMP::measure_quality(corner, Int_cells{ { 0, 1, 2, 3 } });
   CHECK(quality.smallest_dihedral_angle == Approx(54.735610317245));
   CHECK(quality.largest_dihedral_angle == Approx(90));
-  CHECK(quality.smallest_scaled_Jacobian == Approx(std::sqrt(0.5)));
+  CHECK(quality.minimum_scaled_jacobian == Approx(std::sqrt(0.5)));
   const double radius = 0.5 / (1.5 + std::sqrt(3.) / 2);
   CHECK(quality.largest_aspect_ratio == Approx(std::sqrt(2.) / (2 * std::sqrt(6.) * radius)));
-  CHECK(VMP::measure_quality(corner, Int_cells{ { 0, 2, 1, 3 } }).smallest_scaled_Jacobian == Approx(-std::sqrt(2.)));
+  CHECK(VMP::measure_quality(corner, Int_cells{ { 0, 2, 1, 3 } }).minimum_scaled_jacobian == Approx(-std::sqrt(2.)));
   CHECK(std::isnan(VMP::measure_quality(corner, Int_cells()).largest_aspect_ratio));
 
   const Bent_fan fan;
@@ -551,7 +551,7 @@ TEST_CASE("The quality of cells has closed forms, and that of the image is part 
   const auto result = CGAL::stretch_minimizing_volume_parameterization(
     fan.points, fan.cells, fan.points, images, params::number_of_iterations(0));
   const VMP::Cell_quality_3 of_image = VMP::measure_quality(images, fan.cells);
-  CHECK(result.quality.smallest_scaled_Jacobian == Approx(of_image.smallest_scaled_Jacobian));
+  CHECK(result.quality.minimum_scaled_jacobian == Approx(of_image.minimum_scaled_jacobian));
   CHECK(result.quality.smallest_dihedral_angle == Approx(of_image.smallest_dihedral_angle));
   CHECK(result.quality.largest_dihedral_angle == Approx(of_image.largest_dihedral_angle));
   CHECK(result.quality.largest_aspect_ratio == Approx(of_image.largest_aspect_ratio));

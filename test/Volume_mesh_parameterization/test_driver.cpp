@@ -334,7 +334,7 @@ const std::vector<std::string> report_keys = {
 
 const std::vector<std::string> hexahedra_keys = {
   "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "inverted_hexahedra",
-  "padding", "minimal_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance", "subdomains", "volumes_of_tetrahedra",
+  "padding", "minimum_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance", "subdomains", "volumes_of_tetrahedra",
   "volumes_of_hexahedra", "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals"};
 
 // Returns the keys of a report with other ones, which come before the steps.
@@ -737,7 +737,7 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   CHECK(number(report, "cells") == 27);
   CHECK(number(report, "vertices") == 64);
   CHECK(number(report, "boundary_vertices") == 56);
-  CHECK(number(report, "minimal_scaled_jacobian") == Approx(1));
+  CHECK(number(report, "minimum_scaled_jacobian") == Approx(1));
 
   for(const char* option : {"1", "0 no.mesh", "1x no.mesh", "inf no.mesh", "1 no.txt", "1 target.mesh"})
     CHECK(folder.run("source.mesh target.mesh --hexahedra " + std::string(option)) == 2);
@@ -952,7 +952,7 @@ TEST_CASE("A plain grid is taken where layers along interfaces are worse")
   REQUIRE(folder.run("source.mesh --to polycube --refine --hexahedra 0.5 hexahedra.mesh --report report.json") == 0);
   const std::string report = hexahedra_of(folder.text("report.json"));
   CHECK(number(report, "interface_distance") < 1e-9);
-  CHECK(number(report, "minimal_scaled_jacobian") > 1 - 1e-9);
+  CHECK(number(report, "minimum_scaled_jacobian") > 1 - 1e-9);
   CHECK(folder.text("stdout").find("staircases") == std::string::npos); // there are none
 }
 

@@ -821,7 +821,7 @@ TEST_CASE("A soft boundary with constraints that ends within its tolerance is a 
   CHECK(distance < 1e-6 * 4); // where the target has volume 1, lengths are a fourth
 
   parameters.residual_tolerance = 1e-20;
-  parameters.maximal_number_of_raises = 1;
+  parameters.maximum_number_of_raises = 1;
   CHECK(run(false).status == VMP::ERROR_BOUNDARY_NOT_REACHED);
 }
 
@@ -886,7 +886,7 @@ TEST_CASE("Messages do not depend on the global locale")
     result.push_back(parameterize(missed).message);
 
     Complex stretched(mapped_cube(3, 0, [](const Vector3d& p) { return Vector3d(12345 * p[0], p[1], p[2]); }));
-    result.push_back(parameterize(stretched, params::maximal_angle_distortion(2.5)).message);
+    result.push_back(parameterize(stretched, params::maximum_angle_distortion(2.5)).message);
 
     Complex pinched(cube_mesh(2));
     for(int cube = 1; cube < 7; ++cube)
@@ -937,8 +937,8 @@ TEST_CASE("Broken preconditions throw, also in programs compiled with NDEBUG")
 {
   Complex complex(twisted_cube(2));
   CHECK_THROWS_AS(parameterize(complex, params::energy_tolerance(-1.)), CGAL::Precondition_exception);
-  CHECK_THROWS_AS(parameterize(complex, params::maximal_angle_distortion(1)), CGAL::Precondition_exception);
-  CHECK_THROWS_AS(parameterize(complex, params::maximal_angle_distortion(std::nan(""))), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(parameterize(complex, params::maximum_angle_distortion(1)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(parameterize(complex, params::maximum_angle_distortion(std::nan(""))), CGAL::Precondition_exception);
   CHECK_THROWS_AS(parameterize(complex, params::number_of_iterations(-1)), CGAL::Precondition_exception);
   CHECK(complex.uvw.empty());
   constexpr std::size_t many = (std::numeric_limits<std::size_t>::max)();

@@ -4,7 +4,7 @@
 
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
@@ -120,7 +120,7 @@ TEST_CASE("A map whose boundary slides, and with a bound of angles")
   check_ends([](Impatient_visitor& visitor)
   {
     return is_map_interrupted(VMP::Cube_boundary_parameterizer_3(1, 1, 3), params::visitor(std::ref(visitor))
-      .do_refine(true).do_slide_boundary(true).minimize_maximal_angle_distortion(true));
+      .do_refine(true).do_slide_boundary(true).minimize_maximum_angle_distortion(true));
   });
 }
 
@@ -218,7 +218,7 @@ TEST_CASE("A visitor is told of rounds over the boundary and over hexahedra, and
   {
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result
-      = VMP::hexahedral_mesh(soup, soup.points, 1, mesh, params::visitor(std::ref(visitor)));
+      = VMP::make_hexahedral_mesh_3(soup, soup.points, 1, mesh, params::visitor(std::ref(visitor)));
     return result.is_interrupted ? VMP::ERROR_INTERRUPTED : result.status;
   });
 

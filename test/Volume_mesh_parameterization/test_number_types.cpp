@@ -185,7 +185,7 @@ TEST_CASE("A bound of angles that rounding exceeds is missed")
   const Eigen::MatrixXd source = rows(mesh.source), targets = rows(mesh.target).cast<float>().cast<double>();
   Eigen::MatrixXd images;
   const double largest = CGAL::stretch_minimizing_volume_parameterization(source, cells, targets, images).distortion.angle_max;
-  const auto bound = params::maximal_angle_distortion(1.001 * largest);
+  const auto bound = params::maximum_angle_distortion(1.001 * largest);
   CHECK(CGAL::stretch_minimizing_volume_parameterization(source, cells, targets, images, bound).status == VMP::OK);
   Eigen::MatrixXf rounded_images;
   const VMP::Parameterization_result result

@@ -3,7 +3,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
@@ -37,7 +37,7 @@ struct Results
     VMP::Hexahedron_soup_3 mesh;
     VMP::Polycube_boundary_parameterizer_3(1).parameterize(bent.points, bent.cells, targets);
     CGAL::stretch_minimizing_volume_parameterization(bent, targets, images_of_bent);
-    VMP::hexahedral_mesh(bent, images_of_bent, 1, mesh);
+    VMP::make_hexahedral_mesh_3(bent, images_of_bent, 1, mesh);
     hexahedra = mesh.points;
   }
 };

@@ -31,10 +31,10 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 // Calls `row`, which writes the rest of a row, after each step; returns the map.
 template <typename Method, typename Row>
-Eigen::Matrix3Xd run(Method& method, const int maximal_number_of_steps, std::ostream& log,
+Eigen::Matrix3Xd run(Method& method, const int maximum_number_of_steps, std::ostream& log,
                      const CGAL::Timer& timer, const Row& row)
 {
-  for(int i = 0; i < maximal_number_of_steps && method.is_running(); ++i)
+  for(int i = 0; i < maximum_number_of_steps && method.is_running(); ++i)
   {
     method.step();
     log << i + 1 << "," << timer.time() << ",";

@@ -22,9 +22,9 @@ struct Options
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations;
-  double energy_tolerance, maximal_angle_distortion, time_limit;
+  double energy_tolerance, maximum_angle_distortion, time_limit;
   bool do_improve, do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights;
-  bool minimize_maximal_angle_distortion, is_quiet;
+  bool minimize_maximum_angle_distortion, is_quiet;
 };
 
 // The options of a program, and the text around them in its help.
@@ -180,10 +180,10 @@ inline Command_line command_line(Options& options)
 
   po::options_description distortion = options_of_both_programs::distortion(options);
   distortion.add_options()
-    ("max-angle-distortion", po::value(&options.maximal_angle_distortion)->value_name("K")
+    ("max-angle-distortion", po::value(&options.maximum_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
      "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2")
-    ("minimize-max-angle-distortion", po::bool_switch(&options.minimize_maximal_angle_distortion),
+    ("minimize-max-angle-distortion", po::bool_switch(&options.minimize_maximum_angle_distortion),
      "make the largest distortion of angles as small as possible, which takes longer");
 
   po::options_description computation("Computation", width);

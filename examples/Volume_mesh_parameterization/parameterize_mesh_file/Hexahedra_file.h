@@ -7,7 +7,7 @@
 
 #include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
@@ -49,7 +49,7 @@ public:
   {
     namespace VMP = CGAL::Volume_mesh_parameterization;
     VMP::Hexahedron_soup_3 mesh;
-    const VMP::Hexahedral_mesh_result result = VMP::hexahedral_mesh<CGAL::Parallel_if_available_tag>(
+    const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
       source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases));
     if(result.has_valid_mesh)
     {

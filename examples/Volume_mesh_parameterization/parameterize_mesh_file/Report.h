@@ -85,8 +85,8 @@ inline JSON_object json(const Options& options)
                       .add("slide", options.do_slide).add("energy", options.energy)
                       .add("volume_weights", options.use_volume_weights)
                       .add("energy_tolerance", options.energy_tolerance)
-                      .add("max_angle_distortion", options.maximal_angle_distortion)
-                      .add("minimize_max_angle_distortion", options.minimize_maximal_angle_distortion)
+                      .add("max_angle_distortion", options.maximum_angle_distortion)
+                      .add("minimize_max_angle_distortion", options.minimize_maximum_angle_distortion)
                       .add("solver", options.solver)
                       .add("threads", number_of_threads(options))
                       .add("max_iterations", static_cast<std::size_t>(options.number_of_iterations))
@@ -95,7 +95,7 @@ inline JSON_object json(const Options& options)
 
 inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
 {
-  std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimal_scaled_jacobian
+  std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimum_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << "; largest distance of the boundaries " << result.boundary_distance
             << "\n";
   if(result.volumes.size() > 1)
@@ -142,7 +142,7 @@ inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mes
                       .add("inverted_corners", result.number_of_inverted_corners)
                       .add("inverted_hexahedra", result.number_of_inverted_hexahedra)
                       .add("padding", result.has_padding)
-                      .add("minimal_scaled_jacobian", result.minimal_scaled_jacobian)
+                      .add("minimum_scaled_jacobian", result.minimum_scaled_jacobian)
                       .add("mean_scaled_jacobian", result.mean_scaled_jacobian)
                       .add("boundary_distance", result.boundary_distance)
                       .add("subdomains", subdomains).add("volumes_of_tetrahedra", of_tetrahedra)

@@ -95,7 +95,7 @@ inline void check(const Options& options)
     throw std::runtime_error("the number of iterations is too small");
   if(!(options.energy_tolerance >= 0))
     throw std::runtime_error("the tolerance of the energy is negative");
-  if(!(options.maximal_angle_distortion > 2))
+  if(!(options.maximum_angle_distortion > 2))
     throw std::runtime_error("the distortion of angles cannot be below 2");
   if(!(options.time_limit >= 0))
     throw std::runtime_error("the time limit is negative");

@@ -50,7 +50,7 @@ struct Hexahedral_mesh_patch
 /*!
 \ingroup PkgPolycubeMeshing3Hexahedra
 
-The result of `hexahedral_mesh()`.
+The result of `make_hexahedral_mesh_3()`.
 
 The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges divided by their lengths: 1 if
 they are orthogonal, and positive if and only if the corner is neither flat nor inverted. A hexahedron has the smallest
@@ -70,7 +70,7 @@ struct Hexahedral_mesh_result
   bool has_padding = false;                    ///< whether a layer of hexahedra has been added along faces of the domain
   bool is_interrupted = false;                 ///< whether a limit of time or a visitor ended the search for better hexahedra
   /// the least one of all hexahedra; not a number if there is none
-  double minimal_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
+  double minimum_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the mean of all hexahedra; not a number if there is none
   double mean_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the largest distance between the boundary of the body and that of the hexahedra: from the vertices of the body, and from the

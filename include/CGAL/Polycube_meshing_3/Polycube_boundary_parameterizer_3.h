@@ -74,7 +74,7 @@ order of lines and edges of the polycube stays; where lines would flip triangles
 names all sharp edges that the polycube gives up. Sharp edges are the 1-dimensional features of the complex, or the marked
 edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on both sides.
 
-With the spacing of a grid, the coordinates of all faces are multiples of it, so that `hexahedral_mesh()` makes cubes.
+With the spacing of a grid, the coordinates of all faces are multiples of it, so that `make_hexahedral_mesh_3()` makes cubes.
 All distances along edges become multiples too, rounded up; coordinates are rounded one after the other, while the others
 follow such that lengths stay; and no two faces are merged that an edge keeps apart. Unless axes or labels are given, the
 polycube is moved by at most half of the spacing along each axis, such that rounding changes its faces least, and where the body

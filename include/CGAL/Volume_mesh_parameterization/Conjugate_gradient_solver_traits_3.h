@@ -42,8 +42,8 @@ public:
   /// limits the number of iterations of each call of `solve()`, by default to 2,000; at the limit, it returns the last iterate. A
   /// map then factorizes the matrix, as `Eigen_solver_traits_3` does, where that takes no more multiplications, and the
   /// following ones as long as iterations take longer.
-  explicit Conjugate_gradient_solver_traits_3(const int maximal_number_of_iterations = internal::default_limit_of_iterations)
-    : m_solver(internal::is_parallel<ConcurrencyTag>(), maximal_number_of_iterations)
+  explicit Conjugate_gradient_solver_traits_3(const int maximum_number_of_iterations = internal::default_limit_of_iterations)
+    : m_solver(internal::is_parallel<ConcurrencyTag>(), maximum_number_of_iterations)
   {}
 
   /// reserves memory for vectors.

@@ -25,7 +25,7 @@ With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_
 is a map without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
 `Parameterization_result::has_valid_map`. With the other values there is none. The values from
 `ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last three from
-`Volume_mesh_parameterization::hexahedral_mesh()`.
+`Volume_mesh_parameterization::make_hexahedral_mesh_3()`.
 */
 enum Error_code
 {

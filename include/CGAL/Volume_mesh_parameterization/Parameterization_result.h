@@ -50,7 +50,7 @@ struct Cell_quality_3
   double largest_dihedral_angle = std::numeric_limits<double>::quiet_NaN();  ///< in degrees; 70.5 if all cells are regular
   /// \f$\sqrt{2}\f$ times the determinant of the three edges at a vertex by the product of their lengths, the least of all
   /// vertices of all cells; 1 if all cells are regular, 0 if one is flat
-  double smallest_scaled_Jacobian = std::numeric_limits<double>::quiet_NaN();
+  double minimum_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the longest edge of a cell by \f$2\sqrt{6}\f$ times the radius of its inscribed sphere; 1 if all cells are regular
   double largest_aspect_ratio = std::numeric_limits<double>::quiet_NaN();
 };
@@ -109,7 +109,7 @@ struct Parameterization_result
   double boundary_distortion = std::numeric_limits<double>::quiet_NaN();
 
   /// lower bound of the largest distortion of angles of all maps with this boundary, which the prescribed vertices force;
-  /// 0 unless `minimize_maximal_angle_distortion(true)` was passed
+  /// 0 unless `minimize_maximum_angle_distortion(true)` was passed
   double unavoidable_angle_distortion = 0;
   /// largest bound below which no map was found: the least distortion seems to be between this bound and the distortion of
   /// the map; only `unavoidable_angle_distortion` is a proved lower bound

@@ -25,7 +25,7 @@ enum class Phase
   BOUNDARY,    ///< a boundary parameterizer finds the images of the boundary
   UNTANGLING,  ///< cells are inverted, and an energy that is finite for them is minimized
   MINIMIZATION, ///< no cell is inverted, and the energy is minimized
-  HEXAHEDRA    ///< `hexahedral_mesh()` improves hexahedra
+  HEXAHEDRA    ///< `make_hexahedral_mesh_3()` improves hexahedra
 };
 
 /// \ingroup PkgVolumeMeshParameterizationResults

@@ -36,7 +36,7 @@ struct Soft_boundary_parameters
   /// the factor between a weight and the next one, \f$\gamma\f$; finite and larger than 1
   double weight_factor = 25;
   /// the maximal number of times that the weight is raised
-  std::size_t maximal_number_of_raises = 5;
+  std::size_t maximum_number_of_raises = 5;
   /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this number, \f$\eta\f$, where the target has volume 1
   double residual_tolerance = 1e-6;
 
@@ -56,7 +56,7 @@ struct Soft_boundary_parameters
   /// the number of Newton steps with the current positions as target that are taken in a row where the Hessian
   /// is not positive definite or no step decreases both the energy and the norm of its gradient. With 0, a decrease
   /// of the energy suffices.
-  std::size_t maximal_number_of_relaxations = 5;
+  std::size_t maximum_number_of_relaxations = 5;
   /// whether each step has to use the full Hessian, as the authors do; otherwise, the Hessian of each cell loses
   /// its negative eigenvalues far from the minimum
   bool use_full_hessian = false;
@@ -71,7 +71,7 @@ inline Soft_boundary_parameters single_weight_soft_boundary_parameters(const dou
 {
   Soft_boundary_parameters parameters;
   parameters.weight = weight;
-  parameters.maximal_number_of_raises = 0;
+  parameters.maximum_number_of_raises = 0;
   return parameters;
 }
 
@@ -84,10 +84,10 @@ until a minimization with fixed boundary can take over.
 inline Soft_boundary_parameters approaching_soft_boundary_parameters()
 {
   Soft_boundary_parameters parameters;
-  parameters.maximal_number_of_raises = 12;
+  parameters.maximum_number_of_raises = 12;
   parameters.residual_tolerance = 0;
   parameters.relative_energy_tolerance = 3e-3;
-  parameters.maximal_number_of_relaxations = 0;
+  parameters.maximum_number_of_relaxations = 0;
   return parameters;
 }
 

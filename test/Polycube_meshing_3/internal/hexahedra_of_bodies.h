@@ -5,7 +5,7 @@
 #include "catch.h"
 #include "cube_complex.h"
 
-#include <CGAL/Polycube_meshing_3/hexahedral_mesh.h>
+#include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -65,7 +65,7 @@ struct Body
   Hexahedral_mesh_result mesh(const double spacing, Hexahedron_soup_3& hexahedra,
                               const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    return VMP::hexahedral_mesh<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
+    return VMP::make_hexahedral_mesh_3<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
   }
 
   std::vector<K::Triangle_3> boundary_facets() const

@@ -103,7 +103,7 @@ TEST_CASE("A box of tetrahedra becomes cubes")
     CHECK(result.number_of_vertices - result.number_of_boundary_vertices
           == static_cast<std::size_t>((3 * n - 1) * (3 * n - 1) * (3 * n - 1)));
     CHECK_FALSE(result.has_padding);
-    CHECK(result.minimal_scaled_jacobian == Approx(1));
+    CHECK(result.minimum_scaled_jacobian == Approx(1));
     CHECK(result.mean_scaled_jacobian == Approx(1));
     CHECK(smallest_determinant(mesh) == Approx(1. / (n * n * n)));
     CHECK(enclosed_volume(mesh) == Approx(27));
@@ -130,7 +130,7 @@ TEST_CASE("A bent bar with an L-shaped section becomes hexahedra")
   const Hexahedral_mesh_result result = bar.mesh(1, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.number_of_cells == 4 * 12);
-  CHECK(result.minimal_scaled_jacobian > 0.5);
+  CHECK(result.minimum_scaled_jacobian > 0.5);
   CHECK(smallest_determinant(mesh) > 0);
   check_boundary(mesh, bar);
 
@@ -152,7 +152,7 @@ TEST_CASE("A ball gets a layer along its boundary")
   CHECK(result.has_padding); // otherwise hexahedra along the edges of the cube would have flat corners
   CHECK(result.number_of_cells == 512 + 384);
   CHECK(result.number_of_boundary_vertices == 386);
-  CHECK(result.minimal_scaled_jacobian > 0.3);
+  CHECK(result.minimum_scaled_jacobian > 0.3);
   CHECK(smallest_determinant(mesh) > 0);
   const std::vector<int> numbers = boundary_quadrangles_of_cells(mesh);
   CHECK(*std::max_element(numbers.begin(), numbers.end()) == 1);
@@ -172,7 +172,7 @@ TEST_CASE("Cylinders get a layer along their walls alone, which ends on the face
     REQUIRE(result.status == VMP::OK);
     CHECK(result.has_padding);
     CHECK(result.number_of_cells == numbers[i]);
-    CHECK(result.minimal_scaled_jacobian > 0.4); // a quadrangle alone in a straight corner of a circle makes less than 0.2
+    CHECK(result.minimum_scaled_jacobian > 0.4); // a quadrangle alone in a straight corner of a circle makes less than 0.2
     CHECK(smallest_determinant(mesh) > 0);
     check_boundary(mesh, bodies[i]);
   }
@@ -238,7 +238,7 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
   mesh = sliding.hexahedra.mesh();
   const Hexahedral_mesh_result result = VMP::internal::evaluated_hexahedra(mesh, false);
   CHECK(result.status == VMP::OK);
-  CHECK(result.minimal_scaled_jacobian > 0.9); // the cubes are the minimum
+  CHECK(result.minimum_scaled_jacobian > 0.9); // the cubes are the minimum
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     if(is_outer[v])
       CHECK(mesh.points[v] == before[v]);
@@ -278,7 +278,7 @@ TEST_CASE("Vertices slide where the map has turned the faces of a box")
   const Hexahedral_mesh_result result = box.mesh(1, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK_FALSE(result.has_padding);
-  CHECK(result.minimal_scaled_jacobian > 0.5);
+  CHECK(result.minimum_scaled_jacobian > 0.5);
   check_boundary(mesh, box);
   CHECK(enclosed_volume(mesh) == Approx(216)); // the edges of the box are edges of hexahedra
 }
@@ -288,9 +288,9 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
   const Body ball(8, 0, rounded);
   Sliding_hexahedra sliding(ball);
   // two faces of the cube are on the sphere
-  REQUIRE(VMP::internal::evaluated_hexahedra(sliding.start, false).minimal_scaled_jacobian < 0.11);
+  REQUIRE(VMP::internal::evaluated_hexahedra(sliding.start, false).minimum_scaled_jacobian < 0.11);
   sliding.hexahedra.smooth(0.3, 0.03);
-  CHECK(VMP::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimal_scaled_jacobian > 0.2);
+  CHECK(VMP::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimum_scaled_jacobian > 0.2);
   const std::vector<K::Triangle_3> facets = ball.boundary_facets();
   for(std::size_t v = 0; v < sliding.start.points.size(); ++v)
     if(sliding.freedoms[v] != VMP::internal::Freedom_3::SPACE)
@@ -368,7 +368,7 @@ struct Complex_on_polycube
   }
 
   Hexahedral_mesh_result mesh(Hexahedron_soup_3& hexahedra)
-  { return VMP::hexahedral_mesh(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
+  { return VMP::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
 };
 
 } // namespace
@@ -424,7 +424,7 @@ TEST_CASE("Marked corners on a ridge, in a face and on an edge of a complex are 
     Hexahedron_soup_3 mesh;
     const Hexahedral_mesh_result result = Complex_on_polycube(body.soup, spacing).mesh(mesh);
     REQUIRE(result.status == VMP::OK);
-    CHECK(result.minimal_scaled_jacobian > 0.4);
+    CHECK(result.minimum_scaled_jacobian > 0.4);
     CHECK(result.corners_given_up.empty());
     CHECK(distance_of_ridge(mesh) < 0.1 * spacing);
     for(const std::array<double, 3>& corner : corners)
@@ -446,7 +446,7 @@ TEST_CASE("Of marked corners nearer to each other than hexahedra are wide, those
       box.soup.corners.push_back(v);
   REQUIRE(box.soup.corners.size() == 4); // one inside, which is no corner of the surface
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(box.soup, box.images, 4, mesh);
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(box.soup, box.images, 4, mesh);
   CHECK(result.status == VMP::OK);
   const std::set<std::array<double, 3> > given_up(result.corners_given_up.begin(), result.corners_given_up.end());
   CHECK(given_up == std::set<std::array<double, 3> >{ { 3, 0, 0 }, { 5, 0, 0 } });
@@ -463,7 +463,7 @@ TEST_CASE("The patches of hexahedra of a box have its areas, centers and normals
     box.soup.facet_references.push_back(is_top ? 9 : 2);
   }
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(box.soup, box.images, 1, mesh);
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(box.soup, box.images, 1, mesh);
   REQUIRE(result.patches.size() == 2);
   const VMP::Hexahedral_mesh_patch& others = result.patches[0], & top = result.patches[1];
   CHECK(others.reference == 2);
@@ -520,7 +520,7 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
   REQUIRE(CGAL::stretch_minimizing_volume_parameterization(points, cross, targets, images,
                                                            CGAL::parameters::do_refine(true)).status == VMP::OK);
   Hexahedron_soup_3 mesh;
-  REQUIRE(VMP::hexahedral_mesh(points, cross, images, 0.125, mesh).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(points, cross, images, 0.125, mesh).status == VMP::OK);
   CHECK(smallest_determinant(mesh) > 0);
   for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
     for(const std::size_t v : quadrangle)
@@ -682,7 +682,7 @@ TEST_CASE("The distance of boundaries is that of tips, of vertices and of middle
   (*dent)[2] -= 0.3; // only the vertex itself is that far from the body
   CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(0.3));
   Hexahedral_mesh_result near, far;
-  near.minimal_scaled_jacobian = far.minimal_scaled_jacobian = 0.2;
+  near.minimum_scaled_jacobian = far.minimum_scaled_jacobian = 0.2;
   near.mean_scaled_jacobian = 0.9;
   far.mean_scaled_jacobian = 0.95;
   near.boundary_distance = 0.5;
@@ -707,7 +707,7 @@ TEST_CASE("A better worst hexahedron does not make up for a mean that loses more
   {
     Hexahedral_mesh_result r;
     r.number_of_inverted_corners = number_of_inverted_corners;
-    r.minimal_scaled_jacobian = minimum;
+    r.minimum_scaled_jacobian = minimum;
     r.mean_scaled_jacobian = mean;
     r.boundary_distance = 0;
     return r;
@@ -738,7 +738,7 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     Hexahedron_soup_3 mesh;
     const Hexahedral_mesh_result before = VMP::internal::evaluated_hexahedra(sliding.start, false), after = body.mesh(1, mesh);
     CHECK(after.number_of_inverted_corners <= before.number_of_inverted_corners);
-    CHECK(after.minimal_scaled_jacobian >= (std::min)(0.3, before.minimal_scaled_jacobian));
+    CHECK(after.minimum_scaled_jacobian >= (std::min)(0.3, before.minimum_scaled_jacobian));
 
     const std::vector<K::Triangle_3> facets = body.boundary_facets(), quadrangles = boundary_facets(mesh);
     for(const std::array<double, 3>& p : body.soup.points)
@@ -820,11 +820,11 @@ TEST_CASE("Without time there are no hexahedra")
   for(std::size_t v = 0; v < complex.vertices.size(); ++v)
     complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, mesh,
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh,
                                                              CGAL::parameters::maximum_running_time(0.));
   CHECK(result.status == VMP::ERROR_INTERRUPTED);
   CHECK(mesh.cells.empty());
-  CHECK(VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, mesh).number_of_cells == 8);
+  CHECK(VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh).number_of_cells == 8);
 }
 
 TEST_CASE("A grid that memory has no room for is refused with a spacing that would do")
@@ -924,7 +924,7 @@ TEST_CASE("A soup whose arrays do not fit together has no hexahedra")
   Body box(1, 0, same);
   Hexahedron_soup_3 mesh;
   box.soup.cell_references.resize(1);
-  CHECK_THROWS_AS(VMP::hexahedral_mesh(box.soup, box.images, 1, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(VMP::make_hexahedral_mesh_3(box.soup, box.images, 1, mesh), VMP::Input_error);
   box.soup.cells[0][0] = box.soup.points.size();
   CHECK_THROWS_AS(box.mesh(1, mesh), VMP::Input_error);
   CHECK(mesh.points.empty());
@@ -1071,7 +1071,7 @@ TEST_CASE("Hexahedra know the subdomain that their centers are mapped to")
   for(std::size_t v = 0; v < complex.vertices.size(); ++v)
     complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
   Hexahedron_soup_3 mesh;
-  REQUIRE(VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, mesh).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh).status == VMP::OK);
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     CHECK(mesh.cell_references[c] == (mesh.points[mesh.cells[c][0]][0] < 0.5 ? 7 : 5));
   std::ostringstream medit;
@@ -1093,7 +1093,7 @@ TEST_CASE("Quadrangles have the references of the facets that they lie on, of a 
     soup.facet_references.push_back(reference(sum / 3));
   }
   Hexahedron_soup_3 mesh, of_complex;
-  REQUIRE(VMP::hexahedral_mesh(soup, soup.points, 1, mesh).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(soup, soup.points, 1, mesh).status == VMP::OK);
   REQUIRE(mesh.facets.size() == 96);
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
@@ -1105,7 +1105,7 @@ TEST_CASE("Quadrangles have the references of the facets that they lie on, of a 
   Cube_complex<> complex(cube, soup);
   for(std::size_t v = 0; v < complex.vertices.size(); ++v)
     complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
-  REQUIRE(VMP::hexahedral_mesh(complex.c3t3, complex.uvw_map(), 1, of_complex).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, of_complex).status == VMP::OK);
   std::vector<int> references = mesh.facet_references;
   std::replace(references.begin(), references.end(), 0, 1); // the boundary of a complex has no facet without a patch
   CHECK(of_complex.facet_references == references);
@@ -1132,14 +1132,14 @@ TEST_CASE("Valid hexahedra with a scaled Jacobian below the bound have a status 
 {
   const Body sheared(2, 0, [](const Vector3d& p) -> Vector3d { return { p[0] + 3 * p[1], p[1], p[2] }; });
   Hexahedron_soup_3 mesh;
-  const double least = sheared.mesh(1, mesh).minimal_scaled_jacobian;
+  const double least = sheared.mesh(1, mesh).minimum_scaled_jacobian;
   REQUIRE(least > 0.01);
   REQUIRE(least < 0.9);
   CHECK(sheared.mesh(1, mesh).status == VMP::OK);
-  CHECK(sheared.mesh(1, mesh, CGAL::parameters::minimal_scaled_jacobian(0.99 * least)).status == VMP::OK);
+  CHECK(sheared.mesh(1, mesh, CGAL::parameters::minimum_scaled_jacobian(0.99 * least)).status == VMP::OK);
   const Hexahedron_soup_3 expected = mesh;
   mesh = Hexahedron_soup_3();
-  const Hexahedral_mesh_result result = sheared.mesh(1, mesh, CGAL::parameters::minimal_scaled_jacobian(1.01 * least));
+  const Hexahedral_mesh_result result = sheared.mesh(1, mesh, CGAL::parameters::minimum_scaled_jacobian(1.01 * least));
   CHECK(result.status == VMP::ERROR_POOR_HEXAHEDRON);
   CHECK(result.has_valid_mesh);
   CHECK(mesh.points == expected.points);
@@ -1147,7 +1147,7 @@ TEST_CASE("Valid hexahedra with a scaled Jacobian below the bound have a status 
   // The map is affine: a smaller spacing helps nothing. Squares of the extreme singular values have the sum 11, product 1.
   CHECK(result.message.find("spacing") == std::string::npos);
   CHECK(result.message.find("distorts angles by a factor of 11 at the worst one") != std::string::npos);
-  CHECK_THROWS_AS(sheared.mesh(1, mesh, CGAL::parameters::minimal_scaled_jacobian(1.5)), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(sheared.mesh(1, mesh, CGAL::parameters::minimum_scaled_jacobian(1.5)), CGAL::Precondition_exception);
 }
 
 namespace {

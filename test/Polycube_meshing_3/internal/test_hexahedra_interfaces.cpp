@@ -149,10 +149,10 @@ TEST_CASE("Hexahedra on both sides of a slanted plane share quadrangles in it, w
 {
   const Body body = slanted_box();
   Hexahedron_soup_3 mesh, staircases;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 0.5, mesh);
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 0.5, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.message == VMP::get_error_message(VMP::OK));
-  CHECK(result.minimal_scaled_jacobian > 0.4);
+  CHECK(result.minimum_scaled_jacobian > 0.4);
   CHECK(smallest_determinant(mesh) > 0);
   check_conformity(mesh);
   check_boundary(mesh, body);
@@ -175,9 +175,9 @@ TEST_CASE("Hexahedra on both sides of a slanted plane share quadrangles in it, w
         CHECK((k == 0 ? 1 : -1) * distance(vector(mesh.points[v])) < 1e-12);
 
   const Hexahedral_mesh_result with_staircases
-    = VMP::hexahedral_mesh(body.soup, body.images, 0.5, staircases, CGAL::parameters::do_keep_interfaces(false));
+    = VMP::make_hexahedral_mesh_3(body.soup, body.images, 0.5, staircases, CGAL::parameters::do_keep_interfaces(false));
   REQUIRE(with_staircases.status == VMP::OK);
-  CHECK(with_staircases.minimal_scaled_jacobian == Approx(1));
+  CHECK(with_staircases.minimum_scaled_jacobian == Approx(1));
   CHECK(staircases.cells.size() == 512);
   CHECK(with_staircases.interface_distance > 0.1);
   check_conformity(staircases);
@@ -187,9 +187,9 @@ TEST_CASE("A ball in a box keeps its surface and its volume")
 {
   const Body body = ball_in_box();
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
   REQUIRE(result.status == VMP::OK);
-  CHECK(result.minimal_scaled_jacobian > 0.15);
+  CHECK(result.minimum_scaled_jacobian > 0.15);
   CHECK(smallest_determinant(mesh) > 0);
   check_conformity(mesh);
   CHECK(distance_of_interface(mesh, [](const Vector3d& p) { return (p - Vector3d::Constant(4)).norm() - 3; }) < 0.15);
@@ -205,11 +205,11 @@ TEST_CASE("Layers keep their plane interfaces without more hexahedra, also besid
   for(const Body& body : { layered_box(), box_in_corner_of_layers() })
   {
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
+    const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
     REQUIRE(result.status == VMP::OK);
     CHECK(result.message == VMP::get_error_message(VMP::OK));
     CHECK(mesh.cells.size() == 64);
-    CHECK(result.minimal_scaled_jacobian > 0.8);
+    CHECK(result.minimum_scaled_jacobian > 0.8);
     CHECK(smallest_determinant(mesh) > 0);
     check_conformity(mesh);
     REQUIRE(result.volumes.size() == 3);
@@ -235,10 +235,10 @@ TEST_CASE("A turned box in a box keeps its edges and corners, with a layer aroun
   },
   [&](const Vector3d& p) { return (p - middle).lpNorm<Eigen::Infinity>() < 2 ? 2 : 1; });
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.message == VMP::get_error_message(VMP::OK));
-  CHECK(result.minimal_scaled_jacobian > 0.2); // without layers around sides, two edges of a quadrangle are in one line
+  CHECK(result.minimum_scaled_jacobian > 0.2); // without layers around sides, two edges of a quadrangle are in one line
   CHECK(smallest_determinant(mesh) > 0);
   check_conformity(mesh);
   check_boundary(mesh, body);
@@ -263,9 +263,9 @@ TEST_CASE("Vertices of the boundary stay on it where an interface between hexahe
                                         [=](const Vector3d& p) { return (p.head<2>().array() - 1.5).abs().maxCoeff() < 0.5
                                                                         && bottom < p[2] && p[2] < 3 ? 2 : 1; });
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 1, mesh);
+    const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
     REQUIRE(result.status == VMP::OK);
-    CHECK(result.minimal_scaled_jacobian > 0.7);
+    CHECK(result.minimum_scaled_jacobian > 0.7);
     CHECK(std::any_of(mesh.interface_facets.begin(), mesh.interface_facets.end(), [&](const auto& q)
                       { return std::any_of(q.begin(), q.end(), [&](const std::size_t v) { return mesh.points[v][2] == 4; }); }));
     check_boundary(mesh, body);
@@ -279,10 +279,10 @@ TEST_CASE("Vertices where an interface ends in a wedge on the boundary slide alo
   // The edge y = 2, z = 4 of the wedge 2 y - 4 < z - 4 < y - 2 is on the boundary, and both of its sides are interfaces.
   const Body body = box_of_subdomains(4, same, [](const Vector3d& p) { return p[1] < 2 && p[2] < p[1] + 2 ? 2 : 1; });
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::hexahedral_mesh(body.soup, body.images, 0.6, mesh);
+  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 0.6, mesh);
   REQUIRE(result.status == VMP::OK);
   check_boundary(mesh, body);
-  CHECK(result.minimal_scaled_jacobian > 0.4);
+  CHECK(result.minimum_scaled_jacobian > 0.4);
 }
 
 TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subdomains")
@@ -299,7 +299,7 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
         body.soup.facet_references.push_back(7);
       }
     }
-  REQUIRE(VMP::hexahedral_mesh(body.soup, body.images, 1, mesh).status == VMP::OK);
+  REQUIRE(VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh).status == VMP::OK);
   REQUIRE(mesh.interface_facets.size() == 32);
   CHECK(std::count(mesh.interface_references.begin(), mesh.interface_references.end(), 7) == 16);
   std::ostringstream vtu, inp, medit;

@@ -52,8 +52,8 @@ Bounded_map parameterize(const Numbered_mesh_3& mesh, const double bound = std::
   VMP::internal::Map_options_3 options;
   options.mode = VMP::Boundary_mode::FIXED;
   options.improve = VMP::internal::slide_and_bound_angles_3;
-  options.maximal_angle_distortion = bound;
-  options.minimize_maximal_angle_distortion = is_least;
+  options.maximum_angle_distortion = bound;
+  options.minimize_maximum_angle_distortion = is_least;
   VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
   const VMP::internal::Input_check_3 check = check_input_3(mesh);
   const VMP::internal::Map_problem_3 problem = { options, energy, solver, progress };

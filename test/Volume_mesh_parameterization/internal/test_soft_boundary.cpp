@@ -221,11 +221,11 @@ TEST_CASE("A twisted cube is reached from the aligned source")
     parameters.do_snap = false;
   }
   SECTION("with full Hessians") { parameters.use_full_hessian = true; }
-  SECTION("without relaxation") { parameters.maximal_number_of_relaxations = 0; }
+  SECTION("without relaxation") { parameters.maximum_number_of_relaxations = 0; }
   SECTION("with full Hessians where they are positive definite, without relaxation")
   {
     parameters.use_full_hessian = true;
-    parameters.maximal_number_of_relaxations = 0;
+    parameters.maximum_number_of_relaxations = 0;
   }
 
   Search search(mesh, parameters);
@@ -333,7 +333,7 @@ TEST_CASE("A soft boundary that is blocked ends early, names the cells to blame,
   Search search(mesh, parameters, {}, impatient());
   run(search, mesh);
   CHECK(search.status() == VMP::ERROR_BOUNDARY_NOT_REACHED);
-  CHECK(search.number_of_raises() < parameters.maximal_number_of_raises);
+  CHECK(search.number_of_raises() < parameters.maximum_number_of_raises);
 
   const int last = mesh.number_of_vertices() - 1;
   const std::vector<std::size_t> cells = internal::blocking_cells_3(mesh, search.positions());

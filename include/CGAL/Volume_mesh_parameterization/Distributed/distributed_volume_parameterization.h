@@ -113,8 +113,8 @@ stretch_minimizing_volume_parameterization(
                 && is_default_parameter<NamedParameters, internal_np::soft_boundary_parameters_t>::value
                 && is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value
                 && is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-                && is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
-                && is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value,
+                && is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value
+                && is_default_parameter<NamedParameters, internal_np::minimize_maximum_angle_distortion_t>::value,
                 "boundary_mode and do_slide_boundary must not be passed for a distributed mesh: its boundary is fixed.");
   static_assert(is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value,
                 "vertex_condition_map must not be passed for a distributed mesh: its boundary is at its targets.");

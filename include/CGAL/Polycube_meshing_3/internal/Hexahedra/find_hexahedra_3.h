@@ -27,7 +27,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // no hexahedron is inverted.
 CGAL_POLYCUBE_MESHING_3_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
-                                        bool is_parallel, const Budget& budget, double minimal_scaled_jacobian,
+                                        bool is_parallel, const Budget& budget, double minimum_scaled_jacobian,
                                         bool do_keep_interfaces, Hexahedron_soup_3& mesh);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

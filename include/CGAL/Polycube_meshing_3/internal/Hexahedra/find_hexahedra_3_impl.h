@@ -155,7 +155,7 @@ inline std::string advice_3(const Mapped_soup_3& soup, const Volume_map_3& map, 
 // Names the hexahedron of the least scaled Jacobian if this is below a bound.
 inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hexahedral_mesh_result& result)
 {
-  if(result.minimal_scaled_jacobian >= bound)
+  if(result.minimum_scaled_jacobian >= bound)
     return;
   const std::vector<double> quality = scaled_jacobians(mesh);
   const Eigen::Vector3d position = to_vector(mesh.points[worst_hexahedron(mesh, quality)[0]]);
@@ -163,7 +163,7 @@ inline void check_quality(const Hexahedron_soup_3& mesh, const double bound, Hex
   result.status = ERROR_POOR_HEXAHEDRON;
   result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number,
                             number == 1 ? " hexahedron is" : " hexahedra are", " below ", bound, "; the worst one, of ",
-                            result.minimal_scaled_jacobian, ", has a vertex at ", describe(position), ".");
+                            result.minimum_scaled_jacobian, ", has a vertex at ", describe(position), ".");
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
@@ -223,14 +223,14 @@ inline bool is_better_as_staircases(const Best_hexahedra_3& staircases, const Be
 {
   if(!is_at_least(fitted.result, bad_scaled_jacobian))
     return is_better(staircases.result, fitted.result, fitted.edge);
-  return is_at_least(staircases.result, fitted.result.minimal_scaled_jacobian)
+  return is_at_least(staircases.result, fitted.result.minimum_scaled_jacobian)
     && interface_distance_3(staircases.mesh, interfaces).distance
        <= interface_distance_3(fitted.mesh, interfaces).distance + rounding_of_interfaces * fitted.edge;
 }
 
 CGAL_POLYCUBE_MESHING_3_INLINE
 Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double spacing, Linear_solver_3& solver,
-                                        const bool is_parallel, const Budget& budget, const double minimal_scaled_jacobian,
+                                        const bool is_parallel, const Budget& budget, const double minimum_scaled_jacobian,
                                         const bool do_keep_interfaces, Hexahedron_soup_3& mesh)
 {
   const Input_check_3 check = check_map_3(soup);
@@ -267,7 +267,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     if(best.result.has_valid_mesh)
     {
       balance_interfaces_3(interfaces, best.mesh);
-      best.result.minimal_scaled_jacobian = evaluated_hexahedra(best.mesh, best.result.has_padding).minimal_scaled_jacobian;
+      best.result.minimum_scaled_jacobian = evaluated_hexahedra(best.mesh, best.result.has_padding).minimum_scaled_jacobian;
     }
     if(may_be_worse_than_staircases(best, pulled_back(map, boxes, is_parallel, budget), interfaces) && !budget.is_exhausted())
       if(Best_hexahedra_3 other = without_interfaces(); is_better_as_staircases(other, best, interfaces))
@@ -292,7 +292,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     result.boundary_distance = farthest.distance;
     result.patches = patches_of(best.mesh);
     result.volumes = volumes_of_subdomains(soup, best.mesh);
-    check_quality(best.mesh, minimal_scaled_jacobian, result);
+    check_quality(best.mesh, minimum_scaled_jacobian, result);
     if(result.status != OK)
       result.message += advice_3(soup, map, best.mesh);
     check_completeness(soup, farthest, best.edge, result);

@@ -76,11 +76,11 @@ private:
 
   VectorXd minimum_of_energy(const VectorXd& start, const Budget& budget) const
   {
-    constexpr int maximal_number_of_steps = 20; // five or six are usual
+    constexpr int maximum_number_of_steps = 20; // five or six are usual
     constexpr double smallest_gain = 1e-3, shortest_step = 0.05; // guesses
     VectorXd x = start;
     double energy = this->energy(x, start), gain = 1;
-    for(int step = 0; step < maximal_number_of_steps && gain > smallest_gain
+    for(int step = 0; step < maximum_number_of_steps && gain > smallest_gain
         && budget.may_begin_round(Phase::BOUNDARY, "lengths of a polycube"); ++step)
     {
       const Sum_of_squares squares = sum_of_squares(x, start);

@@ -162,14 +162,14 @@ inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const d
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
   const Error_code status = map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,
                                                     turned.surface.vertices, images, budget);
-  const double maximal_distortion = status != OK ? (std::numeric_limits<double>::infinity)()
+  const double maximum_distortion = status != OK ? (std::numeric_limits<double>::infinity)()
     : enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, images);
   if(status != OK)
     images.clear();
-  if(of_split == nullptr || maximal_distortion < usual)
+  if(of_split == nullptr || maximum_distortion < usual)
     return status;
   Map_to_voxels_3 map = map_to_voxels_3(turned.surface, turned.mesh, turned.box, spacing, budget);
-  if(map.images.empty() || map.distortion > maximal_distortion)
+  if(map.images.empty() || map.distortion > maximum_distortion)
     return status;
   *of_split = { std::move(map.splits), std::move(map.images) };
   return OK;

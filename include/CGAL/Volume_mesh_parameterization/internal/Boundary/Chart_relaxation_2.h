@@ -86,8 +86,8 @@ public:
     const auto solver = make_symmetric_sparse_solver();
     State state = evaluate(m_images, 1);
     m_epsilon = first_epsilon(state.smallest_determinant);
-    constexpr int maximal_number_of_steps = 50; // a guess; of 2336 charts that had room, one took more
-    for(int step = 0; step < maximal_number_of_steps && m_number_of_unknowns > 0
+    constexpr int maximum_number_of_steps = 50; // a guess; of 2336 charts that had room, one took more
+    for(int step = 0; step < maximum_number_of_steps && m_number_of_unknowns > 0
         && budget.may_begin_round(Phase::BOUNDARY, "relaxation of a chart"); ++step)
     {
       state = evaluate(m_images, m_epsilon);

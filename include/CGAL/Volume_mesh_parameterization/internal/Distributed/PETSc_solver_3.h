@@ -28,7 +28,7 @@ public:
   PETSc_solver_3(const MPI_communicator_3& communicator, const Distributed_mesh_3& mesh)
     : m_communicator(communicator), m_mesh(mesh)
   {
-    constexpr int maximal_number_of_iterations = 2000; // a guess; users may pass -ksp_max_it
+    constexpr int maximum_number_of_iterations = 2000; // a guess; users may pass -ksp_max_it
     communicator.synchronize();
     const PetscInt n = number_of_own_rows();
     const std::vector<PetscInt>& rows = mesh.global_rows();
@@ -39,7 +39,7 @@ public:
     check(KSPSetType(m_ksp, KSPSTCG));
     check(KSPCGSetRadius(m_ksp, 0)); // no trust region
     check(KSPSetNormType(m_ksp, KSP_NORM_NATURAL));
-    check(KSPSetTolerances(m_ksp, PETSC_DEFAULT, 0, PETSC_DEFAULT, maximal_number_of_iterations));
+    check(KSPSetTolerances(m_ksp, PETSC_DEFAULT, 0, PETSC_DEFAULT, maximum_number_of_iterations));
     PC preconditioner;
     check(KSPGetPC(m_ksp, &preconditioner));
     check(PCSetType(preconditioner, PCPBJACOBI));

@@ -101,8 +101,8 @@ struct Map_options_3
   bool do_slide = false;
   double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it,
   double negligible_gain() const { return (std::max)(1e-8, energy_tolerance / 100); } // or one promises this
-  double maximal_angle_distortion = std::numeric_limits<double>::infinity();
-  bool minimize_maximal_angle_distortion = false;
+  double maximum_angle_distortion = std::numeric_limits<double>::infinity();
+  bool minimize_maximum_angle_distortion = false;
   decltype(&slide_and_bound_angles_3) improve = nullptr; // if it is wanted; otherwise it need not be compiled
   bool use_volume_weights = false;
   bool use_regular_references = false;   // in place of the cells of the source, which may be tangled

@@ -55,7 +55,7 @@ public:
     {
       if(residual() <= m_parameters.residual_tolerance)
         end(*status);
-      else if(is_blocked() || m_number_of_raises >= m_parameters.maximal_number_of_raises)
+      else if(is_blocked() || m_number_of_raises >= m_parameters.maximum_number_of_raises)
         end(ERROR_BOUNDARY_NOT_REACHED);
       else
         raise_weight();

@@ -71,8 +71,8 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
   check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::boundary_parameterizer_t,
                          internal_np::do_refine_t,
                          internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
-                         internal_np::initial_map_t, internal_np::maximal_angle_distortion_t,
-                         internal_np::minimize_maximal_angle_distortion_t, internal_np::number_of_iterations_t,
+                         internal_np::initial_map_t, internal_np::maximum_angle_distortion_t,
+                         internal_np::minimize_maximum_angle_distortion_t, internal_np::number_of_iterations_t,
                          internal_np::positional_constraints_t, internal_np::refinement_mode_t,
                          internal_np::soft_boundary_parameters_t,
                          internal_np::solver_traits_t, internal_np::use_regular_references_t, internal_np::use_volume_weights_t,
@@ -120,14 +120,14 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
     options.mode = Boundary_mode::FIXED; // a soft boundary starts from the source
   options.is_parallel = is_parallel<ConcurrencyTag>();
   options.energy_tolerance = parameter_or(np, internal_np::energy_tolerance, options.energy_tolerance);
-  options.minimize_maximal_angle_distortion = parameter_or(np, internal_np::minimize_maximal_angle_distortion, false);
-  options.maximal_angle_distortion = parameter_or(np, internal_np::maximal_angle_distortion, options.maximal_angle_distortion);
+  options.minimize_maximum_angle_distortion = parameter_or(np, internal_np::minimize_maximum_angle_distortion, false);
+  options.maximum_angle_distortion = parameter_or(np, internal_np::maximum_angle_distortion, options.maximum_angle_distortion);
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-               || !parameters::is_default_parameter<NamedParameters, internal_np::maximal_angle_distortion_t>::value
-               || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximal_angle_distortion_t>::value)
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximum_angle_distortion_t>::value)
     options.improve = &slide_and_bound_angles_3;
   require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
-  require(options.maximal_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
+  require(options.maximum_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
   require(options.soft.weight > 0 && std::isfinite(options.soft.weight),
           "The weight of a soft boundary is positive and finite.");
   require(options.soft.weight_factor > 1 && std::isfinite(options.soft.weight_factor),

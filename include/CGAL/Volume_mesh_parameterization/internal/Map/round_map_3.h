@@ -41,9 +41,9 @@ public:
 
   void run(const Budget& budget)
   {
-    constexpr int maximal_number_of_rounds = 100; // a guess
+    constexpr int maximum_number_of_rounds = 100; // a guess
     bool has_moved = true;
-    for(int round = 0; round < maximal_number_of_rounds && has_moved && !budget.is_exhausted()
+    for(int round = 0; round < maximum_number_of_rounds && has_moved && !budget.is_exhausted()
                        && inverted_cells(m_mesh, m_positions).number > 0; ++round)
     {
       has_moved = false;
@@ -100,7 +100,7 @@ inline Matrix3Xd rounded_positions_3(const Numbered_mesh_3& mesh, const Coordina
 {
   Matrix3Xd result = positions.unaryExpr(type.rounded);
   const auto is_inverted = [](const Matrix3Xd& image, const std::array<int, 4>& cell) { return !is_positive(image, cell); };
-  if(inverted_cells(mesh, result).number <= maximal_number_of_exceptions(mesh.global_number_of_cells()))
+  if(inverted_cells(mesh, result).number <= maximum_number_of_exceptions(mesh.global_number_of_cells()))
     for(const int number_of_rings : { 1, 2, 4 }) // guesses
       for(const Patch_3& patch : patches_3(mesh, result, is_inverted, number_of_rings))
       {
@@ -133,7 +133,7 @@ inline void round_map_3(const Numbered_mesh_3& mesh, const Coordinate_type& type
                    + " One of them has the source's vertex at " + describe(mesh.source.col(v))
                    + sentence("; the numbers of its image have a spacing of ", spacing(type, found.map.positions.col(v)), ".");
   }
-  else if(const double bound = problem.options.maximal_angle_distortion; found.status == OK && std::isfinite(bound))
+  else if(const double bound = problem.options.maximum_angle_distortion; found.status == OK && std::isfinite(bound))
     if(const double largest = largest_angle_distortion_3(mesh, found.map.positions); !(largest < bound))
     {
       found.status = ERROR_ANGLE_BOUND_NOT_REACHED;

@@ -91,10 +91,10 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
 {
   const Map_options_3& options = problem.options;
   Progress_3& progress = problem.progress;
-  const double bound = options.maximal_angle_distortion;
+  const double bound = options.maximum_angle_distortion;
   const bool exceeds_bound
     = std::isfinite(bound) && !(largest_angle_distortion_3(mesh, found.map.positions) < bound);
-  if((!options.do_slide && !options.minimize_maximal_angle_distortion && !exceeds_bound) || progress.is_interrupted())
+  if((!options.do_slide && !options.minimize_maximum_angle_distortion && !exceeds_bound) || progress.is_interrupted())
     return found;
   std::optional<Sliding_boundary_3> sliding;
   if(options.do_slide)
@@ -120,7 +120,7 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
     found = minimize(problem.energy, std::move(found), ends_if_stagnating(mesh, problem));
   if(std::isfinite(bound) && found.map.is_solution() && !progress.is_interrupted())
     found = bound_angle_distortion_3(mesh, problem, bound, sliding.has_value(), minimize, std::move(found));
-  if(options.minimize_maximal_angle_distortion && found.map.is_solution() && !progress.is_interrupted())
+  if(options.minimize_maximum_angle_distortion && found.map.is_solution() && !progress.is_interrupted())
     found = minimize_angle_distortion_3(mesh, problem, sliding.has_value(), minimize, std::move(found));
   return found;
 }

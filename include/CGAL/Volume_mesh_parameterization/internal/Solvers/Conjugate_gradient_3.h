@@ -31,8 +31,8 @@ class Conjugate_gradient_3
 public:
   using Matrix = Block_sparse_matrix_3<NT>;
 
-  Conjugate_gradient_3(const bool is_parallel, const int maximal_number_of_iterations)
-    : m_is_parallel(is_parallel), m_maximal_number_of_iterations(maximal_number_of_iterations), m_hierarchy(is_parallel)
+  Conjugate_gradient_3(const bool is_parallel, const int maximum_number_of_iterations)
+    : m_is_parallel(is_parallel), m_maximum_number_of_iterations(maximum_number_of_iterations), m_hierarchy(is_parallel)
   {}
 
   void analyze_pattern(const Matrix& A)
@@ -78,7 +78,7 @@ public:
     const double target = tolerance * tolerance * rz;
     Linear_solver_status status = rz < 0 ? Linear_solver_status::NOT_POSITIVE_DEFINITE : Linear_solver_status::SUCCESS;
 
-    while(rz > target && m_number_of_iterations < m_maximal_number_of_iterations)
+    while(rz > target && m_number_of_iterations < m_maximum_number_of_iterations)
     {
       if(m_number_of_iterations % 16 == 15 && may_continue && !may_continue())
         break;
@@ -206,7 +206,7 @@ private:
   }
 
   bool m_is_parallel;
-  int m_maximal_number_of_iterations;
+  int m_maximum_number_of_iterations;
   int m_number_of_iterations = 0;
   const Matrix* m_matrix = nullptr;
   std::vector<NT> m_inverse_diagonal;

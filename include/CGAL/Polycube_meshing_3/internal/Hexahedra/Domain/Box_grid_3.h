@@ -139,22 +139,22 @@ private:
   // Refuses more boxes than memory has room for: 4 kB a box while hexahedra are improved, if all boxes are inside.
   bool check_number_of_boxes(const double spacing)
   {
-    constexpr double maximal_number = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
-    if(number_of_boxes(spacing) <= maximal_number)
+    constexpr double maximum_number = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
+    if(number_of_boxes(spacing) <= maximum_number)
       return true;
-    if(number_of_boxes(infinity) > maximal_number)
+    if(number_of_boxes(infinity) > maximum_number)
       m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The planes of the faces of the domain alone make ",
-                             number_of_boxes(infinity), " boxes; at most ", maximal_number, " are allowed.");
+                             number_of_boxes(infinity), " boxes; at most ", maximum_number, " are allowed.");
     else
     {
       double coarser = spacing;
       for(const std::vector<double>& planes : m_planes) // each axis alone has a finest spacing
-        coarser = (std::max)(coarser, (planes.back() - planes.front()) / maximal_number);
-      while(number_of_boxes(coarser) > maximal_number)
+        coarser = (std::max)(coarser, (planes.back() - planes.front()) / maximum_number);
+      while(number_of_boxes(coarser) > maximum_number)
         coarser *= 1.1;
       m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes(spacing),
                              " boxes, which may take ", gigabytes_of_box * number_of_boxes(spacing),
-                             " GB of memory; at most ", maximal_number, " are allowed: a spacing of ", coarser, " would do.");
+                             " GB of memory; at most ", maximum_number, " are allowed: a spacing of ", coarser, " would do.");
     }
     return false;
   }

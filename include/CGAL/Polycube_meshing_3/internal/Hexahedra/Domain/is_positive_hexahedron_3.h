@@ -81,7 +81,7 @@ template <typename FT>
 std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>& coefficients, const FT& error,
                                              const int number_of_halvings = 0)
 {
-  constexpr int maximal_number = 60; // a minimum of 1e-12 of the maximum has been found then
+  constexpr int maximum_number = 60; // a minimum of 1e-12 of the maximum has been found then
   for(const std::size_t corner : { 0, 2, 6, 8, 18, 20, 24, 26 })
   {
     if(coefficients[corner] <= -error)
@@ -91,7 +91,7 @@ std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>&
   }
   if(std::all_of(coefficients.begin(), coefficients.end(), [&](const FT& x) { return x > error; }))
     return true;
-  if(number_of_halvings == maximal_number)
+  if(number_of_halvings == maximum_number)
     return error == 0 ? std::optional<bool>(false) : std::nullopt;
 
   const std::size_t step = number_of_halvings % 3 == 0 ? 9 : number_of_halvings % 3 == 1 ? 3 : 1;

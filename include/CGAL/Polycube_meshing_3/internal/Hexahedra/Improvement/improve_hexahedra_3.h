@@ -49,7 +49,7 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh,
     name(mesh.cells[c][0]); // if all corners are positive
   }
   const std::vector<double> quality = scaled_jacobians(mesh);
-  result.minimal_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
+  result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
   result.has_valid_mesh = result.number_of_inverted_hexahedra == 0;
   result.status = result.has_valid_mesh ? OK : ERROR_INVERTED_HEXAHEDRON;
@@ -65,21 +65,21 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
   const auto quality = [edge](const Hexahedral_mesh_result& result)
   {
-    return (std::min)(result.minimal_scaled_jacobian, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
+    return (std::min)(result.minimum_scaled_jacobian, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
            - price * std::clamp(result.boundary_distance / edge - sufficient_distance, 0., 1.);
   };
   if(a.number_of_inverted_corners != b.number_of_inverted_corners)
     return a.number_of_inverted_corners < b.number_of_inverted_corners;
   if(a.number_of_inverted_hexahedra != b.number_of_inverted_hexahedra)
     return a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra;
-  const double least_of_a = (std::min)(a.minimal_scaled_jacobian, bad_scaled_jacobian);
-  const double least_of_b = (std::min)(b.minimal_scaled_jacobian, bad_scaled_jacobian);
+  const double least_of_a = (std::min)(a.minimum_scaled_jacobian, bad_scaled_jacobian);
+  const double least_of_b = (std::min)(b.minimum_scaled_jacobian, bad_scaled_jacobian);
   return least_of_a != least_of_b ? least_of_a > least_of_b : quality(a) > quality(b);
 }
 
 // Tells whether a mesh is valid, and no scaled Jacobian is below a bound.
 inline bool is_at_least(const Hexahedral_mesh_result& result, const double bound)
-{ return result.has_valid_mesh && result.minimal_scaled_jacobian >= bound; }
+{ return result.has_valid_mesh && result.minimum_scaled_jacobian >= bound; }
 
 // Best hexahedra so far.
 struct Best_hexahedra_3
@@ -137,7 +137,7 @@ private:
   void smooth(const double price_of_uncovered)
   {
     constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
-    m_hexahedra.smooth((std::max)(0., m_result.minimal_scaled_jacobian) + gain,
+    m_hexahedra.smooth((std::max)(0., m_result.minimum_scaled_jacobian) + gain,
                        m_result.number_of_inverted_corners > 0 ? smallest_price : price_of_uncovered);
     evaluate();
   }
@@ -157,7 +157,7 @@ private:
       const bool are_few = m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
       if(in_vain == patience - 1 && are_few && m_hexahedra.leave_lines(0))
         in_vain = 0;
-      if(round > 0 && m_result.minimal_scaled_jacobian < flat_scaled_jacobian)
+      if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
         smooth(price);
       const double mean = m_result.mean_scaled_jacobian;
       m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
@@ -181,23 +181,23 @@ private:
     std::size_t fewest_corners = m_result.number_of_inverted_corners, fewest_hexahedra = m_result.number_of_inverted_hexahedra;
     for(int round = 0, in_vain = 0;
         round < number_of_rounds && in_vain < patience
-        && (m_result.minimal_scaled_jacobian < sufficient_scaled_jacobian || m_result.number_of_inverted_hexahedra > 0)
+        && (m_result.minimum_scaled_jacobian < sufficient_scaled_jacobian || m_result.number_of_inverted_hexahedra > 0)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
-      const double before = m_result.minimal_scaled_jacobian;
+      const double before = m_result.minimum_scaled_jacobian;
       if(round > 0)
       {
         m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
         evaluate();
       }
       smooth(price_of_uncovered);
-      const bool is_gain = (m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian > before + least_gain)
+      const bool is_gain = (m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian > before + least_gain)
                            || m_result.number_of_inverted_corners < fewest_corners
                            || m_result.number_of_inverted_hexahedra < fewest_hexahedra;
       fewest_corners = (std::min)(fewest_corners, m_result.number_of_inverted_corners);
       fewest_hexahedra = (std::min)(fewest_hexahedra, m_result.number_of_inverted_hexahedra);
       in_vain = is_gain ? 0 : in_vain + 1;
-      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimal_scaled_jacobian < poor_scaled_jacobian)
+      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian < poor_scaled_jacobian)
       {
         m_hexahedra.leave_lines(flat_scaled_jacobian);
         price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);
@@ -229,7 +229,7 @@ private:
   void leave_interfaces()
   {
     constexpr double least_scaled_jacobian = 0.02; // a guess
-    for(int round = 0; round < patience && m_result.minimal_scaled_jacobian < least_scaled_jacobian
+    for(int round = 0; round < patience && m_result.minimum_scaled_jacobian < least_scaled_jacobian
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "interfaces") && m_hexahedra.leave_interfaces(flat_scaled_jacobian); ++round)
     {
       m_hexahedra.improve(steps, true, Corners_to_improve::POOR);

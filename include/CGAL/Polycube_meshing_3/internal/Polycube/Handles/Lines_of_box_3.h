@@ -180,10 +180,10 @@ private:
 
   std::vector<Crossing_3> crossings_of_meridian(const std::size_t k) const
   {
-    constexpr std::size_t maximal_number_of_crossings = 8; // a guess: each costs shortest paths on the whole surface
+    constexpr std::size_t maximum_number_of_crossings = 8; // a guess: each costs shortest paths on the whole surface
     std::vector<Crossing_3> result;
     const std::size_t n = m_meridians[k].size();
-    for(std::size_t i = 0; i < n; i += (n + maximal_number_of_crossings - 1) / maximal_number_of_crossings)
+    for(std::size_t i = 0; i < n; i += (n + maximum_number_of_crossings - 1) / maximum_number_of_crossings)
       result.push_back({ k, i, true });
     return result;
   }
@@ -240,13 +240,13 @@ private:
 
   bool separate(const Budget& budget)
   {
-    constexpr int minimal_number_of_rounds = 4, rounds_between_exchanges = 4, maximal_number_of_rounds = 40; // guesses
+    constexpr int minimum_number_of_rounds = 4, rounds_between_exchanges = 4, maximum_number_of_rounds = 40; // guesses
     double quarter = 0; // mean quarter of a meridian
     for(const Surface_line_3& meridian : m_meridians)
       quarter += length(m_mesh, meridian) / 4 / static_cast<double>(number_of_holes());
     std::vector<double> history(m_uses.size(), 0);
     for(int round = 1;
-        round <= maximal_number_of_rounds && budget.may_begin_round(Phase::BOUNDARY, "lines around handles"); ++round)
+        round <= maximum_number_of_rounds && budget.may_begin_round(Phase::BOUNDARY, "lines around handles"); ++round)
     {
       for(Closed_line_3& line : m_lines)
       {
@@ -270,7 +270,7 @@ private:
           history[v] += 10;
           is_separate = false;
         }
-      if(is_separate && round >= minimal_number_of_rounds)
+      if(is_separate && round >= minimum_number_of_rounds)
         return true;
       if(!is_separate && round % rounds_between_exchanges == 0)
         exchange_between_meetings();

@@ -72,14 +72,14 @@ public:
   // Returns a number of loops, or fewer if no more are found. The body is filled from `first_cell` and other cells.
   std::vector<Loop> loops(const std::size_t number, const std::size_t first_cell, const Budget& budget)
   {
-    constexpr std::size_t maximal_number_of_fillings = 16; // a guess
+    constexpr std::size_t maximum_number_of_fillings = 16; // a guess
     m_loops.clear();
     m_is_wall.assign(m_cells.size(), false);
     m_is_on_wall.assign(m_edges.size(), false);
     m_is_used.clear();
-    for(std::size_t i = 0; i < maximal_number_of_fillings && m_loops.size() < number && !budget.is_exhausted(); ++i)
+    for(std::size_t i = 0; i < maximum_number_of_fillings && m_loops.size() < number && !budget.is_exhausted(); ++i)
     {
-      fill_from((first_cell + i * m_facets_of_cell.size() / maximal_number_of_fillings) % m_facets_of_cell.size());
+      fill_from((first_cell + i * m_facets_of_cell.size() / maximum_number_of_fillings) % m_facets_of_cell.size());
       open_facets();
       build_walls();
     }

@@ -50,7 +50,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
                                                           const std::vector<int>& turns, const bool may_be_long,
                                                           const Normal_labels_3& costs, const Budget& budget)
 {
-  constexpr int maximal_number_of_attempts = 10; // a guess
+  constexpr int maximum_number_of_attempts = 10; // a guess
   const double size = box.sizes().maxCoeff();
   Map_to_box_with_holes_3 result;
   Box_with_holes_3 box_with_holes(mesh, lines);
@@ -61,7 +61,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
     = box_with_holes.coordinates(may_be_long, { -box.center() / size, spacing / size });
   std::vector<std::size_t> labels = labels_of_box;
   for(int attempt = 0;
-      attempt < maximal_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with holes"); ++attempt)
+      attempt < maximum_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with holes"); ++attempt)
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
@@ -133,7 +133,7 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const std
                                           const std::vector<std::size_t>& points, std::vector<Eigen::Vector3d>& images,
                                           const Budget& budget)
 {
-  constexpr std::size_t maximal_number_of_cuts = 16, maximal_number_of_maps = 3; // guesses
+  constexpr std::size_t maximum_number_of_cuts = 16, maximum_number_of_maps = 3; // guesses
   const std::size_t number_of_handles
     = (2 + mesh.number_of_edges() - mesh.number_of_vertices() - mesh.number_of_faces()) / 2;
   std::unordered_map<std::size_t, std::size_t> vertex_of_point;
@@ -143,10 +143,10 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const std
   Meridians_3 meridians(cells);
   bool has_meridians = false;
   Map_to_box_with_holes_3 best;
-  for(std::size_t i = 0, number_of_maps = 0; i < maximal_number_of_cuts && number_of_maps < maximal_number_of_maps
+  for(std::size_t i = 0, number_of_maps = 0; i < maximum_number_of_cuts && number_of_maps < maximum_number_of_maps
       && budget.may_begin_round(Phase::BOUNDARY, "cuts of a body with handles"); ++i)
   {
-    std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_handles, i * cells.size() / maximal_number_of_cuts, budget);
+    std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_handles, i * cells.size() / maximum_number_of_cuts, budget);
     if(loops.size() < number_of_handles)
       continue;
     has_meridians = true;

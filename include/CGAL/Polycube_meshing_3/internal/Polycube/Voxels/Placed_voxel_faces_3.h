@@ -80,10 +80,10 @@ public:
   // them slide off thin parts.
   Voxel_faces_3 run(const Voxel_faces_3& faces) const
   {
-    constexpr int maximal_number_of_rounds = 40; // a guess
+    constexpr int maximum_number_of_rounds = 40; // a guess
     Voxel_faces_3 present = faces, best = faces;
     std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
-    for(int round = 0; round < maximal_number_of_rounds && fewest > 0; ++round)
+    for(int round = 0; round < maximum_number_of_rounds && fewest > 0; ++round)
     {
       if(round > 0)
         smooth(present);

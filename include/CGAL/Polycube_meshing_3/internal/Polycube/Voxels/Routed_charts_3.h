@@ -37,7 +37,7 @@ public:
   std::vector<std::size_t> run(const Budget& budget)
   {
     constexpr int layers_around_corners = 2; // give room to the paths that leave them
-    constexpr int maximal_number_of_attempts = 40; // a guess
+    constexpr int maximum_number_of_attempts = 40; // a guess
     m_corners = vertices_of_corners(m_surface, m_faces, m_borders);
     if(m_corners.empty())
       return {};
@@ -54,7 +54,7 @@ public:
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
     { return m_borders.length(m_borders.borders()[i]) < m_borders.length(m_borders.borders()[j]); });
-    for(int attempt = 0; attempt < maximal_number_of_attempts && !budget.is_exhausted(); ++attempt)
+    for(int attempt = 0; attempt < maximum_number_of_attempts && !budget.is_exhausted(); ++attempt)
     {
       const auto blocked = route(order);
       if(blocked == order.end())

@@ -65,13 +65,13 @@ struct Split_surface_3
   // Splits edges that are longer than is allowed at their midpoints, and their halves, until there are none. No facet is split
   // unless its longest edge is, which keeps its angles from becoming ever smaller.
   template <typename Length>
-  void split_long_edges(const Length& maximal_length_at)
+  void split_long_edges(const Length& maximum_length_at)
   {
     for(std::set<Edge> edges; ; edges.clear())
     {
       for(const std::array<std::size_t, 3>& facet : facets)
         for(std::size_t i = 0; i < 3; ++i)
-          if(const Edge e = edge(facet, i); length(e) > maximal_length_at((points[e.first] + points[e.second]) / 2))
+          if(const Edge e = edge(facet, i); length(e) > maximum_length_at((points[e.first] + points[e.second]) / 2))
             edges.insert(e);
       if(edges.empty())
         return;
@@ -80,8 +80,8 @@ struct Split_surface_3
     }
   }
 
-  void split_edges_longer_than(const double maximal_length)
-  { split_long_edges([maximal_length](const Eigen::Vector3d&) { return maximal_length; }); }
+  void split_edges_longer_than(const double maximum_length)
+  { split_long_edges([maximum_length](const Eigen::Vector3d&) { return maximum_length; }); }
 
 private:
   // Adds the longest edge of each facet that has an edge among some.

@@ -44,12 +44,12 @@ public:
   // Makes borders shorter and shorter.
   void run(const Budget& budget)
   {
-    constexpr double maximal_smoothing = 0.02; // in units of the body; with more, details of fingers and tails vanished
-    constexpr int maximal_number_of_sweeps = 20; // a guess
+    constexpr double maximum_smoothing = 0.02; // in units of the body; with more, details of fingers and tails vanished
+    constexpr int maximum_number_of_sweeps = 20; // a guess
     for(const double part : { 0.125, 0.25, 0.5, 1. })
     {
-      m_smoothing = part * maximal_smoothing;
-      for(int i = 0; i < maximal_number_of_sweeps && !budget.is_exhausted() && sweep(); ++i) {}
+      m_smoothing = part * maximum_smoothing;
+      for(int i = 0; i < maximum_number_of_sweeps && !budget.is_exhausted() && sweep(); ++i) {}
     }
   }
 
@@ -57,7 +57,7 @@ public:
   const std::vector<std::size_t>& face_of_cell() const { return m_face_of_cell; }
 
 private:
-  static constexpr int maximal_number_of_layers = 4; // a guess
+  static constexpr int maximum_number_of_layers = 4; // a guess
 
   // Undoes moves: voxels that changed, and cells with the faces that they had before.
   struct Changes
@@ -242,7 +242,7 @@ private:
     {
       Changes changes;
       std::vector<std::size_t> present = voxels;
-      for(int layer = 1; layer <= maximal_number_of_layers; ++layer)
+      for(int layer = 1; layer <= maximum_number_of_layers; ++layer)
       {
         const auto moved = move(present, d, is_outward, changes);
         if(!moved)

@@ -112,7 +112,7 @@ inline std::optional<int> characteristic_of_voxels_3(const Voxels_3& voxels, con
 // Returns whether it is one then.
 inline bool make_manifold(Voxels_3& voxels, const double least_part)
 {
-  constexpr int maximal_number_of_changes = 20000; // a guess
+  constexpr int maximum_number_of_changes = 20000; // a guess
   const auto is_bad = [&](const Eigen::Vector3i& p) { return !all_octants_3().is_manifold(voxels.octants(p)); };
   std::deque<Eigen::Vector3i> bad;
   const auto collect = [&](const Eigen::Vector3i& lo, const Eigen::Vector3i& hi)
@@ -132,7 +132,7 @@ inline bool make_manifold(Voxels_3& voxels, const double least_part)
   };
   collect(Eigen::Vector3i::Zero(), voxels.size);
   std::vector<int> changes(voxels.is_inside.size(), 0);
-  for(int i = 0; !bad.empty() && i < maximal_number_of_changes; ++i)
+  for(int i = 0; !bad.empty() && i < maximum_number_of_changes; ++i)
   {
     const Eigen::Vector3i p = bad.front();
     bad.pop_front();

@@ -163,7 +163,7 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
 inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh,
                                        const Eigen::AlignedBox3d& box, const double spacing, const Budget& budget)
 {
-  constexpr int maximal_number_of_maps = 4, maximal_number_of_sizes = 3; // with maps; guesses, as all these numbers
+  constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
   constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
@@ -179,9 +179,9 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
   for(const int number : numbers)
   {
     number_of_sizes += number_of_maps > 0;
-    for(std::size_t attempt = 0; number_of_sizes < maximal_number_of_sizes && attempt < least_parts.size(); ++attempt)
+    for(std::size_t attempt = 0; number_of_sizes < maximum_number_of_sizes && attempt < least_parts.size(); ++attempt)
     {
-      if(number_of_maps == maximal_number_of_maps || !budget.may_begin_round(Phase::BOUNDARY, "polycubes of voxels"))
+      if(number_of_maps == maximum_number_of_maps || !budget.may_begin_round(Phase::BOUNDARY, "polycubes of voxels"))
         return best;
       const double size_of_voxels = 1. / number, x = shift(), y = shift(), z = shift();
       const Eigen::Vector3d offset = attempt == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(x, y, z);

@@ -39,12 +39,12 @@ inline void relax_charts_3(const Boundary_mesh_3& mesh, const Label_functional_3
                            const std::vector<std::size_t>& label_of_chart, std::vector<std::size_t>& chart_of_facet)
 {
   constexpr double smoothing = 0.02;             // in units of the body, as for moves of charts
-  constexpr int maximal_number_of_rounds = 200;  // a guess
+  constexpr int maximum_number_of_rounds = 200;  // a guess
   std::vector<std::size_t> sizes(label_of_chart.size(), 0);
   for(const std::size_t c : chart_of_facet)
     ++sizes[c];
   bool has_changed = true;
-  for(int round = 0; round < maximal_number_of_rounds && has_changed; ++round)
+  for(int round = 0; round < maximum_number_of_rounds && has_changed; ++round)
   {
     has_changed = false;
     for(const auto f : mesh.faces())

@@ -128,8 +128,8 @@ inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_
 inline std::string describe_inverted_cells(const std::vector<std::size_t>& cells, const Numbered_mesh_3& mesh,
                                            std::string result = "With the boundary at its targets, these cells stay inverted: ")
 {
-  constexpr std::size_t maximal_number = 5; // as many as one looks at
-  const std::size_t number = (std::min)(maximal_number, cells.size());
+  constexpr std::size_t maximum_number = 5; // as many as one looks at
+  const std::size_t number = (std::min)(maximum_number, cells.size());
   for(std::size_t i = 0; i < number; ++i)
     result += sentence(i == 0 ? "" : ", ", mesh.user_number(cells[i]));
   return result + (cells.size() > number ? sentence(", and ", cells.size() - number, " others.") : ".");

@@ -123,10 +123,10 @@ using Matrix_6 = Small_matrix<6, 6>;
 // directions in which A vanishes.
 inline Vector_6 least_solution_6(const Matrix_6& A, const Vector_6& b)
 {
-  constexpr int maximal_number_of_steps = 20; // six, but for rounding
+  constexpr int maximum_number_of_steps = 20; // six, but for rounding
   constexpr double tolerance = 1e-10;
   Vector_6 x = Vector_6::Zero(), r = b, p = b;
-  for(int step = 0; step < maximal_number_of_steps && r.norm() > tolerance * b.norm(); ++step)
+  for(int step = 0; step < maximum_number_of_steps && r.norm() > tolerance * b.norm(); ++step)
   {
     const Vector_6 Ap = A * p;
     const double squares = r.squaredNorm(), length = squares / p.dot(Ap);
@@ -143,12 +143,12 @@ inline Vector_6 least_solution_6(const Matrix_6& A, const Vector_6& b)
 // What these leave open does not change. Returns the sum of the squared distances.
 inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& similarity)
 {
-  constexpr int maximal_number_of_steps = 50; // a guess
+  constexpr int maximum_number_of_steps = 50; // a guess
   const int n = mesh.number_of_vertices(), first = mesh.number_of_free_vertices;
   const double radius = std::sqrt((mesh.source.colwise() - similarity.source_center).colwise().squaredNorm().mean());
   const double unit = similarity.scale * radius; // of translations
   double squares = 0;
-  for(int step = 0; step < maximal_number_of_steps; ++step)
+  for(int step = 0; step < maximum_number_of_steps; ++step)
   {
     Matrix_6 A = Matrix_6::Zero();
     Vector_6 b = Vector_6::Zero(); // for a rotation and a translation

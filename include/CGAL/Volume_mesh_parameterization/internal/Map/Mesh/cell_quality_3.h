@@ -64,7 +64,7 @@ inline Cell_quality_3 worse(const Cell_quality_3& a, const Cell_quality_3& b)
 {
   return { (std::min)(a.smallest_dihedral_angle, b.smallest_dihedral_angle),
            (std::max)(a.largest_dihedral_angle, b.largest_dihedral_angle),
-           (std::min)(a.smallest_scaled_Jacobian, b.smallest_scaled_Jacobian),
+           (std::min)(a.minimum_scaled_jacobian, b.minimum_scaled_jacobian),
            (std::max)(a.largest_aspect_ratio, b.largest_aspect_ratio) };
 }
 

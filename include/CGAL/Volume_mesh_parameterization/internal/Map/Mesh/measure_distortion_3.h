@@ -79,7 +79,7 @@ inline Cell_quality_3 measure_quality_3(const Numbered_mesh_3& mesh, const Matri
   }));
   const Communicator_3& communicator = *mesh.communicator;
   return { communicator.minimum(own.smallest_dihedral_angle), communicator.maximum(own.largest_dihedral_angle),
-           communicator.minimum(own.smallest_scaled_Jacobian), communicator.maximum(own.largest_aspect_ratio) };
+           communicator.minimum(own.minimum_scaled_jacobian), communicator.maximum(own.largest_aspect_ratio) };
 }
 
 inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)

@@ -31,7 +31,7 @@ public:
   Penalty_minimizer_3(Newton_system_3& system, Quadratic_penalty_3& penalty, const Cell_energy_3& energy,
                       const Matrix3Xd& positions, const Soft_boundary_parameters& parameters, const double diameter)
     : m_system(system), m_penalty(penalty), m_energy(energy), m_parameters(parameters), m_diameter(diameter),
-      m_iterate{ system.scale(), system.scale() * positions }, m_can_relax(parameters.maximal_number_of_relaxations > 0)
+      m_iterate{ system.scale(), system.scale() * positions }, m_can_relax(parameters.maximum_number_of_relaxations > 0)
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
     m_last_energy = m_iterate.evaluation.energy;
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  bool relaxes() const { return m_parameters.maximal_number_of_relaxations > 0; } // as in the paper
+  bool relaxes() const { return m_parameters.maximum_number_of_relaxations > 0; } // as in the paper
 
   // A Newton step with the full Hessian, or with as much of its negative curvature as serves.
   bool move_with_hessian(const bool must_decrease_gradient)
@@ -88,7 +88,7 @@ private:
   void begin_relaxation()
   {
     m_can_relax = false;
-    m_relaxations_left = m_parameters.maximal_number_of_relaxations;
+    m_relaxations_left = m_parameters.maximum_number_of_relaxations;
     m_penalty.hold(m_iterate.u);
     m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
   }

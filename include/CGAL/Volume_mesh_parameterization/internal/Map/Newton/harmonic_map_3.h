@@ -24,7 +24,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& pos
                                          const double energy_tolerance = 1e-14,
                                          const Reference_cells references = Reference_cells::SOURCE)
 {
-  constexpr int maximal_number_of_steps = 20; // a guess; one to three are usual
+  constexpr int maximum_number_of_steps = 20; // a guess; one to three are usual
   const Dirichlet_energy_3 energy;
   const Cell_energy_of<Dirichlet_energy_3> dirichlet(energy);
   double tolerance = 1e-2;
@@ -38,7 +38,7 @@ inline Newton_direction_3 harmonic_map_3(Newton_system_3& system, Matrix3Xd& pos
     u += direction.vectors;
     const double left = -direction.slope * tolerance * tolerance;
     const double allowed = energy_tolerance * system.evaluate(dirichlet, u).energy;
-    if(left <= allowed || i == maximal_number_of_steps || progress.is_interrupted())
+    if(left <= allowed || i == maximum_number_of_steps || progress.is_interrupted())
       break;
     tolerance = std::clamp(0.5 * std::sqrt(allowed / left), 1e-3, 1e-1);
     direction = system.next_direction(dirichlet, u, tolerance, progress.budget());

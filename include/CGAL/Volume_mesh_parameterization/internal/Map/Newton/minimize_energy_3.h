@@ -133,12 +133,12 @@ inline std::optional<Unknowns_3> steepest_unknowns_3(const Newton_system_3& syst
 // long as the step: cells that are nearly flat need many steps, over the whole mesh, too, but steps of few cost little.
 inline void minimize_steepest_3(Newton_system_3& system, const Cell_energy_3& energy, Minimizer_3& minimizer, const Budget& budget)
 {
-  constexpr int maximal_number_of_steps = 30; // a guess
+  constexpr int maximum_number_of_steps = 30; // a guess
   constexpr double sufficient_part = 0.1; // a guess
   std::optional<Unknowns_3> steepest = steepest_unknowns_3(system, minimizer.iterate().direction);
   if(!steepest)
     return;
-  const int number_of_steps = (std::min)(maximal_number_of_steps, system.unknowns().size() / steepest->size());
+  const int number_of_steps = (std::min)(maximum_number_of_steps, system.unknowns().size() / steepest->size());
   Conjugate_gradient_solver_traits_3<Sequential_tag, double> traits;
   Linear_solver_of solver(traits);
   Newton_system_3 part(system, std::move(*steepest), solver);

@@ -61,7 +61,7 @@ public:
 private:
   void gather(const std::vector<bool>& is_free)
   {
-    constexpr double maximal_number_of_cells = 1e6; // some 200 bytes each
+    constexpr double maximum_number_of_cells = 1e6; // some 200 bytes each
     std::vector<std::array<double, 5> > own_cells;    // numbers of the cell and its vertices
     std::vector<std::array<double, 8> > own_vertices; // is it fixed, its number, source, image
     std::vector<bool> is_seen(is_free);
@@ -77,7 +77,7 @@ private:
         is_seen[cell[i]] = true;
       }
     }
-    if(m_whole.communicator->sum(static_cast<double>(own_cells.size())) > maximal_number_of_cells)
+    if(m_whole.communicator->sum(static_cast<double>(own_cells.size())) > maximum_number_of_cells)
       return;
     for(int v = 0; v < m_whole.number_of_vertices(); ++v)
       if(is_seen[v])

@@ -234,7 +234,7 @@ std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solv
 // that cannot be in the largest patches either, so that fewer cells are inverted. A step is an attempt at a patch.
 inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Map_3& map, Progress_3& progress)
 {
-  constexpr int maximal_number_of_rings = 3; // a guess: with 2, single cells stay inverted now and then that 3 have room for
+  constexpr int maximum_number_of_rings = 3; // a guess: with 2, single cells stay inverted now and then that 3 have room for
   Parameterization_step step;
   step.phase = Phase::UNTANGLING;
   step.kind = Step_kind::SPLIT;
@@ -250,9 +250,9 @@ inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solv
   {
     return !is_positive(image, cell) && std::none_of(cell.begin(), cell.end(), [&](const int v) { return is_solved[v]; });
   };
-  for(int rings = 1; rings <= maximal_number_of_rings; ++rings)
+  for(int rings = 1; rings <= maximum_number_of_rings; ++rings)
   {
-    const bool must_untangle = rings < maximal_number_of_rings;
+    const bool must_untangle = rings < maximum_number_of_rings;
     std::vector<Patch_3> patches = patches_3(mesh, map.positions, is_chosen, rings);
     for(; !patches.empty() && progress.may_continue(); patches.pop_back())
     {

@@ -29,7 +29,7 @@ struct Patch_3
 };
 
 // Returns how many inverted cells of a mesh are exceptions, which patches can mend: a guess.
-inline std::size_t maximal_number_of_exceptions(const double number_of_cells)
+inline std::size_t maximum_number_of_exceptions(const double number_of_cells)
 { return static_cast<std::size_t>((std::max)(100., number_of_cells / 100)); }
 
 // The vertices that may move of those cells for which `is_chosen` is true.

@@ -37,10 +37,10 @@ public:
   bool is_unsolved() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
   // Looks for edges whose splits leave fewer cells inverted, if at most that number is; only once for the same map.
-  bool finds_splits(const std::size_t maximal_number)
+  bool finds_splits(const std::size_t maximum_number)
   {
     const std::size_t number = m_best.map.number_of_inverted_cells;
-    if(!is_unsolved() || number > maximal_number || number >= m_fewest_without_splits || m_progress.is_interrupted())
+    if(!is_unsolved() || number > maximum_number || number >= m_fewest_without_splits || m_progress.is_interrupted())
       return false;
     m_fewest_without_splits = number;
     m_progress.begin_stage();
@@ -72,7 +72,7 @@ public:
   // Unless so many cells are inverted that they are no exceptions.
   void untangle_patches(const Matrix3Xd& start, const std::string& method)
   {
-    if(inverted_cells(m_mesh, start).number <= maximal_number_of_exceptions(m_mesh.global_number_of_cells()))
+    if(inverted_cells(m_mesh, start).number <= maximum_number_of_exceptions(m_mesh.global_number_of_cells()))
       keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress); });
   }
 
@@ -132,7 +132,7 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
       break;
   }
   if(may_split)
-    search.finds_splits(maximal_number_of_exceptions(mesh.global_number_of_cells()));
+    search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells()));
 }
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes the attempts from the start.

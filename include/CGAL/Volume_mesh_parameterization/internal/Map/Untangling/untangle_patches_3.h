@@ -86,8 +86,8 @@ inline Matrix3Xd relaxed_3(Newton_system_3& system, const Matrix3Xd& positions, 
 inline Matrix3Xd untangle_patch_with_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
                                               const Matrix3Xd& positions, const Budget& budget)
 {
-  constexpr std::size_t maximal_number_of_steps = 250; // a guess
-  Progress_3 steps(budget, maximal_number_of_steps);
+  constexpr std::size_t maximum_number_of_steps = 250; // a guess
+  Progress_3 steps(budget, maximum_number_of_steps);
   const Newton_result_3 result = untangle_with_3(attempt, system, positions, steps);
   return result.status == OK ? relaxed_3(system, result.positions, budget) : result.positions;
 }
@@ -120,7 +120,7 @@ inline Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3
 inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
                                           const Matrix3Xd& start, Progress_3& progress)
 {
-  constexpr int maximal_number_of_rings = 2; // a guess
+  constexpr int maximum_number_of_rings = 2; // a guess
   const auto is_inverted = [](const Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return !is_positive(positions, cell); };
   progress.end_start();
@@ -128,7 +128,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
   if(number == 0)
     return { start, 0, OK };
   // has room for cells that become inverted, too
-  const Neighborhood_3 neighborhood(mesh, start, is_inverted, maximal_number_of_rings + 1);
+  const Neighborhood_3 neighborhood(mesh, start, is_inverted, maximum_number_of_rings + 1);
   Matrix3Xd positions = neighborhood.positions();
   const auto untangle = [&](const Patch_3& patch)
   {
@@ -143,7 +143,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
     if(after < before)
       p.write(positions);
   };
-  for(int rings = 1; rings <= maximal_number_of_rings && number > 0; ++rings)
+  for(int rings = 1; rings <= maximum_number_of_rings && number > 0; ++rings)
   {
     const std::vector<Patch_3> patches = patches_3(neighborhood.mesh(), positions, is_inverted, rings);
     for(auto patch = patches.rbegin(); patch != patches.rend() && progress.may_continue(); ++patch)

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_HEXAHEDRAL_MESH_H
-#define CGAL_POLYCUBE_MESHING_3_HEXAHEDRAL_MESH_H
+#ifndef CGAL_POLYCUBE_MESHING_3_MAKE_HEXAHEDRAL_MESH_3_H
+#define CGAL_POLYCUBE_MESHING_3_MAKE_HEXAHEDRAL_MESH_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -62,10 +62,10 @@ template <typename ConcurrencyTag, typename NamedParameters>
 Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const double spacing, Hexahedron_soup_3& mesh,
                                               const NamedParameters& np)
 {
-  check_named_parameters<internal_np::minimal_scaled_jacobian_t, internal_np::do_keep_interfaces_t>(np);
+  check_named_parameters<internal_np::minimum_scaled_jacobian_t, internal_np::do_keep_interfaces_t>(np);
   require(spacing > 0 && std::isfinite(spacing), "The spacing of a grid is finite and positive.");
   constexpr double poor = 0.01; // a guess; solvers of finite elements want more, but take it
-  const double bound = parameter_or(np, internal_np::minimal_scaled_jacobian, poor);
+  const double bound = parameter_or(np, internal_np::minimum_scaled_jacobian, poor);
   require(bound <= 1, "A scaled Jacobian is at most 1.");
   Limits<NamedParameters> limits(np);
   Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
@@ -152,7 +152,7 @@ its sign open, the cube is halved (Johnen, Weill and Remacle, Robust and efficie
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{minimal_scaled_jacobian}
+  \cgalParamNBegin{minimum_scaled_jacobian}
     \cgalParamDescription{the bound below which a scaled Jacobian is answered by `ERROR_POOR_HEXAHEDRON`; the hexahedra are
                           the same for each}
     \cgalParamType{`double`}
@@ -204,7 +204,7 @@ time linear in the number of hexahedra, plus the solution of a linear system.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename CellRange, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters>
-Hexahedral_mesh_result hexahedral_mesh(const PointRange& points, const CellRange& cells, const ImageRange& images,
+Hexahedral_mesh_result make_hexahedral_mesh_3(const PointRange& points, const CellRange& cells, const ImageRange& images,
                                        const double spacing,
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
@@ -220,7 +220,7 @@ makes hexahedra of a soup, with its references.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters>
-Hexahedral_mesh_result hexahedral_mesh(const Tetrahedron_soup_3& soup, const ImageRange& images, const double spacing,
+Hexahedral_mesh_result make_hexahedral_mesh_3(const Tetrahedron_soup_3& soup, const ImageRange& images, const double spacing,
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
@@ -250,7 +250,7 @@ of arrays have the reference 0.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename C3t3, typename VertexUVWMap,
           typename NamedParameters = parameters::Default_named_parameters>
-Hexahedral_mesh_result hexahedral_mesh(const C3t3& c3t3, const VertexUVWMap uvw_map, const double spacing,
+Hexahedral_mesh_result make_hexahedral_mesh_3(const C3t3& c3t3, const VertexUVWMap uvw_map, const double spacing,
                                        Hexahedron_soup_3& mesh,
                                        const NamedParameters& np = parameters::default_values())
 {
@@ -261,4 +261,4 @@ Hexahedral_mesh_result hexahedral_mesh(const C3t3& c3t3, const VertexUVWMap uvw_
 
 } // namespace CGAL::Volume_mesh_parameterization
 
-#endif // CGAL_POLYCUBE_MESHING_3_HEXAHEDRAL_MESH_H
+#endif // CGAL_POLYCUBE_MESHING_3_MAKE_HEXAHEDRAL_MESH_3_H
