@@ -23,7 +23,8 @@ Without a configuration, all of these, but for the sanitizers:
   arm64        the core, cross-compiled without GMP, and run by qemu
   windows      the core, cross-compiled by MinGW-w64 without GMP, and run by Wine
   cgal_core    the core, by the compiler in \$CXX, with the headers in the folder given by --cgal, for instance those of an
-               archive of CGAL 6, and of a Boost beside it
+               archive of CGAL 6, and of a Boost beside it; and all public headers, in C++17 and C++20, with and without
+               what that CGAL deprecates
 The core is header-only: a map of arrays, and the tests of the public function. It is without TBB, CHOLMOD, PETSc, CGAL's
 models and the program parameterize_mesh_file.
 FOLDER is build/matrix if not given, and PREFIX the environment variables CGAL_PREFIX and EIGEN_PREFIX; cgal, cgal_core and
@@ -97,6 +98,20 @@ test_core() # NAME RUNNER COMPILER FLAGS...
     echo "100% tests passed, 0 tests failed out of 2"
 }
 
+# Checks all public headers in one unit with the CGAL given, by two standards, with and without what that CGAL deprecates.
+check_headers_with_cgal()
+{
+  local unit="$folder/cgal_core/headers.cpp" standard deprecated
+  (cd "$root/include" && find CGAL -name '*.h' | grep -vE '/(internal|license|Arrays)/|Distributed|/Gmsh|/MSH|CHOLMOD' | sort |
+    sed 's/.*/#include <&>/') > "$unit"
+  for standard in 17 20; do
+    for deprecated in -UCGAL_NO_DEPRECATED_CODE -DCGAL_NO_DEPRECATED_CODE; do
+      "${CXX:-g++}" "-std=c++$standard" -fsyntax-only -Wall -Wextra "$deprecated" -DCGAL_EIGEN3_ENABLED -frounding-math \
+        -I "$root/include" -isystem "$cgal/include" -isystem /usr/include/eigen3 "$unit" || return 1
+    done
+  done
+}
+
 # Several threads are a program of their own.
 test_threads()
 {
@@ -130,7 +145,7 @@ run()
     no_gmp) test_core "$1" "" g++ -DCGAL_DISABLE_GMP ;;
     arm64) test_core "$1" qemu-aarch64-static aarch64-linux-gnu-g++ -static -DCGAL_DISABLE_GMP ;;
     windows) WINEDEBUG=-all test_core "$1" /usr/lib/wine/wine64 x86_64-w64-mingw32-g++-posix -static -Wa,-mbig-obj -DCGAL_DISABLE_GMP ;;
-    cgal_core) test_core "$1" "" "${CXX:-g++}" ;;
+    cgal_core) test_core "$1" "" "${CXX:-g++}" && check_headers_with_cgal ;;
     *) echo "there is no configuration '$1'"; return 1 ;;
   esac
 }

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
