@@ -6,9 +6,9 @@
 #include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pull_back_grid_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/separate_subdomains_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pulled_back.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>

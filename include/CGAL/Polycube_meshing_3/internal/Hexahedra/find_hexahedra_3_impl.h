@@ -12,11 +12,11 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/separate_subdomains_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/balance_interfaces_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/fit_interfaces_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/measure_interfaces_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/fitted_to_interfaces.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/interface_distance_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/move_to_corners_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>

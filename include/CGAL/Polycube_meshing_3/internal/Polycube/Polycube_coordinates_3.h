@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_groups_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/nested_polygons_2.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/are_nested.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_corners_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/pull_to_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/pull_to_vertices_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/smooth_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>

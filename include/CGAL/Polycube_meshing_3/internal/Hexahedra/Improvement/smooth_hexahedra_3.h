@@ -14,7 +14,7 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/cover_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pull_back_grid_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pulled_back.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {

@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Padded_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -13,8 +13,8 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Cells_of_voxels_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Octants_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_topology_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <cmath>

@@ -14,7 +14,7 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Length_of_edges_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placed_voxel_faces_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_simplification_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/coordinates_of_voxel_charts_3.h>

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACEMENT_OF_VOXEL_FACES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACEMENT_OF_VOXEL_FACES_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -174,4 +174,4 @@ inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, co
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACED_VOXEL_FACES_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACEMENT_OF_VOXEL_FACES_3_H

@@ -7,12 +7,12 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_SURFACE_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_SURFACE_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_VERTICES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_VERTICES_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/cover_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_corners_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -62,4 +62,4 @@ inline void pull_middles_3(const Covered_surface_3& covered, const Matrix3Xd& po
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_SURFACE_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_VERTICES_3_H

@@ -7,15 +7,15 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_PULL_BACK_GRID_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_PULL_BACK_GRID_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_PULLED_BACK_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_PULLED_BACK_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Sliding_hexahedra_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Padded_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -134,4 +134,4 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedron_soup_3& mesh, const Bo
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_PULL_BACK_GRID_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_PULLED_BACK_H

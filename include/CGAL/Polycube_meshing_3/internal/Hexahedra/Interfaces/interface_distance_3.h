@@ -7,13 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_MEASURE_INTERFACES_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_MEASURE_INTERFACES_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_DISTANCE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_DISTANCE_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/cover_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -90,4 +90,4 @@ inline Largest_distance_3 interface_distance_3(const Hexahedron_soup_3& mesh, Bo
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_MEASURE_INTERFACES_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_DISTANCE_3_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NESTED_POLYGONS_2_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NESTED_POLYGONS_2_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ARE_NESTED_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ARE_NESTED_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -49,4 +49,4 @@ inline bool are_nested(std::vector<Boundary_polygon_2> polygons)
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NESTED_POLYGONS_2_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ARE_NESTED_H

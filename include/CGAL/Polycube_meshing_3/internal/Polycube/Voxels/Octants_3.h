@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_TOPOLOGY_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_TOPOLOGY_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -204,4 +204,4 @@ inline bool make_surface_of_characteristic(Voxels_3& voxels, const double least_
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_TOPOLOGY_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H

@@ -7,12 +7,12 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FIT_INTERFACES_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FIT_INTERFACES_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FITTED_TO_INTERFACES_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FITTED_TO_INTERFACES_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pull_back_grid_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pulled_back.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Interface_layers_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -67,4 +67,4 @@ inline Hexahedron_soup_3 fitted_to_interfaces(const Volume_map_3& map, Hexahedro
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FIT_INTERFACES_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FITTED_TO_INTERFACES_H

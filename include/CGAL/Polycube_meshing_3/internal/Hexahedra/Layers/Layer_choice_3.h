@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_PADDED_HEXAHEDRA_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_PADDED_HEXAHEDRA_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYER_CHOICE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYER_CHOICE_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -253,4 +253,4 @@ inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh, const Layer_3& la
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_PADDED_HEXAHEDRA_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYER_CHOICE_3_H
