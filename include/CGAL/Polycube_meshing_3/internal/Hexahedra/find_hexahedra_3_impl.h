@@ -128,9 +128,6 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedron_soup_3& me
   return result;
 }
 
-inline const std::array<std::size_t, 8>& worst_hexahedron(const Hexahedron_soup_3& mesh, const std::vector<double>& quality)
-{ return mesh.cells[std::min_element(quality.begin(), quality.end()) - quality.begin()]; }
-
 // Advises what makes the hexahedron with the least scaled Jacobian better: a finer grid, or, where the map distorts angles much,
 // another map.
 inline std::string advice_3(const Mapped_soup_3& soup, const Volume_map_3& map, const Hexahedron_soup_3& mesh)
@@ -222,7 +219,7 @@ inline bool is_better_as_staircases(const Best_hexahedra_3& staircases, const Be
                                     Body_interfaces_3& interfaces)
 {
   if(!is_at_least(fitted.result, bad_scaled_jacobian))
-    return is_better(staircases.result, fitted.result, fitted.edge);
+    return fitted.mesh.cells.empty() || is_better(staircases.result, fitted.result, fitted.edge);
   return is_at_least(staircases.result, fitted.result.minimum_scaled_jacobian)
     && interface_distance_3(staircases.mesh, interfaces).distance
        <= interface_distance_3(fitted.mesh, interfaces).distance + rounding_of_interfaces * fitted.edge;
@@ -251,11 +248,11 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
     if(location)
       boxes.cell_references.push_back(soup.cell_references[location->cell]);
   if(boxes.cells.empty() && !budget.is_exhausted())
-    return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY,
-                                       get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
+    return refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY, get_error_message(ERROR_INVERTED_TARGET_BOUNDARY)));
 
   Body_interfaces_3 interfaces(soup, surface);
   Best_hexahedra_3 best;
+  bool is_cut = false; // were hexahedra that follow the interfaces ended by their limit of time?
   Staircases staircases = Staircases::NONE;
   const auto without_interfaces = [&]
   { return best_hexahedra_3(soup, map, boxes, spacing, surface, nullptr, solver, is_parallel, budget); };
@@ -263,7 +260,9 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   {
     Hexahedron_soup_3 separated = boxes;
     Subdomain_separation_3(separated).run(budget);
-    best = best_hexahedra_3(soup, map, separated, spacing, surface, &interfaces, solver, is_parallel, budget);
+    const Budget part = budget.part(0.5); // a guess; staircases, which are far faster, must have time
+    best = best_hexahedra_3(soup, map, separated, spacing, surface, &interfaces, solver, is_parallel, part);
+    is_cut = part.is_exhausted();
     if(best.result.has_valid_mesh)
     {
       balance_interfaces_3(interfaces, best.mesh);
@@ -283,7 +282,7 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
   }
   Hexahedral_mesh_result result
     = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
-  result.is_interrupted = budget.is_exhausted();
+  result.is_interrupted = budget.is_exhausted() || is_cut;
   if(result.has_valid_mesh)
   {
     set_images(map, is_parallel, best.mesh);
@@ -303,10 +302,10 @@ Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, const double 
                                  " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
     mesh = std::move(best.mesh);
   }
-  else if(result.is_interrupted)
-    result.status = ERROR_INTERRUPTED;
-  else
+  else if(!result.is_interrupted)
     result.message += advice_3(soup, map, best.mesh);
+  else
+    result.status = ERROR_INTERRUPTED;
   if(result.is_interrupted)
     result.message = get_error_message(ERROR_INTERRUPTED)
       + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."

@@ -118,6 +118,9 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
   return result;
 }
 
+inline const std::array<std::size_t, 8>& worst_hexahedron(const Hexahedron_soup_3& mesh, const std::vector<double>& quality)
+{ return mesh.cells[std::min_element(quality.begin(), quality.end()) - quality.begin()]; }
+
 // Quadrangle of a hexahedron: the index of the hexahedron, and that of the quadrangle there.
 struct Quadrangle_of_hexahedron
 {
