@@ -50,7 +50,8 @@ public:
     namespace VMP = CGAL::Volume_mesh_parameterization;
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
-      source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases));
+      source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases)
+                                    .maximum_running_time(progress.seconds_left()));
     if(result.has_valid_mesh)
     {
       VMP::IO::Output_file file(m_name);

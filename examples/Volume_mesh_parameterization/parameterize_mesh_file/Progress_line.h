@@ -25,7 +25,7 @@ class Progress_line
 {
 public:
   Progress_line(const bool is_shown, const double time_limit)
-    : m_is_shown(is_shown && isatty(STDERR_FILENO) != 0), m_time_limit(time_limit), m_end(time_limit)
+    : m_is_shown(is_shown && isatty(STDERR_FILENO) != 0), m_time_limit(time_limit)
   {
     m_timer.start();
     signal(SIGPIPE, SIG_IGN); // a reader that goes away is an error with a sentence,
@@ -65,14 +65,13 @@ public:
       m_seconds_of_time = time;
       std::cerr << "\r\033[K" << m_text << ", " << std::lround(time) << " s" << std::flush;
     }
-    return is_end_requested == 0 && time < m_end;
+    return is_end_requested == 0 && time < m_time_limit;
   }
 
   double seconds() const { return m_timer.time(); } // since the beginning of the program
 
-  // End computations after a part of the time that is left, as long as others are to follow, and after all of it.
-  void end_after_part_of_time(const double part) { m_end = seconds() + part * (m_time_limit - seconds()); }
-  void end_after_all_time() { m_end = m_time_limit; }
+  // Returns the limit for the computations that follow.
+  double seconds_left() const { return (std::max)(0., m_time_limit - seconds()); }
 
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
   {
@@ -122,7 +121,7 @@ private:
   bool m_is_shown;
   mutable std::string m_text;
   mutable double m_seconds_of_text = 0, m_seconds_of_time = 0; // when it was shown first, and the time after it last
-  double m_time_limit, m_end; // in seconds, from the beginning of the program: of all computations, and of the next ones
+  double m_time_limit; // in seconds, from the beginning of the program
   CGAL::Real_timer m_timer;
   std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step> m_steps;
 };

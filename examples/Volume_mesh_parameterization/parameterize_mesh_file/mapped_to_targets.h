@@ -76,7 +76,7 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
         .minimize_maximum_angle_distortion(options.minimize_maximum_angle_distortion)
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
-        .maximum_running_time(options.time_limit - progress.seconds())
+        .maximum_running_time(progress.seconds_left())
         .visitor(std::ref(progress));
     const auto map_to = [&](const auto& np)
     {
