@@ -34,84 +34,65 @@ The axes that the faces of a polycube are normal to, relative to the body.
 */
 enum class Polycube_axes
 {
-  FOUND, ///< those to which the normals of the body are closest: the body may lie in any position
-  GIVEN  ///< those of the coordinates
+  FOUND, ///< the axes to which the normals of the body are closest: the body may lie in any position
+  GIVEN  ///< the axes of the coordinates
 };
 
 /*!
 \ingroup PkgPolycubeMeshing3Polycubes
 
-maps the boundary of a complex onto the boundary of a polycube: a polyhedron whose faces are normal to the axes.
+maps the boundary of a complex onto the boundary of a polycube, a polyhedron whose faces are normal to the axes.
 
-Each facet of the boundary is labelled with the direction, along an axis, that the normal of its image will have.
-Connected facets with the same label form a chart, which is mapped to a face of the polycube; the lines between two
-charts are mapped to its edges, and the vertices where three or more charts meet to its corners. The charts
-determine the polycube up to the coordinates of its faces. These are first chosen as close as possible to the mean coordinates
-of the charts, in the sense of least squares weighted by area, such that no edge is shorter than a
-fifth of the line that is mapped to it. Then they are moved such that lengths on the polycube become those on the boundary, as a
-limb that leads askew to the axes is longer than its shadow: as the harmonic map of the charts is linear in the coordinates,
-the least mean square of the logarithms of its singular values is found by Newton's method. The polycube has at least the
-volume of the body, and lies where the complex lies; if it has no map, the first one is taken.
+The boundary may have handles. A written image has these properties:
 
-Facets are visited in an order that depends on the distances of their vertices from the center of the boundary alone, so the
-numbers of vertices do not decide, unless distances are equal.
+- No triangle is flipped or flat, and the image does not intersect itself. Exact predicates on the written coordinates check this.
+- All vertices of a face have exactly the same constant coordinate.
+- If a spacing is given, the coordinates of all faces are multiples of it. `make_hexahedral_mesh_3()` then makes boxes that are
+  cubes. No two faces merge if an edge separates them.
+- The order of vertices does not change the result, unless vertices have equal distances from the center of the boundary.
 
-The axes fit the body: it is turned about the center of its bounding box, by a rotation with which its unit normals are
-nearly closest to the axes, in the mean over the area of their distances from the nearest one. The polycube is that of the
-turned body, with faces that are normal to the axes of the coordinates; the rotation is told.
-Among up to three rotations that are about as good, the one is taken whose polycube is less distorted. A body that lies well
-already, by 0.003 of that mean, is not turned, and one with given labels never is. Minima are found by Weiszfeld's
-algorithm from 27 starts, with normals that are summed up before such that there are at most some ten thousand.
+<b>Charts</b>. The label of a facet of the boundary is the direction of the normal of its image. Connected facets with the
+same label form a chart, which is mapped to a face. Lines between two charts are mapped to edges, and vertices of three or
+more charts to corners. Lines are mapped by arc length, and charts by harmonic maps. Then an energy that is finite for flipped
+triangles \cgalCite{cgal:gkkrs-ffm-21} is minimized.
 
-Lines are mapped by arc length, and charts by harmonic maps, which may flip triangles. Therefore an energy that is
-finite for flipped triangles \cgalCite{cgal:gkkrs-ffm-21} is lowered afterwards, which also lowers the distortion.
-The coordinate that is constant on a face has exactly the same bits in all images there. No triangle is flipped or flat, and
-the image does not intersect itself, which is checked with exact predicates on the coordinates written.
+<b>Coordinates of faces</b>. The first coordinates are those closest to the mean coordinates of the charts in least squares.
+Then Newton's method changes them such that lengths on the polycube approximate lengths on the boundary. If this polycube has
+no valid map, the first coordinates are taken. The polycube has at least the volume of the body and lies where the body lies.
+With a spacing, it is moved by at most half of the spacing along each axis.
 
-Sharp edges inside of a chart become lines in the face that are parallel to an axis, if they do not lead too far across it: parts
-of curves between their turns, with one value of the coordinate across for all lines that meet and are not side by side. The
-order of lines and edges of the polycube stays; where lines would flip triangles, the shortest ones are given up. The result
-names all sharp edges that the polycube gives up. Sharp edges are the 1-dimensional features of the complex, or the marked
-edges of the soup; if there are none on the boundary, those with more than 60 degrees between the normals on both sides.
+<b>Axes</b>. With `Polycube_axes::FOUND`, the body is turned such that its normals are nearly closest to the axes. The
+polycube is that of the turned body, and the result contains the rotation. A body that is almost aligned is not turned, and
+neither is a body with given labels.
 
-With the spacing of a grid, the coordinates of all faces are multiples of it, so that `make_hexahedral_mesh_3()` makes cubes.
-All distances along edges become multiples too, rounded up; coordinates are rounded one after the other, while the others
-follow such that lengths stay; and no two faces are merged that an edge keeps apart. Unless axes or labels are given, the
-polycube is moved by at most half of the spacing along each axis, such that rounding changes its faces least, and where the body
-lies does not matter. Coordinates of lines are multiples of the spacing too, or of its half or quarter where these are clearly
-nearer, or there is no room. Lines that are shorter than the spacing are not made.
+<b>Sharp edges</b>. Sharp edges inside a chart become lines in the face that are parallel to an axis, if there is room. If a
+line would flip triangles, it is given up. `Polycube_result::features_given_up` lists all sharp edges that the polycube does
+not follow. With a spacing, lines lie at multiples of the spacing, its half or its quarter. Lines shorter than the spacing are
+not made. Sharp edges are the 1-dimensional features of the complex, or the marked edges of the soup. If none of them is on
+the boundary, edges with more than 60 degrees between the normals on both sides are sharp.
 
-The boundary may have handles, and charts may have holes. The more the boundary differs from a polycube, the more distorted
-is the map, and the less certain that labels with a polycube are found.
+<b>Labels</b>. If no labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}.
+Lines along sharp edges cost nothing. Charts that no polycube can have get other labels, at the lowest cost. Of the polycubes
+found for several weights, the one whose harmonic maps have the least distortion is taken. Its distortion is the mean square
+of the logarithms of the singular values. If its map is not valid, the next polycube is tried.
 
-Unless labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13} : those of
-facets, of small regions and of charts are changed as long as that lowers the cost. Lines between charts along sharp edges are
-free. Where opposite directions would be
-neighbors, another one is put between them. Charts that no polycube can have, and their neighbors, get other
-labels, at the lowest cost, until no such chart is left. This is done with more and more weight on short lines; of
-the polycubes found, the one is taken to which the boundary is mapped with the least distortion by harmonic maps: the
-mean square of the logarithms of the singular values. If its map is not valid, the next one is taken. If there
-is none, a topological sphere is mapped to its bounding box, and the boundary of a body with handles to a box with as many
-holes, which exists for each body that discs cut into a ball, also a knotted one: meridians around the handles are found
-inside the body, and the edges of the box as disjoint lines on its boundary. At least four edges of the mesh must
-lead around each handle, and more where it is to be mapped with low distortion.
-`CGAL::stretch_minimizing_volume_parameterization()` with `Refinement_mode::BOUNDARY` does without them, and has another choice
-there: voxels whose boundary has as many handles are simplified by moving their faces, as long as that
-lowers the cost of labels, and the edges of the polycube that they are then become disjoint paths on the boundary. Near
-these, edges of the mesh are split to the length of a voxel, and further where a path is blocked. Up to 84 grids are tried,
-with 8 to 48 voxels along the body; bodies with finer handles are not found.
+<b>Fallback</b>. If no polycube is found, a topological sphere is mapped to its bounding box. A body with handles is mapped to
+a box with as many holes. At least four edges of the mesh must lead around each handle. With `Refinement_mode::BOUNDARY`,
+`CGAL::stretch_minimizing_volume_parameterization()` does not need this number of edges. It also tries polycubes of voxels,
+and splits edges of the boundary near edges of the polycube. Handles finer than a voxel are not found.
 
-`parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_NO_POLYCUBE` if no polycube has the labels, or none was found without labels,
-`ERROR_SEVERAL_BOUNDARY_COMPONENTS` if none was found and a body has cavities,
-`ERROR_BOUNDARY_TOO_COARSE` if facets between edges of the polycube would be flipped or flat, against which
-`Refinement_mode::BOUNDARY` may help,
-`ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map,
-`ERROR_SPACING_TOO_COARSE` if there is a polycube, but not with multiples of the spacing, or if the spacing is above 1e60, or
-`ERROR_INTERRUPTED`. The
-running time is in \f$ O(n \log n + k\, m) \f$ for each of 14 weights and each rotation, with \f$ n \f$ boundary vertices of
-bounded degree, and \f$ k \f$ labels that are tried for \f$ m \f$ charts; to this is added the solution of sparse
-linear systems for each chart of the polycubes found.
+The function `parameterize()` writes images only if it returns `OK`. Otherwise, it returns one of these codes:
+
+- `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_INTERRUPTED`.
+- `ERROR_NO_POLYCUBE`: no polycube has the given labels, or none was found.
+- `ERROR_SEVERAL_BOUNDARY_COMPONENTS`: none was found, and the body has cavities.
+- `ERROR_BOUNDARY_TOO_COARSE`: facets between edges of the polycube would be flipped or flat. `Refinement_mode::BOUNDARY` may help.
+- `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE`: rounding makes the map invalid.
+- `ERROR_SPACING_TOO_COARSE`: there is a polycube, but not with multiples of the spacing, or the spacing is above 1e60.
+
+The time is in \f$ O(n \log n + k\, m) \f$ for each weight and each rotation, with \f$ n \f$ boundary vertices of bounded degree
+and \f$ k \f$ labels tried for \f$ m \f$ charts. The solution of sparse linear systems for each chart of the polycubes found is
+added to it.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -124,11 +105,11 @@ class Polycube_boundary_parameterizer_3
   friend internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>;
 
 public:
-  /// chooses the grid, the axes, and where is told what was found.
+  /// chooses the grid, the axes and the place of the result.
   ///
   /// \param spacing the spacing of the grid, in the units of the complex; 0 for faces with any coordinates
   /// \param axes the axes of the polycube
-  /// \param result receives, with each polycube that is found, its rotation and the sharp edges that it gives up
+  /// \param result receives, for each polycube that is found, its rotation, labels and the sharp edges that it gives up
   ///
   /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
@@ -151,9 +132,8 @@ public:
   /// writes the image of each vertex of the boundary of the complex, for given labels.
   ///
   /// \param c3t3 the complex
-  /// \param labels the directions of the facets that have a cell of the complex on one side only, as the facets of
-  ///        this cell: 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z. `boost::make_assoc_property_map()`
-  ///        takes a facet that has been forgotten for one with the label 0.
+  /// \param labels the label of each boundary facet, as a facet of its cell in the complex: 0 for +x, 1 for -x, 2 for +y,
+  ///        3 for -y, 4 for +z, 5 for -z. In a `boost::make_assoc_property_map()`, a facet without label has the label 0.
   /// \param target receives the images
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`

@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgPolycubeMeshing3Polycubes
 
-What is told of a polycube that `Polycube_boundary_parameterizer_3` finds.
+The properties of a polycube that `Polycube_boundary_parameterizer_3` finds.
 */
 struct Polycube_result
 {
@@ -30,20 +30,20 @@ struct Polycube_result
 
   /// the rows of the rotation matrix of the body into the axes of the polycube: the identity for given axes or labels
   std::array<std::array<double, 3>, 3> rotation = {};
-  /// how many sharp edges the boundary has
+  /// number of sharp edges of the boundary
   std::size_t number_of_sharp_edges = 0;
-  /// the sharp edges that are given up, as their images lead along no axis, joined to polylines in the body as it is given: the
-  /// longest one first. Grids do not follow them.
+  /// polylines of the sharp edges whose images are not parallel to an axis, in the body as it is given; the longest one is first.
+  /// Grids do not follow them.
   std::vector<Polyline> features_given_up = {};
   /// label of the facet opposite to each vertex of each cell, as `Polycube_boundary_parameterizer_3::parameterize()` takes it:
   /// 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z, in the axes of the polycube; `no_label` for facets inside. Cells
-  /// are in the order of the arrays, or of the cells in the complex, after refinement. If the body has been turned, turn it by the
-  /// rotation before labels are given. Labels of a box with holes need not have a polycube, as they are not close to the normals.
+  /// are in the order of the arrays, or of the cells in the complex, after refinement. If the body has been turned, rotate it
+  /// before these labels are passed on. Labels of a box with holes are not close to the normals, and may have no polycube.
   std::vector<std::array<std::size_t, 4> > labels = {};
 
   static constexpr std::size_t no_label = 6; ///< label of a facet that is not on the boundary
 
-  /// returns how many edges the polylines have.
+  /// returns the number of edges of the polylines.
   std::size_t number_of_edges_given_up() const
   {
     std::size_t result = 0;

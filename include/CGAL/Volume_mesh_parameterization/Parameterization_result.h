@@ -24,12 +24,11 @@ namespace CGAL::Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationResults
 
 The distortions \f$D = (D_{aa}, D_{ma}, D_{av}, D_{mv})\f$ of a map as in
-Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5: mean and maximum, over the cells, of the distortion of angles
-\f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ and of the distortion of volumes \f$\det J + 1/\det J\f$, where
-\f$\sigma_1 \ge \sigma_2 \ge \sigma_3\f$ are the singular values of the differential \f$J\f$ of the map in a cell. In
-the means, a cell counts by its volume in the source. The values have no unit; 2 is without distortion, and none is smaller.
-A value is infinite where a cell of the image is so flat that rounding leaves nothing of it. Without a valid map,
-none is a number.
+Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5. They are the mean and the maximum over the cells of the distortion of
+angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ and of volumes \f$\det J + 1/\det J\f$. Here,
+\f$\sigma_1 \ge \sigma_2 \ge \sigma_3\f$ are the singular values of the differential \f$J\f$ of the map in a cell. In the means,
+a cell is weighted by its volume in the source. The values have no unit. The minimum is 2, without distortion. If rounding makes
+a cell of the image flat, a value is infinite. Without a valid map, the values are not numbers.
 */
 struct Distortion_3
 {
@@ -42,7 +41,7 @@ struct Distortion_3
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-The worst shapes of tetrahedra, as simulations ask for them. Without a cell, none is a number.
+The worst shapes of tetrahedra, by measures of simulations. Without a cell, the values are not numbers.
 */
 struct Cell_quality_3
 {
@@ -64,18 +63,18 @@ struct Parameterization_result
 {
   Error_code status = OK;     ///< how the computation ended
   bool has_valid_map = false; ///< whether the map, one without inverted cells, has been written
-  std::string message;        ///< sentences about the status, with its data: an index, a volume, a number of cells
+  std::string message;        ///< sentences about the status, with data such as an index or a volume
 
-  std::size_t number_of_vertices = 0;          ///< vertices of cells, those that refinement has added included
+  std::size_t number_of_vertices = 0;          ///< vertices of cells, including added ones
   std::size_t number_of_cells = 0;             ///< cells of the complex, after refinement
   std::size_t number_of_boundary_vertices = 0; ///< vertices of facets between the complex and the outside
   std::size_t number_of_added_vertices = 0;    ///< vertices that refinement has added
   std::size_t number_of_added_boundary_vertices = 0; ///< those of them at edges of the boundary (see `Refinement_mode::BOUNDARY`)
-  /// vertices that slide on the boundary, if `do_slide_boundary(true)` was passed, or that conditions keep in planes or on lines
+  /// vertices that slide on the boundary with `do_slide_boundary(true)`, or that conditions keep in planes or on lines
   std::size_t number_of_sliding_vertices = 0;
 
-  /// whether a boundary that is free in part intersects itself, which makes the map locally one to one only; such a map is valid.
-  /// `false` as well if the time was over before all facets were compared
+  /// whether a boundary that is partly free intersects itself. Such a map is valid, but only locally one to one. If the time
+  /// limit ends the comparison of facets, the value is `false`.
   bool boundary_crosses_itself = false;
 
   /// number of exact proofs that no map with this connectivity meets this boundary; one suffices
@@ -83,36 +82,35 @@ struct Parameterization_result
 
   std::size_t number_of_inverted_cells_at_start = 0; ///< inverted cells of the harmonic or the initial map
   std::size_t number_of_inverted_cells = 0;          ///< inverted or flat cells of the result, by exact predicates
-  /// largest distance to the prescribed points, relative to the diagonal of their bounding box; of vertices
-  /// that slide, to the plane or line through their point, where rounding counts as 0; not a number without a valid map
+  /// largest distance to the prescribed points, relative to the diagonal of their bounding box; not a number without a valid map.
+  /// For sliding vertices, it is the distance to the plane or line through their point, and rounding errors count as 0.
   double boundary_residual = std::numeric_limits<double>::quiet_NaN();
 
   std::size_t number_of_iterations = 0;            ///< Newton steps, in all stages
   std::size_t number_of_untangling_iterations = 0; ///< Newton steps that untangled
 
-  std::size_t number_of_linear_solver_iterations = 0; ///< iterations in all stages; 0 if the solver tells no number
+  std::size_t number_of_linear_solver_iterations = 0; ///< iterations in all stages; 0 if the solver counts none
 
   /// name of the method that has found the first map without inverted cells: the harmonic extension of the boundary alone,
   /// patches of cells, one of the settings of untangling, or the soft boundary
   std::string untangling_method;
 
-  /// mean of \f$\psi\f$ over the cells, weighted as in the minimization, with both meshes scaled to one volume, or by the scale
-  /// that the conditions prescribe where a part of the boundary is free; not a number without a valid map
+  /// mean of \f$\psi\f$ over the cells, weighted as in the minimization; not a number without a valid map. Both meshes are scaled
+  /// to one volume. If a part of the boundary is free, the conditions prescribe the scale.
   double energy = std::numeric_limits<double>::quiet_NaN();
   Distortion_3 distortion;                  ///< distortion of the map as it is; not numbers without a valid map
   Distortion_3 distortion_at_source_volume; ///< distortion of the map scaled as for the energy
   Cell_quality_3 quality;                   ///< shapes of the cells of the image; not numbers without a valid map
-  /// distance of the boundary from its given image: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$,
-  /// with the singular values \f$s\f$ and \f$t\f$ of its map, scaled to its area. A similarity has 0, a polycube that is close
-  /// to the boundary 0.1 to 0.5, a box to which a branching body is mapped 1 or more. Not a number without a valid map, and
-  /// for meshes that several processes share
+  /// distortion of the map of the boundary: the mean over its area of the root of \f$\log^2 s + \log^2 t\f$. The map is scaled to
+  /// the area of the boundary, and \f$s\f$ and \f$t\f$ are its singular values. A similarity has 0, a close polycube 0.1 to 0.5,
+  /// and a box as the image of a branching body 1 or more. Not a number without a valid map, and for distributed meshes
   double boundary_distortion = std::numeric_limits<double>::quiet_NaN();
 
-  /// lower bound of the largest distortion of angles of all maps with this boundary, which the prescribed vertices force;
+  /// proved lower bound of the largest distortion of angles of all maps with these prescribed vertices;
   /// 0 unless `minimize_maximum_angle_distortion(true)` was passed
   double unavoidable_angle_distortion = 0;
-  /// largest bound below which no map was found: the least distortion seems to be between this bound and the distortion of
-  /// the map; only `unavoidable_angle_distortion` is a proved lower bound
+  /// largest bound below which no map was found. The least distortion seems to be between this bound and that of the
+  /// map. Only `unavoidable_angle_distortion` is a proved lower bound.
   double missed_angle_distortion = 0;
 
   double seconds_total = 0;        ///< time of the call

@@ -50,14 +50,13 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
 
 evaluates a map that is linear on the cells of a tetrahedral mesh, and its inverse, at any points.
 
-A point of the closed body is always found, also on a facet, an edge or a vertex, as exact predicates decide: in the
-containing cell of smallest index. So results are deterministic, for any number of threads. Cells are
-found by a tree for each side, both built by the constructor; the mesh need not be Delaunay or convex. Where cells, or
-for the inverse their images, overlap, the smallest index counts as well. Cells that are flat or have a coordinate that
-is not finite are never found.
+A point of the closed body is always found, also on a facet, an edge or a vertex. Exact predicates decide which cells contain the
+point, and the cell of smallest index is returned. If cells or their images overlap, this rule holds, too. Therefore, results do
+not depend on the number of threads. The constructor builds a tree of cells for each side. The mesh need not be Delaunay or
+convex. Cells that are flat or have a non-finite coordinate are never found.
 
-Construction takes time O(n log n) and memory O(n) for n cells; a query takes time O(log n) for cells of good shape. All
-queries are `const` and may be made by several threads.
+Construction takes time O(n log n) and memory O(n) for n cells. A query takes time O(log n) for cells of good shape. All
+queries are `const`, and several threads may make them.
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`
 */
@@ -67,7 +66,7 @@ public:
   /// The type of points, on both sides.
   using Point_3 = Exact_predicates_inexact_constructions_kernel::Point_3;
 
-  /// A point that has been carried to the other side.
+  /// The image or preimage of a point.
   struct Location
   {
     Point_3 point;                                   ///< the point on the other side
@@ -76,8 +75,8 @@ public:
   };
 
   /*!
-  takes the map of a complex, as `CGAL::stretch_minimizing_volume_parameterization()` has written it. Cells are numbered
-  as they are traversed by `cells_in_complex_begin()`.
+  takes the map of a complex from `CGAL::stretch_minimizing_volume_parameterization()`. Cells are numbered in the order of
+  `cells_in_complex_begin()`.
 
   \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
   \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -86,9 +85,8 @@ public:
   template <typename C3t3, typename VertexUVWMap>
   Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map)) {}
 
-  /// takes the points and cells of a mesh that is given by arrays, as `CGAL::stretch_minimizing_volume_parameterization()`
-  /// does, and the image of each point. Throws `std::out_of_range` if there is a cell without all points, or a point
-  /// without image.
+  /// takes the points and cells of a mesh in arrays, as `CGAL::stretch_minimizing_volume_parameterization()` does, and the
+  /// image of each point. Throws `std::out_of_range` if an index of a cell does not exist, or if a point has no image.
   template <typename PointRange = std::vector<std::array<double, 3> >,
             typename CellRange = std::vector<std::array<std::size_t, 4> >,
             typename ImageRange = std::vector<std::array<double, 3> > >
@@ -103,9 +101,9 @@ public:
   /// returns the preimage of a point; empty if the point is outside the image of the body.
   std::optional<Location> preimage(const Point_3& q) const { return carried(m_target.find(q), m_source); }
 
-  /// returns the image of the nearest point of the body: for points that rounding may have put outside. Empty
-  /// if there is no cell, or the point is not finite or so far that the squared distance overflows. The time grows
-  /// with the distance.
+  /// returns the image of the nearest point of the body. It is for points that rounding may have put outside. The result is
+  /// empty if there is no cell, if the point is not finite, or if the squared distance overflows. The time grows with the
+  /// distance.
   std::optional<Location> nearest_image(const Point_3& p) const { return carried(m_source.find_nearest(p), m_target); }
 
   /// returns the preimage of the nearest point of the image of the body, as `nearest_image()` does.
@@ -113,8 +111,8 @@ public:
 
   /// interpolates data of the vertices, linearly on each cell.
   ///
-  /// \tparam ValueRange a random access range of numbers, of vectors of \cgal or Eigen, or of other values with a product by
-  ///         `double` and a sum; or a matrix of Eigen with a row for each point
+  /// \tparam ValueRange a random access range of numbers, vectors of \cgal or Eigen, or other values with a sum and a product by
+  ///         `double`. A matrix of Eigen with a row for each point is also possible.
   /// \param location a result of one of the queries, of either direction
   /// \param values the value at each point of the arrays, or of a complex in the order of
   ///        `mesh_complex_3_to_tetrahedron_soup()`
@@ -148,9 +146,8 @@ public:
   { return edges(m_source, cell) * edges(m_target, cell).inverse(); }
 
   /// \name Ranges
-  /// Queries for each point of a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it, in parallel with
-  /// `ConcurrencyTag = Parallel_tag`. Points are queried in an order in which neighbors follow each other, which takes much
-  /// less time for large meshes.
+  /// Queries for each point of a range, as for `CGAL::stretch_minimizing_volume_parameterization()`. With
+  /// `ConcurrencyTag = Parallel_tag`, they run in parallel. Spatial sorting of the points saves much time for large meshes.
   /// @{
 
   /// returns what `image()` returns, for each point.
