@@ -15,24 +15,8 @@ if(${PROJECT_NAME}_ENGINE)
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3_impl.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3_impl.h>
 ]] @ONLY)
-  add_library(${_package}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/polycube_engine.cpp)
-  add_library(CGAL::Polycube_meshing_3_engine ALIAS ${_package}_engine)
-  set_target_properties(${_package}_engine PROPERTIES EXPORT_NAME Polycube_meshing_3_engine)
-  target_link_libraries(${_package}_engine PUBLIC ${_package} CGAL::Volume_mesh_parameterization_engine)
-  target_compile_definitions(${_package}_engine PUBLIC CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE)
-  if(${PROJECT_NAME}_NATIVE)
-    target_compile_options(${_package}_engine PRIVATE -march=native)
-  endif()
-  if(NOT PROJECT_IS_TOP_LEVEL)
-    set_target_properties(${_package}_engine PROPERTIES EXCLUDE_FROM_ALL ON)
-  endif()
-endif()
-if(${PROJECT_NAME}_ENGINE AND PROJECT_IS_TOP_LEVEL)
-  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${_package}_engine>\")
-    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target ${_package}_engine
-      --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" COMMAND_ERROR_IS_FATAL ANY)
-  endif()")
-  install(TARGETS ${_package}_engine EXPORT ${_package}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  CGAL_Volume_mesh_parameterization_add_engine(${_package} ${CMAKE_CURRENT_BINARY_DIR}/polycube_engine.cpp)
+  target_link_libraries(${_package}_engine PUBLIC CGAL::Volume_mesh_parameterization_engine)
 endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir} FILES_MATCHING

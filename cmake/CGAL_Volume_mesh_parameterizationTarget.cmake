@@ -23,6 +23,29 @@ target_link_libraries(${PROJECT_NAME} INTERFACE
   $<TARGET_NAME_IF_EXISTS:CGAL::CHOLMOD_support>
   $<TARGET_NAME_IF_EXISTS:CGAL::VTU_compression_support>)
 
+# Adds the target with the engine of a package, of the sources given. Who configures and installs gets the engine, too.
+function(CGAL_Volume_mesh_parameterization_add_engine package)
+  string(REPLACE CGAL_ "" name ${package})
+  string(TOUPPER ${package} macro)
+  add_library(${package}_engine STATIC ${ARGN})
+  add_library(CGAL::${name}_engine ALIAS ${package}_engine)
+  set_target_properties(${package}_engine PROPERTIES EXPORT_NAME ${name}_engine)
+  target_link_libraries(${package}_engine PUBLIC ${package})
+  target_compile_definitions(${package}_engine PUBLIC ${macro}_COMPILED_ENGINE)
+  if(${PROJECT_NAME}_NATIVE)
+    target_compile_options(${package}_engine PRIVATE -march=native)
+  endif()
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    set_target_properties(${package}_engine PROPERTIES EXCLUDE_FROM_ALL ON)
+    return()
+  endif()
+  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${package}_engine>\")
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target ${package}_engine
+      --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" COMMAND_ERROR_IS_FATAL ANY)
+  endif()")
+  install(TARGETS ${package}_engine EXPORT ${package}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()
+
 # The target with the engine compiled once, for those who have many units or build often. It agrees with units of any flags:
 # no type that both know depends on them, so its users learn nothing but the macro.
 if(${PROJECT_NAME}_ENGINE)
@@ -54,31 +77,13 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Solvers/Direct_solver_3_impl.h>
 ]] @ONLY)
-  add_library(${PROJECT_NAME}_engine STATIC ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp
+  CGAL_Volume_mesh_parameterization_add_engine(${PROJECT_NAME} ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp
     ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/sparse_systems.cpp)
-  add_library(CGAL::Volume_mesh_parameterization_engine ALIAS ${PROJECT_NAME}_engine)
-  set_target_properties(${PROJECT_NAME}_engine PROPERTIES EXPORT_NAME Volume_mesh_parameterization_engine)
-  target_link_libraries(${PROJECT_NAME}_engine PUBLIC ${PROJECT_NAME})
-  target_compile_definitions(${PROJECT_NAME}_engine PUBLIC CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE)
-  if(${PROJECT_NAME}_NATIVE)
-    target_compile_options(${PROJECT_NAME}_engine PRIVATE -march=native)
-  endif()
-  if(NOT PROJECT_IS_TOP_LEVEL)
-    set_target_properties(${PROJECT_NAME}_engine PROPERTIES EXCLUDE_FROM_ALL ON)
-  endif()
   # The package's configuration asks for what the engine was built with.
   if(TARGET CGAL::TBB_support)
     set_target_properties(${PROJECT_NAME}_engine PROPERTIES
       IS_BUILT_WITH_TBB TRUE EXPORT_PROPERTIES IS_BUILT_WITH_TBB)
   endif()
-endif()
-# Who configures and installs gets the engine, too.
-if(${PROJECT_NAME}_ENGINE AND PROJECT_IS_TOP_LEVEL)
-  install(CODE "if(NOT EXISTS \"$<TARGET_FILE:${PROJECT_NAME}_engine>\")
-    execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${CMAKE_BINARY_DIR}\" --target ${PROJECT_NAME}_engine
-      --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" COMMAND_ERROR_IS_FATAL ANY)
-  endif()")
-  install(TARGETS ${PROJECT_NAME}_engine EXPORT ${PROJECT_NAME}Targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir} PATTERN "Polycube_meshing_3*" EXCLUDE)
