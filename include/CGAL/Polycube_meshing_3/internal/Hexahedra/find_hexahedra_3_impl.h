@@ -61,8 +61,7 @@ inline void evaluate_interfaces(const Hexahedron_soup_3& mesh, Body_interfaces_3
   result.interface_distance = farthest.distance;
   double area = 0;
   for(const std::array<std::size_t, 4>& q : mesh.interface_facets)
-    area += (to_vector(mesh.points[q[2]]) - to_vector(mesh.points[q[0]]))
-            .cross(to_vector(mesh.points[q[3]]) - to_vector(mesh.points[q[1]])).norm() / 2;
+    area += area_vector(mesh.points, q).norm();
   const double edge = std::sqrt(area / static_cast<double>(mesh.interface_facets.size()));
   if(staircases == Staircases::ASKED || !(farthest.distance > tolerance_of_interfaces * edge))
     return;
@@ -137,12 +136,7 @@ inline std::string advice_3(const Mapped_soup_3& soup, const Volume_map_3& map, 
   for(const std::size_t v : worst_hexahedron(mesh, scaled_jacobians(mesh)))
     center += to_vector(mesh.points[v]) / 8;
   const std::array<std::size_t, 4>& cell = soup.cells[map.nearest_image({ center[0], center[1], center[2] })->cell];
-  const auto edges = [&](const std::vector<std::array<double, 3> >& points)
-  {
-    const auto edge = [&](const int i) -> Eigen::Vector3d { return to_vector(points[cell[i]]) - to_vector(points[cell[0]]); };
-    return (Eigen::Matrix3d() << edge(1), edge(2), edge(3)).finished();
-  };
-  const Eigen::Vector3d s = signed_singular_values_3(edges(soup.images) * edges(soup.points).inverse());
+  const Eigen::Vector3d s = signed_singular_values_3(edge_matrix(soup.images, cell) * edge_matrix(soup.points, cell).inverse());
   const double distortion = angle_distortion(s[0], s[2]);
   return distortion < large_distortion ? " Make the spacing smaller."
     : sentence(" The map distorts angles by a factor of ", distortion, " at the worst one. Map the body with less distortion: "

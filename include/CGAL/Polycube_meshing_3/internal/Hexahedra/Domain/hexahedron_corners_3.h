@@ -88,6 +88,22 @@ inline bool is_positive_corner(const Hexahedron_soup_3& mesh, const std::array<s
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
+// Returns the edges of a corner or a tetrahedron that lead from its first vertex to the others.
+inline Eigen::Matrix3d edge_matrix(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& vertices)
+{
+  Eigen::Matrix3d result;
+  for(int i = 0; i < 3; ++i)
+    result.col(i) = to_vector(points[vertices[i + 1]]) - to_vector(points[vertices[0]]);
+  return result;
+}
+
+// Returns the normal of a quadrangle times its area, half of the product of its diagonals.
+inline Eigen::Vector3d area_vector(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& quadrangle)
+{
+  const auto point = [&](const std::size_t i) { return to_vector(points[quadrangle[i]]); };
+  return (point(2) - point(0)).cross(point(3) - point(1)) / 2;
+}
+
 // Returns the scaled Jacobian of a corner, or a smaller value where edges are shorter than a bound: rounding decides where edges
 // lead that vanish.
 inline double scaled_jacobian(Eigen::Matrix3d edges, const double shortest_edge = 0)
@@ -107,10 +123,7 @@ inline std::vector<double> scaled_jacobians(const Hexahedron_soup_3& mesh)
   std::vector<double> of_corners;
   for_each_corner(mesh, [&](const std::array<std::size_t, 4>& corner)
   {
-    Eigen::Matrix3d edges;
-    for(int i = 0; i < 3; ++i)
-      edges.col(i) = to_vector(mesh.points[corner[i + 1]]) - to_vector(mesh.points[corner[0]]);
-    of_corners.push_back(scaled_jacobian(edges));
+    of_corners.push_back(scaled_jacobian(edge_matrix(mesh.points, corner)));
   });
   std::vector<double> result;
   for(auto first = of_corners.begin(); first != of_corners.end(); first += 8)

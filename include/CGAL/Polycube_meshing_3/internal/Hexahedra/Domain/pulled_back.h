@@ -117,9 +117,9 @@ inline void put_on_boundary(const Body_surface_3& surface, Hexahedron_soup_3& me
 {
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(const Eigen::Vector3d p = to_vector(mesh.points[v]), q = surface.nearest(p, Freedom_3::SURFACE);
-       is_outer[v] && !surface.are_equal(p, q))
-      mesh.points[v] = coordinates(q);
+    if(is_outer[v])
+      if(const Eigen::Vector3d p = to_vector(mesh.points[v]), q = surface.nearest(p, Freedom_3::SURFACE); !surface.are_equal(p, q))
+        mesh.points[v] = coordinates(q);
 }
 
 // Returns the freedom of each vertex.

@@ -50,13 +50,6 @@ inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedro
 inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedron_soup_3& mesh)
 { return quadrangles_between_3(mesh, mesh.cell_references); }
 
-// Returns the normal of a quadrangle times its area, half of the product of its diagonals.
-inline Eigen::Vector3d area_vector(const Hexahedron_soup_3& mesh, const Interface_quadrangle_3& q)
-{
-  const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q.vertices[i]]); };
-  return (point(2) - point(0)).cross(point(3) - point(1)) / 2;
-}
-
 // Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
 inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
                         std::vector<Interface_quadrangle_3>& quadrangles)
@@ -68,7 +61,7 @@ inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interf
   {
     const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q.vertices[i]]); };
     const Eigen::Vector3d center = (point(0) + point(1) + point(2) + point(3)) / 4;
-    const Eigen::Vector3d area = area_vector(mesh, q);
+    const Eigen::Vector3d area = area_vector(mesh.points, q.vertices);
     for(std::size_t i = 0; i < 4; ++i)
       at_edges[sorted(std::array<std::size_t, 2>{ q.vertices[i], q.vertices[(i + 1) % 4] })].push_back(pairs.size());
     pairs.push_back(pair_of(mesh, q));
@@ -123,7 +116,7 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
       for(const std::size_t v : q.vertices)
       {
         patches[v].insert(q.patch);
-        width[v] = (std::max)(width[v], std::sqrt(area_vector(mesh, q).norm()));
+        width[v] = (std::max)(width[v], std::sqrt(area_vector(mesh.points, q.vertices).norm()));
       }
     }
   Interface_positions_3 result;

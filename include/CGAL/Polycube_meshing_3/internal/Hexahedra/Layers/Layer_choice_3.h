@@ -107,7 +107,7 @@ private:
 
   static Eigen::Vector3d normal(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& f)
   {
-    return (point(points, f[2]) - point(points, f[0])).cross(point(points, f[3]) - point(points, f[1])).stableNormalized();
+    return area_vector(points, f).stableNormalized();
   }
 
   bool is_concave(const Edge_of_domain_3& edge) const
