@@ -78,8 +78,8 @@ inline std::optional<double> median_ratio(std::vector<double> ratios)
   return *median;
 }
 
-// By what edges between vertices at their targets are stretched, the median. A body that is held at some facets keeps its size,
-// however far these are from each other.
+// Returns the median factor by which edges between vertices at their targets are stretched. A body that is held at some facets
+// keeps its size, however far these are from each other.
 inline std::optional<double> stretch_of_prescribed_edges_3(const Numbered_mesh_3& mesh)
 {
   std::vector<double> ratios;
@@ -92,9 +92,9 @@ inline std::optional<double> stretch_of_prescribed_edges_3(const Numbered_mesh_3
   return median_ratio(std::move(ratios));
 }
 
-// By what conditions stretch the body at least, the median over their vertices: the largest distance that two conditions keep, by
-// that of their vertices in the source. So a shell between two planes has a scale by its thickness, however it is curved. Skew
-// lines count as if they met.
+// Returns the least factor by which conditions stretch the body, in the median over their vertices: the largest distance that two
+// conditions keep, divided by that of their vertices in the source. A shell between two planes has a scale by its thickness,
+// however it is curved. Skew lines count as if they met.
 inline std::optional<double> stretch_between_conditions_3(const Numbered_mesh_3& mesh)
 {
   constexpr int many_vertices = 300; // a guess: of more, some are compared with all
@@ -140,7 +140,7 @@ inline Vector_6 least_solution_6(const Matrix_6& A, const Vector_6& b)
 }
 
 // Moves a body rigidly by Gauss-Newton steps such that its prescribed vertices come nearest to their targets, planes and lines.
-// What these leave open does not change. Returns the sum of the squared distances.
+// Motions that these leave open are not made. Returns the sum of the squared distances.
 inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& similarity)
 {
   constexpr int maximum_number_of_steps = 50; // a guess

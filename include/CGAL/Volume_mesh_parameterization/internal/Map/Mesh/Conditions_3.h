@@ -18,11 +18,11 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Along an axis, it is so exactly: a division by the length may be a multiplication by its rounded reciprocal.
+// Returns the unit vector of a direction. Along an axis, it is exact: a division may be a product with a rounded reciprocal.
 inline Eigen::Vector3d unit_vector_3(const Eigen::Vector3d& n)
 { return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized(); }
 
-// Onto the directions in which a vertex may move: space, a plane, a line or a point.
+// Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point.
 inline Eigen::Matrix3d projector_3(const Vertex_condition_3& condition)
 {
   const auto& [x, y, z] = condition.direction();
@@ -37,7 +37,7 @@ inline Eigen::Matrix3d projector_3(const Vertex_condition_3& condition)
   return Eigen::Matrix3d::Zero();
 }
 
-// The target with 0 in place of missing coordinates that are not prescribed.
+// Returns the target with 0 in place of missing coordinates that are not prescribed.
 inline std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition)
 {
   const Eigen::Matrix3d P = projector_3(condition);
@@ -47,8 +47,8 @@ inline std::array<double, 3> completed_target(std::array<double, 3> target, cons
   return target;
 }
 
-// Do the conditions keep all these vertices in one plane, wherever they are, and not each at its target? A plane orthogonal to an
-// axis is known exactly, any other within rounding.
+// Tells whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane
+// orthogonal to an axis is known exactly, any other within rounding.
 template <typename Vertices, typename ProjectorOf, typename TargetOf>
 bool are_kept_in_one_plane(const Vertices& vertices, const ProjectorOf& projector, const TargetOf& target)
 {

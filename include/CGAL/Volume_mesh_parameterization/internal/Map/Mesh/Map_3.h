@@ -16,7 +16,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Onto the directions in which each prescribed vertex may move from its target; none if all stay.
+// Projectors onto the directions in which each prescribed vertex may move from its target; none if all stay.
 using Projectors_3 = std::vector<Eigen::Matrix3d>;
 
 // The vector from the nearest point at which a vertex may be.
