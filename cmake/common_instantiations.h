@@ -36,9 +36,11 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
+#include <CGAL/alpha_wrap_3.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/make_mesh_3.h>
 
@@ -89,6 +91,8 @@ inline void map_bodies()
                                       CGAL::parameters::exude(CGAL::parameters::time_limit = 0));
   CGAL::Surface_mesh<K::Point_3> surface;
   CGAL::IO::read_polygon_mesh(std::string(), surface);
+  CGAL::Polygon_mesh_processing::triangulate_faces(surface);
+  CGAL::alpha_wrap_3(surface, 1., 1., surface);
   const CGAL::Mesh_criteria_3<C3t3_of_surface::Triangulation> criteria_of_surface(
     CGAL::parameters::edge_size = 1, CGAL::parameters::facet_angle = 25, CGAL::parameters::facet_size = 1,
     CGAL::parameters::facet_distance = 1, CGAL::parameters::facet_topology = CGAL::MANIFOLD,

@@ -6,12 +6,13 @@
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <fstream>
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using namespace CGAL::parameters;
-using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<CGAL::Epick>;
+using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<CGAL::Epick, CGAL::Surface_mesh<CGAL::Epick::Point_3> >;
 using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<CGAL::Mesh_triangulation_3<Domain>::type>;
 int main()
 {
