@@ -93,8 +93,8 @@ if [ -e "$programs" ]; then
     forbid "CGAL has a program of this name"
 fi
 
-# 5. What compilers and reviewers trip on. Misuse is answered in release builds, too, by internal::require(), and not by
-# CGAL_precondition(), which vanishes there.
+# 5. What compilers and reviewers trip on. Misuse is reported in release builds, too: internal::require() calls CGAL's failure
+# function, and CGAL_precondition() has no effect there.
 find_lines() { grep -nP "$1" "${sources[@]}" || true; }
 find_lines '(\.|->|::)(min|max) ?\(' | forbid "min and max are macros on Windows: (std::min)(a, b)"
 find_lines '(?<!static_)\b(assert|abort|exit) ?\(' | { grep '^include' || true; } | forbid "CGAL_assertion() or require()"

@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
+#include <CGAL/assertions_behaviour.h>
 #include <CGAL/exceptions.h>
 
 #include <array>
@@ -223,9 +224,9 @@ TEST_CASE("Numbers that limit nothing are refused by name")
     CHECK_THROWS_WITH(parameterize_complex(complex, np), Catch::Matchers::Contains(sentence));
     CHECK(complex.uvw.empty());
   };
-  check(params::number_of_iterations(infinity), "number of iterations");
-  check(params::number_of_iterations(nan_value), "number of iterations");
-  check(params::maximum_running_time(nan_value), "limit of time");
+  check(params::number_of_iterations(infinity), "number_of_iterations");
+  check(params::number_of_iterations(nan_value), "number_of_iterations");
+  check(params::maximum_running_time(nan_value), "maximum_running_time");
   const auto soft = [](const double weight, const double factor)
   {
     VMP::Soft_boundary_parameters parameters;
@@ -234,9 +235,9 @@ TEST_CASE("Numbers that limit nothing are refused by name")
     return params::boundary_mode(VMP::Boundary_mode::SOFT).soft_boundary_parameters(parameters);
   };
   for(const double weight : { 0., -1., nan_value, infinity })
-    check(soft(weight, 25), "weight of a soft boundary");
+    check(soft(weight, 25), "weight of soft_boundary_parameters");
   for(const double factor : { 1., 0., nan_value, infinity })
-    check(soft(100, factor), "factor between the weights");
+    check(soft(100, factor), "weight_factor of soft");
   CHECK(parameterize_complex(complex, soft(100, 25)).has_valid_map);
   CHECK(parameterize_complex(complex, params::number_of_iterations(1e300)).status == VMP::OK);
 
@@ -259,6 +260,16 @@ TEST_CASE("A broken precondition names the place where it is asked")
   {
     CHECK(error.filename().find("parameterize_body_3.h") != std::string::npos);
     CHECK(error.line_number() > 0);
-    CHECK(error.message() == "A tolerance of the energy is not negative.");
+    CHECK(error.message() == "energy_tolerance must not be negative.");
   }
+}
+
+TEST_CASE("A broken precondition is reported to the handler of CGAL")
+{
+  static std::string reported;
+  const CGAL::Failure_function before = CGAL::set_error_handler(
+    [](const char* kind, const char*, const char*, int, const char* message) { reported = std::string(kind) + ": " + message; });
+  CHECK_THROWS_AS(VMP::cell_distortions(Points(), Cells(), Points(1)), CGAL::Precondition_exception);
+  CGAL::set_error_handler(before);
+  CHECK(reported == "precondition: images must have an element for each point.");
 }

@@ -115,7 +115,7 @@ public:
   explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
                                              Polycube_result* const result = nullptr)
     : m_spacing(spacing), m_axes(axes), m_result(result)
-  { internal::require(spacing >= 0 && std::isfinite(spacing), "The spacing of a grid is finite and not negative."); }
+  { internal::require(spacing >= 0 && std::isfinite(spacing), "spacing must be finite and not negative."); }
 
   using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
 #ifdef DOXYGEN_RUNNING
@@ -164,7 +164,7 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_3 body = internal::body_of(points, cells);
-    internal::require(internal::number_of_rows(labels) == body.soup.cells.size(), "There are labels for each cell.");
+    internal::require(internal::number_of_rows(labels) == body.soup.cells.size(), "labels must have an element for each cell.");
     std::vector<std::size_t> label_of_facet;
     for(const std::size_t side : body.sides)
       label_of_facet.push_back(static_cast<std::size_t>(internal::row(labels, side / 4)[side % 4]));
@@ -214,7 +214,7 @@ private:
                   std::vector<internal::Mapped_boundary_3>& boundaries) const
   {
     for(const std::size_t label : label_of_facet)
-      internal::require(label < 6, "The labels of a polycube are 0 to 5.");
+      internal::require(label < 6, "labels of facets of the boundary must be 0 to 5.");
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
     std::vector<Eigen::Vector3d> images;
     Eigen::Matrix3d rotation;

@@ -85,7 +85,7 @@ public:
   /// \pre `beta > 0` and `lambda > 0`
   explicit Barrier_energy_3(const Energy& energy = Energy(), const double beta = 0.01, const double lambda = 1)
     : m_energy(energy), m_beta(beta), m_lambda(lambda)
-  { internal::require(beta > 0 && lambda > 0, "The coefficients of a barrier are positive."); }
+  { internal::require(beta > 0 && lambda > 0, "beta and lambda must be positive."); }
 
   /// returns \f$\psi\f$.
   template <typename T>

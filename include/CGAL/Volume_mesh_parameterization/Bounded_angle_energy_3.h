@@ -60,7 +60,7 @@ public:
     : m_energy(energy), m_slope(-2 / bound), m_relaxation(relaxation)
   {
     internal::require(bound > 2 && 0 <= relaxation && relaxation < 1,
-                      "A bound of the distortion of angles is larger than 2, its relaxation in [0, 1).");
+                      "bound must be larger than 2, and relaxation in [0, 1).");
   }
 
   /// returns \f$\psi\f$.

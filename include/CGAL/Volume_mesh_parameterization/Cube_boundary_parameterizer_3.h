@@ -64,7 +64,7 @@ public:
     : m_half_lengths(x_length / 2, y_length / 2, z_length / 2)
   {
     internal::require(m_half_lengths.allFinite() && m_half_lengths.minCoeff() > 0,
-                      "The lengths of a box are positive and finite.");
+                      "The lengths of a box must be positive and finite.");
   }
 
   using internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>::parameterize;

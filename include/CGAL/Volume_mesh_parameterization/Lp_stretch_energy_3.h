@@ -45,7 +45,7 @@ public:
   /// constructs the energy for this \f$p\f$.
   /// \pre `p >= 2`
   explicit Lp_stretch_energy_3(const double p = 8) : m_p(p)
-  { internal::require(p >= 2, "The exponent of the stretch is 2 or more."); }
+  { internal::require(p >= 2, "p must be at least 2."); }
 
   /// returns \f$\psi\f$.
   template <typename T>

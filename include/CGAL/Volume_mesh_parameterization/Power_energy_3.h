@@ -46,7 +46,7 @@ public:
   /// \param energy the energy \f$\psi_0\f$
   /// \pre `exponent >= 2`
   explicit Power_energy_3(const int exponent = 2, const Energy& energy = Energy()) : m_energy(energy), m_exponent(exponent)
-  { internal::require(exponent >= 2, "The exponent of an energy is 2 or more."); }
+  { internal::require(exponent >= 2, "exponent must be at least 2."); }
 
   /// returns \f$\psi\f$.
   template <typename T>

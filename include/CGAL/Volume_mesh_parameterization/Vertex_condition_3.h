@@ -59,7 +59,7 @@ private:
   {
     const double sum = std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]);
     internal::require(kind == AT_TARGET || (sum > 0 && std::isfinite(sum)),
-                      "The direction of a condition is finite and not zero.");
+                      "The direction of a condition must be finite and not zero.");
   }
 
   Kind m_kind = FREE;

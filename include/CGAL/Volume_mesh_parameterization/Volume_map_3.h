@@ -25,9 +25,9 @@ namespace internal {
 // Map of a complex or of arrays.
 struct Mapped_soup_3 : Tetrahedron_soup_3
 {
-  Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images)
-    : Tetrahedron_soup_3(std::move(soup)), images(std::move(images))
-  { require(this->images.size() == points.size(), "There are as many images as points."); }
+  Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images_of_points)
+    : Tetrahedron_soup_3(std::move(soup)), images(std::move(images_of_points))
+  { require(images.size() == points.size(), "images must have an element for each point."); }
 
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)

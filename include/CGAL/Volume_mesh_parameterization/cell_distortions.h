@@ -97,7 +97,7 @@ inline std::vector<Cell_distortion_3> cell_distortions(const std::vector<std::ar
                                                        const std::vector<std::array<std::size_t, 4> >& cells,
                                                        const std::vector<std::array<double, 3> >& images)
 {
-  internal::require(images.size() == points.size(), "There are as many images as points.");
+  internal::require(images.size() == points.size(), "images must have an element for each point.");
   internal::check_cells(cells, points.size());
   std::vector<Cell_distortion_3> result;
   result.reserve(cells.size());

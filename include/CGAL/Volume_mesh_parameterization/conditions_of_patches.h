@@ -48,7 +48,7 @@ public:
   static Patch_condition_3 in_plane(const double x, const double y, const double z, const double offset)
   {
     const Vertex_condition_3 plane = Vertex_condition_3::in_plane(x, y, z); // with the checks
-    internal::require(std::isfinite(offset), "The offset of a plane is finite.");
+    internal::require(std::isfinite(offset), "The offset of a plane must be finite.");
     Patch_condition_3 result;
     result.m_is_in_place = false;
     result.m_normal = plane.direction();

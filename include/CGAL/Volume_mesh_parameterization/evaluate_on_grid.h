@@ -50,7 +50,7 @@ struct Map_on_grid_3
 template <typename ConcurrencyTag = Sequential_tag>
 Map_on_grid_3 evaluate_on_grid(const Volume_map_3& map, const Bbox_3& box, const std::array<std::size_t, 3>& numbers)
 {
-  internal::require((std::min)({ numbers[0], numbers[1], numbers[2] }) >= 2, "A grid has at least two points along each axis.");
+  internal::require((std::min)({ numbers[0], numbers[1], numbers[2] }) >= 2, "numbers must be at least 2 along each axis.");
   Map_on_grid_3 grid = { numbers, {}, {}, {} };
   const auto coordinate = [&](const int axis, const std::size_t i)
   {

@@ -455,9 +455,9 @@ TEST_CASE("arrays of one process that do not fit together are not written by any
     CHECK_FALSE(std::filesystem::exists(VMP::IO::name_of_piece(name, rank())));
     return error;
   };
-  CHECK(error_of_writing([](Distributed_soup&, Points& images) { images.clear(); }).find("as many images as points")
+  CHECK(error_of_writing([](Distributed_soup&, Points& images) { images.clear(); }).find("an element for each point")
         != std::string::npos);
-  CHECK(error_of_writing([](Distributed_soup&, Points& images) { images.emplace_back(); }).find("as many images as points")
+  CHECK(error_of_writing([](Distributed_soup&, Points& images) { images.emplace_back(); }).find("an element for each point")
         != std::string::npos);
   CHECK(error_of_writing([](Distributed_soup& soup, Points&) { soup.cell_references.clear(); })
         == "there is not one reference per cell");

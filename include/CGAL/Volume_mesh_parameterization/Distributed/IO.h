@@ -123,7 +123,7 @@ inline void check_piece(const MPI_communicator_3& communicator, const Distribute
     check_simplex(soup.cells[c], number_of_points, "cell ", first + c);
   if(soup.cell_references.size() != soup.cells.size())
     throw Input_error("there is not one reference per cell");
-  require(uvw.size() == soup.points.size(), "There are as many images as points.");
+  require(uvw.size() == soup.points.size(), "uvw must have an element for each point.");
 }
 
 // Writes the cells of this process with their points and images, as `IO::write_VTU()` does.

@@ -127,7 +127,7 @@ stretch_minimizing_volume_parameterization(
   const bool is_printing = communicator.rank() == 0 && VMP::internal::parameter_or(np, internal_np::verbose, false);
   return communicator.together([&]() -> Result
   {
-    VMP::internal::require(targets.size() == soup.points.size(), "There are as many targets as points.");
+    VMP::internal::require(targets.size() == soup.points.size(), "targets must have an element for each point.");
     const auto map = VMP::internal::parameter_or(np, internal_np::vertex_is_constrained,
                                           Static_boolean_property_map<std::size_t, false>());
     return VMP::internal::run_problem<Sequential_tag>(

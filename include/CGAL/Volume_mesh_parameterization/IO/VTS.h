@@ -35,7 +35,7 @@ inline bool write_VTS(std::ostream& os, const Map_on_grid_3& grid)
 {
   const std::size_t n = grid.points.size();
   internal::require(n == grid.numbers[0] * grid.numbers[1] * grid.numbers[2] && grid.preimages.size() == n
-                    && grid.det_J.size() == n, "The arrays have an element for each point of the grid.");
+                    && grid.det_J.size() == n, "The arrays of grid must have an element for each point.");
   std::string extent;
   for(const std::size_t number : grid.numbers)
     extent += (extent.empty() ? "0 " : " 0 ") + std::to_string(number - 1);

@@ -133,7 +133,7 @@ bool read_VTU(const std::string& filename, Tetrahedron_soup_3& soup, const Named
 inline bool write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
 {
   internal::check_simplices(soup);
-  internal::require(uvw.size() == soup.points.size(), "There are as many images as points.");
+  internal::require(uvw.size() == soup.points.size(), "uvw must have an element for each point.");
   internal::write_VTU(os, soup, uvw, internal::volume(soup.cells, uvw) / internal::volume(soup.cells, soup.points));
   return os.good();
 }

@@ -125,7 +125,7 @@ bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_
                             std::vector<Vertex_condition_3>& conditions, std::vector<std::array<double, 3> >& targets,
                             const NamedParameters& np = parameters::default_values())
 {
-  internal::require(targets.size() == soup.points.size(), "There is a target, or not a number, for each vertex.");
+  internal::require(targets.size() == soup.points.size(), "targets must have an element for each point.");
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
     const std::string text = internal::read_file(filename, budget);

@@ -103,7 +103,7 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
   };
   const auto number_of_iterations = parameter_or(np, internal_np::number_of_iterations, 1000);
   const double number = static_cast<double>(number_of_iterations);
-  require(number >= 0 && std::isfinite(number), "A number of iterations is finite and not negative.");
+  require(number >= 0 && std::isfinite(number), "number_of_iterations must be finite and not negative.");
   constexpr std::size_t largest = (std::numeric_limits<std::size_t>::max)();
   Progress_3 progress(limits.budget(),
                       number < static_cast<double>(largest) ? static_cast<std::size_t>(number_of_iterations) : largest,
@@ -126,12 +126,12 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                || !parameters::is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximum_angle_distortion_t>::value)
     options.improve = &slide_and_bound_angles_3;
-  require(options.energy_tolerance >= 0, "A tolerance of the energy is not negative.");
-  require(options.maximum_angle_distortion > 2, "A bound of the distortion of angles is larger than 2.");
+  require(options.energy_tolerance >= 0, "energy_tolerance must not be negative.");
+  require(options.maximum_angle_distortion > 2, "maximum_angle_distortion must be larger than 2.");
   require(options.soft.weight > 0 && std::isfinite(options.soft.weight),
-          "The weight of a soft boundary is positive and finite.");
+          "weight of soft_boundary_parameters must be positive and finite.");
   require(options.soft.weight_factor > 1 && std::isfinite(options.soft.weight_factor),
-          "The factor between the weights of a soft boundary is finite and larger than 1.");
+          "weight_factor of soft_boundary_parameters must be finite and larger than 1.");
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);

@@ -25,7 +25,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images)
 {
   check_simplices(soup);
-  require(images.size() == soup.points.size(), "There are as many images as points.");
+  require(images.size() == soup.points.size(), "images must have an element for each point.");
   const Numbered_mesh_3 mesh = Numbered_body_3(soup, std::vector<bool>(soup.points.size(), true), images).mesh;
   return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, mesh.target));
 }

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/exceptions.h>
+#include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 
@@ -35,13 +35,20 @@ std::string sentence(const Parts&... parts)
 inline std::string describe(const Eigen::Vector3d& point)
 { return sentence("(", point[0], ", ", point[1], ", ", point[2], ")"); }
 
-// Throws unless a precondition holds, in programs compiled with NDEBUG, too, as it is cheap. The exception names the line of
-// the call; nothing is printed.
+// CGAL defines CGAL_NO_PRECONDITIONS in programs compiled with NDEBUG, too, where these checks stay, as they are cheap.
+#if defined(CGAL_NO_PRECONDITIONS) && !defined(CGAL_NDEBUG)
+constexpr bool checks_preconditions = false;
+#else
+constexpr bool checks_preconditions = true;
+#endif
+
+// Calls CGAL's failure function unless a precondition holds: its handlers are called, and by default an exception is thrown that
+// names the line of the call.
 inline void require(const bool condition, const char* const message, const char* const file = __builtin_FILE(),
                     const int line = __builtin_LINE())
 {
-  if(!condition)
-    throw Precondition_exception("CGAL::Volume_mesh_parameterization", "", file, line, message);
+  if(checks_preconditions && !condition)
+    precondition_fail("", file, line, message);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -79,7 +79,7 @@ void check_columns(const Range& range)
     static_assert(columns == number_of_columns || (columns == Eigen::Dynamic && rows == Eigen::Dynamic),
                   "Matrices have a row for each point or cell, with three or four columns: pass the transposed one.");
     require(range.rows() == 0 || range.cols() == number_of_columns,
-            "A matrix of points has three columns, and one of cells four.");
+            "A matrix of points must have three columns, and one of cells four.");
   }
 }
 
