@@ -7,6 +7,11 @@
 #  include <CGAL/Eigen_solver_traits.h>
 #endif
 
+#ifdef COMPLEX_IS_PERIODIC
+#  include <CGAL/Periodic_3_mesh_triangulation_3.h>
+#  include <CGAL/Labeled_mesh_domain_3.h>
+#endif
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h>
@@ -115,6 +120,11 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::solver_traits(CGAL::Eigen_solver_traits<>()));
 #elif defined TRIANGULATION_IS_MAPPED
   CGAL::stretch_minimizing_volume_parameterization(c3t3.triangulation(), uvw_map);
+#elif defined COMPLEX_IS_PERIODIC
+  using Periodic_tr = CGAL::Periodic_3_mesh_triangulation_3<CGAL::Labeled_mesh_domain_3<K> >::type;
+  CGAL::Mesh_complex_3_in_triangulation_3<Periodic_tr> periodic;
+  std::unordered_map<Periodic_tr::Vertex_handle, K::Point_3> images;
+  CGAL::stretch_minimizing_volume_parameterization(periodic, VMP::make_vertex_point_map(images));
 #elif defined TRIANGULATION_IS_REFINED
   Tr tr;
   VMP::make_parameterizable(tr);

@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -68,6 +70,7 @@ public:
   // Returns values of facets in this order.
   std::vector<std::size_t> of_facets(const std::vector<std::size_t>& values) const
   {
+    CGAL_assertion(values.empty() || values.size() == m_facets.size());
     std::vector<std::size_t> result;
     for(std::size_t i = 0; i < values.size(); ++i)
       result.push_back(values[m_facets[i]]);

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <iterator>
@@ -58,6 +59,7 @@ public:
 
   Removed_vertex collapse(const int v, const int u)
   {
+    CGAL_assertion(is_collapsible(v, u));
     std::vector<int> ring;
     ring.swap(m_rings[v]);
     std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), u), ring.end());

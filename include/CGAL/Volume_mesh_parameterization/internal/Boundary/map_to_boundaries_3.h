@@ -16,6 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 
+#include <CGAL/assertions.h>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Attempt to map a body to images of its boundary that a boundary parameterizer has found.
@@ -98,6 +100,7 @@ auto best_boundary_attempt_3(const std::vector<Mapped_boundary_3>& boundaries, P
       best = std::move(mapped);
     progress.limit_to_part_of_time(1);
   }
+  CGAL_assertion(best.has_value());
   return std::move(*best);
 }
 

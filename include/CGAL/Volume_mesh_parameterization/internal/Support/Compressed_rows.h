@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -57,6 +59,7 @@ struct Compressed_rows
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     items.resize(begin.back());
     for_each_row_and_item([&](const int row, const Item item) { items[begin[row + 1]++] = item; });
+    CGAL_assertion(begin[number_of_rows] == begin.back()); // both passes have found the same items in each row
   }
 };
 

@@ -15,9 +15,11 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 #include <boost/type_traits/detected.hpp>
+#include <boost/type_traits/detected_or.hpp>
 #include <boost/type_traits/is_detected.hpp>
 
 #include <type_traits>
@@ -31,6 +33,12 @@ struct Is_complex : std::false_type {};
 
 template <typename T>
 struct Is_complex<T, std::void_t<typename T::Triangulation, typename T::Subdomain_index> > : std::true_type {};
+
+template <typename Triangulation>
+using Periodic_tag_of = typename Triangulation::Periodic_tag;
+
+template <typename Triangulation>
+constexpr bool is_periodic = boost::detected_or_t<Tag_false, Periodic_tag_of, Triangulation>::value;
 
 // True for property maps with these keys; a map whose key type is void takes any.
 template <typename Map>

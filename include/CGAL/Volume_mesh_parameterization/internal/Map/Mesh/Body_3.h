@@ -108,6 +108,18 @@ Body_3 body_of(const PointRange& points, const CellRange& cells) { return body_o
 template <typename C3t3>
 using Edges_of_complex = decltype(std::declval<const C3t3&>().edges_in_complex_begin());
 
+// No function of the concept: the number of feature edges, which saves a traversal of all edges.
+template <typename C3t3>
+using Number_of_edges = decltype(std::declval<const C3t3&>().number_of_edges_in_complex());
+
+template <typename C3t3>
+bool may_have_edges(const C3t3& c3t3)
+{
+  if constexpr(boost::is_detected<Number_of_edges, C3t3>::value)
+    return c3t3.number_of_edges_in_complex() > 0;
+  return true;
+}
+
 template <typename C3t3>
 using Corners_of_complex = decltype(std::declval<const C3t3&>().vertices_in_complex_begin());
 
@@ -116,7 +128,7 @@ template <typename C3t3, typename Indices>
 void mark_edges(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& soup)
 {
   if constexpr(boost::is_detected<Edges_of_complex, C3t3>::value)
-    if(c3t3.number_of_edges_in_complex() > 0)
+    if(may_have_edges(c3t3))
       for(auto it = c3t3.edges_in_complex_begin(); it != c3t3.edges_in_complex_end(); ++it)
       {
         const auto v = indices.find(it->first->vertex(it->second)), w = indices.find(it->first->vertex(it->third));
@@ -147,6 +159,8 @@ void mark_corners(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& 
 template <typename C3t3>
 struct Body_of_complex_3 : Body_3
 {
+  static_assert(!is_periodic<typename C3t3::Triangulation>,
+                "c3t3 must not be periodic: a vertex of a periodic triangulation has several points, and so several images.");
   using Vertex_handle = typename C3t3::Vertex_handle;
 
   std::vector<Vertex_handle> vertices; // of each point

@@ -14,6 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 
+#include <CGAL/assertions.h>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Makes a vertex of a point of an edge, or of an interior facet or cell, of a complex. The new cells, facets and feature
@@ -133,9 +135,12 @@ private:
     const Cell_handle c = outer.new_cell();
     if(outer.is_of_complex)
       m_c3t3.add_to_complex(c, outer.subdomain);
-    // The outer facet has been in the complex or not all the time: only its new side must be told.
-    const Facet inner = m_c3t3.triangulation().mirror_facet(outer.facet);
-    m_c3t3.set_surface_patch_index(inner, m_c3t3.surface_patch_index(outer.facet));
+    if(m_c3t3.is_in_complex(outer.facet)) // and its new side must be, too
+    {
+      const Surface_patch_index patch = m_c3t3.surface_patch_index(outer.facet);
+      m_c3t3.remove_from_complex(outer.facet);
+      m_c3t3.add_to_complex(outer.facet, patch);
+    }
     for(const auto& [opposite, patch] : outer.split_facets)
       m_c3t3.add_to_complex(c, c->index(opposite), patch);
   }
@@ -187,6 +192,8 @@ void insert_vertices(C3t3& c3t3, Body_of_complex_3<C3t3>& body, const std::vecto
     body.vertices.push_back(in_complex.insert(exact_point(body.soup.points[insertion.point])));
     // in the order of `Incident_simplices_3::insert()`
     const std::vector<typename C3t3::Cell_handle> new_cells = in_complex.new_cells();
+    CGAL_assertion(body.vertices.size() == insertion.point + 1);
+    CGAL_assertion(new_cells.size() == simplex.size() * cells.size());
     for(std::size_t i = 0; i < new_cells.size(); ++i)
       if(i % simplex.size() == 0)
         body.cells[insertion.cells[i / simplex.size()]] = new_cells[i];
