@@ -37,7 +37,7 @@ exact predicates on the coordinates that are written check that no cell is inver
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`; if it is not `const`, of
-        `MeshComplexWithFeatures_3InTriangulation_3` too
+        `MeshComplexWithFeatures_3InTriangulation_3` too. Its triangulation must not be periodic.
 \tparam VertexUVWMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -290,7 +290,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
       result = parameterize([&](const std::size_t p) { return get(boundary_map, vertex(p)); });
     }
     else
-      result = parameterize(VMP::internal::Targets_to_be_found());
+      result = parameterize(VMP::internal::targets_to_be_found(np, std::as_const(c3t3), body));
     if constexpr(may_refine)
     {
       VMP::internal::insert_vertices(c3t3, body, insertions);

@@ -93,6 +93,34 @@ struct Both
   }
 };
 
+// A complex with the functions that the concepts MeshComplex_3InTriangulation_3 and MeshComplexWithFeatures_3InTriangulation_3
+// demand, among those that have the same name in both versions of CGAL's model.
+class Complex_archetype : private Complex::C3t3
+{
+  using Model = Complex::C3t3;
+
+public:
+  using typename Model::Cell_handle, typename Model::Corner_index, typename Model::Curve_index, typename Model::Edge,
+    typename Model::Facet, typename Model::Index, typename Model::Subdomain_index, typename Model::Surface_patch_index,
+    typename Model::Triangulation, typename Model::Vertex_handle;
+  using Model::cells_in_complex_begin, Model::cells_in_complex_end, Model::corner_index, Model::edges_in_complex_begin,
+    Model::edges_in_complex_end, Model::facets_in_complex_begin, Model::facets_in_complex_end, Model::in_dimension,
+    Model::index, Model::set_dimension, Model::set_index, Model::subdomain_index, Model::surface_patch_index,
+    Model::triangulation, Model::vertices_in_complex_begin, Model::vertices_in_complex_end;
+
+  // Some functions of these names are private.
+  template <typename... Arguments>
+  void add_to_complex(const Arguments&... arguments) { Model::add_to_complex(arguments...); }
+  template <typename... Arguments>
+  void remove_from_complex(const Arguments&... arguments) { Model::remove_from_complex(arguments...); }
+  template <typename... Arguments>
+  bool is_in_complex(const Arguments&... arguments) const { return Model::is_in_complex(arguments...); }
+  template <typename... Arguments>
+  Curve_index curve_index(const Arguments&... arguments) const { return Model::curve_index(arguments...); }
+
+  Model& model() { return *this; }
+};
+
 // A bar of which all cells share one point, the last one, bent by the targets: no point sees all of its surface.
 struct Bent_fan
 {
@@ -139,6 +167,21 @@ struct Shrinking_parameterizer
     targets.clear();
     for(const auto& p : points)
       targets.push_back({ p[0] / 2, p[1] / 3, p[2] / 4 });
+    return VMP::OK;
+  }
+};
+
+// Does so for complexes only.
+struct Shrinking_parameterizer_of_complexes
+{
+  template <typename C3t3, typename VertexPointMap, typename NamedParameters = params::Default_named_parameters>
+  VMP::Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                               const NamedParameters& = params::default_values()) const
+  {
+    std::vector<Vertex_handle> vertices;
+    VMP::boundary_vertices(c3t3, std::back_inserter(vertices));
+    for(const Vertex_handle v : vertices)
+      put(target, v, Point_3(v->point().x() / 2, v->point().y() / 3, v->point().z() / 4));
     return VMP::OK;
   }
 };
@@ -327,6 +370,19 @@ TEST_CASE("A boundary parameterizer is an argument, and leads to the map of its 
   check(Shrinking_parameterizer(), params::boundary_parameterizer(Shrinking_parameterizer()));
 }
 
+TEST_CASE("A boundary parameterizer may be for complexes only")
+{
+  Both body(cube_mesh(4, 0.15));
+  Points expected;
+  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
+    body.soup, expected, params::boundary_parameterizer(Shrinking_parameterizer())).status == VMP::OK);
+  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(body.complex.c3t3, body.complex.uvw_map(),
+    params::boundary_parameterizer(Shrinking_parameterizer_of_complexes())).status == VMP::OK);
+  REQUIRE(expected.size() >= body.complex.vertices.size());
+  expected.resize(body.complex.vertices.size()); // without those that refinement adds
+  CHECK(has_same_bits(in_order(body.complex.vertices, body.complex.uvw), expected));
+}
+
 TEST_CASE("A boundary parameterizer that fails, or is interrupted, tells it in the result")
 {
   Points images;
@@ -407,10 +463,11 @@ TEST_CASE("Refinement during the search is the same, and appends to the arrays")
   VMP::Tetrahedron_soup_3 soup = VMP::internal::soup_of(fan.points, fan.cells);
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
     soup.cell_references[c] = static_cast<int>(c);
-  Complex::C3t3 c3t3;
+  soup.edges = { { 0, 4 } };
+  soup.edge_references = { 1 };
+  Complex_archetype c3t3;
   std::vector<Vertex_handle> vertices;
-  std::vector<Complex::Cell_handle> handles;
-  VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, handles);
+  VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3.model(), vertices);
   Complex::Point_map target, uvw;
   for(std::size_t v = 0; v + 1 < vertices.size(); ++v)
     target[vertices[v]] = Point_3(fan.targets[v][0], fan.targets[v][1], fan.targets[v][2]);
@@ -418,6 +475,14 @@ TEST_CASE("Refinement during the search is the same, and appends to the arrays")
     c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(VMP::make_vertex_point_map(target)).do_refine(true));
   REQUIRE(of_complex.status == VMP::OK);
   CHECK(of_complex.energy == result.energy);
+  CHECK(c3t3.model().number_of_edges_in_complex() == 1);
+  CHECK(static_cast<std::size_t>(std::distance(c3t3.facets_in_complex_begin(), c3t3.facets_in_complex_end()))
+        == c3t3.model().number_of_facets_in_complex());
+  for(auto f = c3t3.facets_in_complex_begin(); f != c3t3.facets_in_complex_end(); ++f)
+    CHECK(c3t3.surface_patch_index(c3t3.triangulation().mirror_facet(*f)) == c3t3.surface_patch_index(*f));
+  for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c)
+    for(int i = 0; i < 4; ++i) // between the cells of the fan, which are subdomains, and on the boundary
+      CHECK(c3t3.is_in_complex(c, i) == (c3t3.subdomain_index(c) != c3t3.subdomain_index(c->neighbor(i))));
   std::map<std::array<double, 3>, Point_3> image_of_point;
   for(const auto& [v, image] : uvw)
     image_of_point[{ v->point().x(), v->point().y(), v->point().z() }] = image;

@@ -4,8 +4,8 @@
 
 The concept `BoundaryParameterizer_3` describes classes that find the images of the boundary vertices of a complex. A model is
 passed as `boundary_parameterizer` to `CGAL::stretch_minimizing_volume_parameterization()`, which calls the function for arrays.
-Or the user calls `parameterize()` first, and passes the images as `boundary_map`. This is necessary for corners, labels and
-landmarks.
+A class without it can be passed for complexes; then the function for complexes is called. Or the user calls `parameterize()`
+first, and passes the images as `boundary_map`. This is necessary for corners, labels and landmarks.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}

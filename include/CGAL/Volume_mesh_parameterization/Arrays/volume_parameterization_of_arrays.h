@@ -35,15 +35,36 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   return parameterize_body_3(std::move(body), prescription, problem, images);
 }
 
-// Stands for the targets that a boundary parameterizer finds.
-struct Targets_to_be_found {};
-
 template <typename NamedParameters>
 auto boundary_parameterizer_of(const NamedParameters& np)
 { return parameter_or(np, internal_np::boundary_parameterizer, Ball_boundary_parameterizer_3()); }
 
-template <typename Vertex, bool may_refine, typename NamedParameters, typename VertexOfPoint>
-Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, Targets_to_be_found,
+// Stands for the targets that a boundary parameterizer finds.
+template <typename Parameterizer>
+struct Targets_to_be_found
+{
+  Parameterizer parameterizer;
+
+  explicit Targets_to_be_found(const Parameterizer& p) : parameterizer(p) {}
+};
+
+template <typename NamedParameters>
+auto targets_to_be_found(const NamedParameters& np) { return Targets_to_be_found(boundary_parameterizer_of(np)); }
+
+template <typename NamedParameters, typename C3t3>
+auto targets_to_be_found(const NamedParameters& np, const C3t3& c3t3, const Body_of_complex_3<C3t3>& body)
+{
+  using Parameterizer = decltype(boundary_parameterizer_of(np));
+  using Of_complex = Parameterizer_of_complex_3<Parameterizer, C3t3>;
+  if constexpr(!is_boundary_parameterizer_of_arrays<Parameterizer> && Of_complex::can_be_called)
+    return Targets_to_be_found(Of_complex{ boundary_parameterizer_of(np), c3t3, body.vertices });
+  else
+    return targets_to_be_found(np);
+}
+
+template <typename Vertex, bool may_refine, typename NamedParameters, typename Parameterizer, typename VertexOfPoint>
+Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np,
+                                            const Targets_to_be_found<Parameterizer>& target,
                                             const VertexOfPoint& vertex, const Map_problem_3& problem,
                                             std::vector<Insertion_3>& insertions,
                                             std::vector<std::array<double, 3> >& images)
@@ -51,7 +72,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value,
                 "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
   problem.progress.end_numbering();
-  const auto parameterizer = boundary_parameterizer_of(np);
+  const Parameterizer& parameterizer = target.parameterizer;
   const bool do_refine = may_refine && parameter_or(np, internal_np::do_refine, true);
   std::vector<Mapped_boundary_3> boundaries;
   const Error_code status
@@ -67,11 +88,11 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
     return result;
   }
   for(Mapped_boundary_3& boundary : boundaries)
-    for(std::array<double, 3>& target : boundary.targets)
-      target = body.image_type.rounded_point(target);
+    for(std::array<double, 3>& p : boundary.targets)
+      p = body.image_type.rounded_point(p);
   const auto tell = [&](const Mapped_boundary_3& boundary)
   {
-    if constexpr(is_of_this_package<std::decay_t<decltype(parameterizer)> >)
+    if constexpr(is_of_this_package<Parameterizer>)
       parameterizer.tell(body, boundary);
   };
   Prescription_3 prescription = prescription_3<Vertex>(body, np, [](std::size_t) { return Exact_point_3(); }, vertex);
@@ -130,7 +151,7 @@ auto target_of_point(const TargetRange& targets, const std::size_t number_of_poi
 {
   static_assert(parameters::is_default_parameter<NamedParameters, internal_np::boundary_parameterizer_t>::value,
                 "boundary_parameterizer must not be passed with targets: leave these out, it finds them.");
-  require(number_of_rows(targets) == number_of_points, "There are as many targets as points.");
+  require(number_of_rows(targets) == number_of_points, "targets must have an element for each point.");
   return [&targets](const std::size_t p) { return coordinates(row(targets, p)); };
 }
 
@@ -235,7 +256,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
   VMP::internal::check_refinement_mode<CGAL_NP_CLASS, may_refine>();
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
     VMP::internal::soup_of(points, cells), VMP::internal::coordinate_type_of<PointRange>(),
-    VMP::internal::Targets_to_be_found(), images, np, [&](const VMP::Tetrahedron_soup_3& refined)
+    VMP::internal::targets_to_be_found(np), images, np, [&](const VMP::Tetrahedron_soup_3& refined)
   {
     if constexpr(may_refine)
       VMP::internal::assign_refined(refined, points, cells);
@@ -291,7 +312,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
   constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
   VMP::internal::check_refinement_mode<CGAL_NP_CLASS, may_refine>();
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    soup, {}, VMP::internal::Targets_to_be_found(), images, np, [&](VMP::Tetrahedron_soup_3& refined)
+    soup, {}, VMP::internal::targets_to_be_found(np), images, np, [&](VMP::Tetrahedron_soup_3& refined)
   {
     if constexpr(may_refine)
       soup = std::move(refined);

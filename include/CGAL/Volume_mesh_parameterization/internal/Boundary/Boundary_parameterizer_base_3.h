@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
@@ -133,15 +134,6 @@ private:
   }
 };
 
-template <typename Parameterizer>
-using Answer_of_boundary_parameterizer = decltype(std::declval<const Parameterizer&>().parameterize(
-  std::declval<const std::vector<std::array<double, 3> >&>(), std::declval<const std::vector<std::array<std::size_t, 4> >&>(),
-  std::declval<std::vector<std::array<double, 3> >&>()));
-
-template <typename Parameterizer>
-using Is_boundary_parameterizer
-  = std::is_convertible<boost::detected_t<Answer_of_boundary_parameterizer, Parameterizer>, Error_code>;
-
 // Lets a boundary parameterizer ask a budget.
 struct Visitor_of_budget
 {
@@ -149,6 +141,47 @@ struct Visitor_of_budget
 
   bool after_step(const Parameterization_step& step) { return budget.tell(step); }
   bool goes_on() const { return !budget.is_exhausted(); }
+};
+
+template <typename Parameterizer, typename... Arguments>
+using Answer_of_boundary_parameterizer = decltype(std::declval<const Parameterizer&>().parameterize(
+  std::declval<Arguments>()..., parameters::visitor(std::declval<Visitor_of_budget>())));
+
+template <typename Parameterizer, typename... Arguments>
+constexpr bool is_boundary_parameterizer
+  = std::is_convertible<boost::detected_t<Answer_of_boundary_parameterizer, Parameterizer, Arguments...>, Error_code>::value;
+
+// The named parameters are passed as well: a function of complexes, with its defaults, would take three ranges, too.
+template <typename Parameterizer>
+constexpr bool is_boundary_parameterizer_of_arrays
+  = is_boundary_parameterizer<Parameterizer, const std::vector<std::array<double, 3> >&,
+                              const std::vector<std::array<std::size_t, 4> >&, std::vector<std::array<double, 3> >&>;
+
+// Calls a boundary parameterizer that takes complexes only.
+template <typename Parameterizer, typename C3t3>
+struct Parameterizer_of_complex_3
+{
+  using Images = std::unordered_map<typename C3t3::Vertex_handle, typename C3t3::Triangulation::Geom_traits::Point_3>;
+  static constexpr bool can_be_called
+    = is_boundary_parameterizer<Parameterizer, const C3t3&, Vertex_point_map<Images> >;
+
+  Parameterizer parameterizer;
+  const C3t3& c3t3;
+  const std::vector<typename C3t3::Vertex_handle>& vertices; // of each point
+
+  template <typename NamedParameters>
+  Error_code parameterize(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 4> >&,
+                          std::vector<std::array<double, 3> >& targets, const NamedParameters& np) const
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    Images images;
+    const Error_code status = parameterizer.parameterize(c3t3, make_vertex_point_map(images), np);
+    targets.assign(points.size(), { nan, nan, nan });
+    for(std::size_t p = 0; p < points.size(); ++p)
+      if(const auto image = images.find(vertices[p]); image != images.end())
+        targets[p] = coordinates(image->second);
+    return status;
+  }
 };
 
 template <typename Parameterizer>
@@ -160,8 +193,9 @@ template <typename Parameterizer>
 Error_code find_boundaries_3(const Parameterizer& parameterizer, const Body_3& body, const bool may_refine, const Budget& budget,
                              std::vector<Mapped_boundary_3>& boundaries)
 {
-  static_assert(Is_boundary_parameterizer<Parameterizer>::value,
-                "boundary_parameterizer must have a function parameterize(points, cells, targets) that returns an Error_code.");
+  static_assert(is_boundary_parameterizer_of_arrays<Parameterizer>,
+                "boundary_parameterizer must have a function parameterize(points, cells, targets, np), or for complexes "
+                "parameterize(c3t3, target, np), that returns an Error_code.");
   if constexpr(is_of_this_package<Parameterizer>)
     return parameterizer.find_boundaries(body, may_refine, budget, boundaries);
   else
