@@ -35,12 +35,11 @@ int main(int argc, char* argv[])
   std::vector<std::array<double, 3> > targets;
   C3t3 c3t3;
   std::vector<C3t3::Vertex_handle> vertices;   // in the order of the file
-  std::vector<C3t3::Cell_handle> cells;
   try
   {
     VMP::IO::read_MEDIT(source, soup);
     VMP::IO::read_boundary_targets(target, soup, targets);
-    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices);
   }
   catch(const VMP::Input_error& error)
   {

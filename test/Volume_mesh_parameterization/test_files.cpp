@@ -1200,9 +1200,7 @@ TEST_CASE("The points of another kernel")
 {
   using Other_tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<CGAL::Simple_cartesian<double> >;
   CGAL::Mesh_complex_3_in_triangulation_3<Other_tr> c3t3;
-  std::vector<Other_tr::Vertex_handle> vertices;
-  std::vector<Other_tr::Cell_handle> cells;
-  VMP::tetrahedron_soup_to_mesh_complex_3(box(1, 1, 1), c3t3, vertices, cells);
+  VMP::tetrahedron_soup_to_mesh_complex_3(box(1, 1, 1), c3t3);
   CHECK(c3t3.number_of_cells_in_complex() == 6);
 }
 

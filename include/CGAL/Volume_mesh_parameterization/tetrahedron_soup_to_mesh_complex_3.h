@@ -298,6 +298,27 @@ void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3
   internal::Mesh_complex_3_builder<C3t3>(stored, matching, c3t3, vertices, cells).build(has_negative_cells);
 }
 
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// builds a mesh complex from a tetrahedron soup, as above, for callers that do not need the cell handles.
+template <typename C3t3>
+void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3t3,
+                                        std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
+{
+  std::vector<typename C3t3::Triangulation::Cell_handle> cells;
+  tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// builds a mesh complex from a tetrahedron soup, as above, for callers that need no handles.
+template <typename C3t3>
+void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3t3)
+{
+  std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
+  tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices);
+}
+
 } // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TETRAHEDRON_SOUP_TO_MESH_COMPLEX_3_H
