@@ -248,3 +248,22 @@ TEST_CASE("With verbose, wrong derivatives of an energy are told, and correct on
   CHECK(sentences.find("The Hessian of the energy is wrong") != std::string::npos); // of half of the gradient
   CHECK(printed(Own_energy()).find("energy is") == std::string::npos);
 }
+
+// A sign that is wrong leads uphill.
+struct Wrong_sign_energy : VMP::Stretch_energy_3
+{
+  template <typename T>
+  Eigen::Matrix<T, 3, 1> gradient(const Eigen::Matrix<T, 3, 1>& s) const { return -VMP::Stretch_energy_3::gradient(s); }
+};
+
+TEST_CASE("A minimization that no step continues names the function that checks derivatives")
+{
+  Complex complex(twisted_cube(3));
+  const auto message = [&](const auto& energy)
+  {
+    return CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(),
+      params::boundary_map(complex.boundary_map()).energy(energy)).message;
+  };
+  CHECK(message(Wrong_sign_energy()).find("check_derivatives()") != std::string::npos);
+  CHECK(message(VMP::Stretch_energy_3()).find("check_derivatives()") == std::string::npos);
+}

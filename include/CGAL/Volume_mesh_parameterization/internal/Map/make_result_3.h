@@ -91,9 +91,9 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
   if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
      && !mesh.alignment && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
-    if(const std::string found = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
-       !found.empty())
-      result.message += found + "; few such boundaries have a map without inverted cells, and none that is one to one.";
+    if(const std::string crossing = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
+       !crossing.empty())
+      result.message += crossing + "; few such boundaries have a map without inverted cells, and none that is one to one.";
   if(found.map.is_valid() && mesh.alignment)
     if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
        !crossing.empty())

@@ -43,19 +43,19 @@ public:
       if(const Triangle t = triangle(f); !CGAL::collinear(t[0], t[1], t[2]))
         boxes.emplace_back(t.bbox(), f);
     std::optional<Pair> result;
-    struct Interruption {}; // the only way out of the comparison
+    struct End_of_time {}; // the only way out of the comparison
     try
     {
       CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
       {
         if(budget.is_exhausted())
-          throw Interruption();
+          throw End_of_time();
         const Pair pair = std::minmax(a.info(), b.info());
         if((!result || pair < *result) && do_intersect(pair.first, pair.second))
           result = pair;
       });
     }
-    catch(const Interruption&) { return std::nullopt; }
+    catch(const End_of_time&) { return std::nullopt; }
     return result;
   }
 

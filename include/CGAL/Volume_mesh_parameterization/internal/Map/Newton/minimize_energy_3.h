@@ -171,6 +171,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
     minimizer.step(progress.budget());
     return step_of(iterate, Phase::MINIMIZATION);
   };
+  std::string reason;
   const auto status = [&]() -> std::optional<Error_code>
   {
     if(!iterate.direction.is_usable())
@@ -178,13 +179,17 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
     if(minimizer.is_converged(negligible_gain))
       return OK;
     if(iterate.step_length == 0)
+    {
+      reason = "No step along the Newton direction lowers the energy. If the energy is your own, check_derivatives() compares its "
+               "derivatives with differences.";
       return ERROR_NOT_CONVERGED;
+    }
     if(system.mesh().is_whole() && !system.has_penalty())
       minimize_steepest_3(system, energy, minimizer, progress.budget());
     return ends_here ? ends_here(iterate) : std::nullopt;
   };
   const Error_code end = progress.make_steps(true, step, status);
-  return { iterate.positions(), iterate.energy(), end, reason_of_end(end, iterate) };
+  return { iterate.positions(), iterate.energy(), end, reason.empty() ? reason_of_end(end, iterate) : reason };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
