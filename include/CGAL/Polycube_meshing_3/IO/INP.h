@@ -103,7 +103,7 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
                       const std::map<std::pair<int, int>, std::string>& group_names = {})
 {
   internal::require(element_type == "C3D8" || element_type == "C3D8I" || element_type == "C3D8R",
-                    "The elements are of the type C3D8, C3D8I or C3D8R.");
+                    "element_type must be C3D8, C3D8I or C3D8R.");
   internal::check_hexahedra(mesh);
   internal::Text_writer writer(os);
   writer << "*NODE, NSET=NALL\n";
@@ -141,8 +141,8 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
     {
       const std::size_t c = mesh.interface_cells[i][k];
       const internal::Quadrangle_of_hexahedron q = { c, internal::side_of_quadrangle(mesh, c, mesh.interface_facets[i]) };
-      const std::array<int, 2> subdomains = internal::subdomains_at_interface(mesh, i);
-      parts["INTERFACE_" + std::to_string(subdomains[k]) + "_" + std::to_string(subdomains[1 - k])].push_back(q);
+      const std::array<int, 2> sides = internal::subdomains_at_interface(mesh, i);
+      parts["INTERFACE_" + std::to_string(sides[k]) + "_" + std::to_string(sides[1 - k])].push_back(q);
       if(k == 0 && mesh.interface_references[i] != 0)
         parts["SURFACE_" + std::to_string(mesh.interface_references[i])].push_back(q);
     }

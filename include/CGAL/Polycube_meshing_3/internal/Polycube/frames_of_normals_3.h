@@ -69,7 +69,11 @@ public:
         const Eigen::Vector3d axis = nearest_axis(rotation * normal);
         sum += axis * normal.transpose() / (std::max)(least, (rotation * normal.normalized() - axis).norm());
       }
+#if EIGEN_VERSION_AT_LEAST(3, 4, 90) // from then on, the options are in the type
+      const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::ComputeFullU | Eigen::ComputeFullV> svd(sum);
+#else
       const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+#endif
       Eigen::Matrix3d U = svd.matrixU();
       U.col(2) *= (U * svd.matrixV().transpose()).determinant();
       rotation = U * svd.matrixV().transpose();

@@ -127,13 +127,13 @@ struct Turned_surface_3
   std::vector<bool> is_sharp; // of the edges of the mesh
   Eigen::AlignedBox3d box;    // of the surface
 
-  Turned_surface_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh, const Eigen::Matrix3d& rotation)
-    : rotation(rotation), surface(surface), mesh(mesh), is_sharp(are_among(mesh, surface.sharp_edges))
+  Turned_surface_3(const Numbered_surface_3& s, const Boundary_mesh_3& m, const Eigen::Matrix3d& r)
+    : rotation(r), surface(s), mesh(m), is_sharp(are_among(m, s.sharp_edges))
   {
     if(rotation != Eigen::Matrix3d::Identity()) // which would round
       turn(bounding_box(mesh).center());
-    box = bounding_box(this->mesh);
-    set_points(this->mesh, unit_points(this->mesh));
+    box = bounding_box(mesh);
+    set_points(mesh, unit_points(mesh));
   }
 
 private:
@@ -270,10 +270,10 @@ inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const
     for(const Eigen::Matrix3d& r : rotations)
       frames.emplace_back(surface, mesh, r);
   }
-  const auto map = [&](const double spacing, Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images)
+  const auto map = [&](const double of_grid, Map_of_split_surface_3* const split, std::vector<Eigen::Vector3d>& result)
   {
-    return labels.empty() ? map_in_frames_3(frames, spacing, do_find_axes, of_split, images, rotation, budget)
-                          : map_to_labelled_polycube_3(frames.front(), labels, spacing, images, budget);
+    return labels.empty() ? map_in_frames_3(frames, of_grid, do_find_axes, split, result, rotation, budget)
+                          : map_to_labelled_polycube_3(frames.front(), labels, of_grid, result, budget);
   };
   const Error_code status = map(spacing, of_split, images);
   std::vector<Eigen::Vector3d> any;

@@ -90,7 +90,7 @@ public:
   {
     PetscInt result;
     check(KSPGetTotalIterations(m_ksp, &result));
-    return static_cast<std::size_t>(result + m_communicator.sum(m_solver_for_patches.number_of_iterations()));
+    return static_cast<std::size_t>(result + m_communicator.sum(static_cast<double>(m_solver_for_patches.number_of_iterations())));
   }
 
   std::size_t number_of_own_iterations() const override { return m_solver_for_patches.number_of_iterations(); }
@@ -98,7 +98,7 @@ public:
   std::size_t number_of_cut_solutions() const override
   {
     const std::size_t of_patches = m_solver_for_patches.number_of_cut_solutions() - number_of_replaced_solutions;
-    return m_number_of_cut_solutions + static_cast<std::size_t>(m_communicator.sum(of_patches));
+    return m_number_of_cut_solutions + static_cast<std::size_t>(m_communicator.sum(static_cast<double>(of_patches)));
   }
 
 private:

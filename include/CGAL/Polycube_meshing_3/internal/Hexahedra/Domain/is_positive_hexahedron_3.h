@@ -67,7 +67,7 @@ Bernstein_coefficients_3<FT> jacobian_coefficients_3(const Hexahedron_points_3<F
     {
       const std::array<FT, 3>& x = edges[0][l];
       const std::array<std::size_t, 3> index = { m / 8 + m / 2 % 2, l / 2 + m % 2, l % 2 + m / 4 % 2 };
-      const int parts = (1 + index[0] % 2) * (1 + index[1] % 2) * (1 + index[2] % 2); // of the mean
+      const int parts = static_cast<int>((1 + index[0] % 2) * (1 + index[1] % 2) * (1 + index[2] % 2)); // of the mean
       result[9 * index[0] + 3 * index[1] + index[2]]
         += (x[0] * products[m][0] + x[1] * products[m][1] + x[2] * products[m][2]) / parts;
     }

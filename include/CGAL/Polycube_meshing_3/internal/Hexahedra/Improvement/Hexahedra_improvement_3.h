@@ -50,7 +50,8 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedron_soup_3& mesh,
   }
   const std::vector<double> quality = scaled_jacobians(mesh);
   result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
-  result.mean_scaled_jacobian = std::accumulate(quality.begin(), quality.end(), 0.) / quality.size();
+  result.mean_scaled_jacobian
+    = std::accumulate(quality.begin(), quality.end(), 0.) / static_cast<double>(quality.size());
   result.has_valid_mesh = result.number_of_inverted_hexahedra == 0;
   result.status = result.has_valid_mesh ? OK : ERROR_INVERTED_HEXAHEDRON;
   result.message = get_error_message(result.status) + where;

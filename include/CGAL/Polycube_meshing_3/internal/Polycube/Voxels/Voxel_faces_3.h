@@ -52,8 +52,8 @@ struct Charts_of_voxels_3
   std::vector<std::size_t> chart_of_face; // by the numbers of faces
   std::vector<std::size_t> labels;        // of the charts
 
-  explicit Charts_of_voxels_3(const Voxels_3& voxels)
-    : voxels(voxels), faces(boundary_faces(voxels)), chart_of_face(6 * voxels.is_inside.size(), none)
+  explicit Charts_of_voxels_3(const Voxels_3& v)
+    : voxels(v), faces(boundary_faces(v)), chart_of_face(6 * v.is_inside.size(), none)
   {
     std::vector<std::size_t> chart;
     for(const std::size_t face : faces)

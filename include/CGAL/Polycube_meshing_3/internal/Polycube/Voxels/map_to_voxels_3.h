@@ -189,9 +189,9 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
         = voxels_of_surface_3(unit_surface.points, unit_surface.facets, size_of_voxels, offset, least_parts[attempt]);
       if(!make_surface_of_characteristic(voxels, least_parts[attempt], characteristic))
         continue;
-      Split_surface_3 surface = unit_surface;
-      surface.split_edges_longer_than(size_of_voxels);
-      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, surface, budget);
+      Split_surface_3 split_surface = unit_surface;
+      split_surface.split_edges_longer_than(size_of_voxels);
+      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, split_surface, budget);
       for(const double length : lengths_of_edges)
       {
         Drawn_polycube_3 drawn = draw_polycube_3(polycube, unit_surface, length * size_of_voxels, budget);
