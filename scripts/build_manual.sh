@@ -24,13 +24,27 @@ rm -rf $output
 mkdir -p $output
 configure scripts/manual/defaults.in $output/defaults
 configure $doc/Doxyfile.in $output/Doxyfile
-printf 'INPUT += doc/Polycube_meshing_3\nEXCLUDE += include/CGAL/Polycube_meshing_3/internal\n' >> $output/Doxyfile # one manual here
+# Named parameters become functions of a page of their own, by which they can be found and linked.
+perl -0777 -ne '
+  while(/\\cgalParamNBegin\{(\w+)\}\s*\\cgalParamDescription(\{(?:[^{}]|(?2))*\})/g)
+  { ($name, $text) = ($1, substr($2, 1, -1)); $text =~ s/\s*\n\s*/ /g; $text{$name} //= $text; push @{$where{$name}}, $ARGV =~ s|.*/(\w+)\.h|$1|r }
+  END
+  {
+    print "/// \\defgroup PkgVolumeMeshParameterizationNamedParameters Named Parameters\n/// \\ingroup PkgVolumeMeshParameterizationRef\n";
+    print "namespace CGAL {\n/// Named parameters of functions.\nnamespace parameters {\n";
+    print "/// \\ingroup PkgVolumeMeshParameterizationNamedParameters\n/// $text{$_}\n///\n/// Parameter of: ",
+          join(", ", map { "`CGAL::" . ($_ =~ /^stretch/ ? "" : "Volume_mesh_parameterization::") . "$_()`" } @{$where{$_}}),
+          "\nunspecified_type $_(value_type value);\n" for sort keys %text;
+    print "} }\n";
+  }' include/CGAL/stretch_minimizing_volume_parameterization.h include/CGAL/*/make_*.h > $output/named_parameters.h
+printf 'INPUT += doc/Polycube_meshing_3 build/doc_output/named_parameters.h\nEXCLUDE += include/CGAL/Polycube_meshing_3/internal\n' >> $output/Doxyfile # one manual here
 BIBINPUTS=. BSTINPUTS=. doxygen $output/Doxyfile # bibtex finds files without a TeX installation
-# As in CGAL's manual, concepts are called so, and have no header; the tree has room for names without namespaces and parameters.
+# As in CGAL's manual, concepts are called so, and they and named parameters have no header; the tree has room for names without namespaces and parameters.
 for concept in $doc/Concepts/*.h; do
   name=$(basename "$concept" .h)
   sed -i "s/$name Class Reference/$name Concept Reference/; /#include.*Concepts\/$name/d" "$output/html/class${name//_/__}.html"
 done
+sed -i -E '/#include.*named_parameters.h/d' $output/html/*NamedParameters.html
 sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/; s/"(Volume_mesh_parameterization|Polycube_meshing_3)\/([^"]*\.(cpp|h)")/"\2/' $output/html/*.js
 echo "Open $PWD/$output/html/index.html"
 if [ "${1:-}" = --open ]; then

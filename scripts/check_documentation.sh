@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Fails unless the manual lists all that a user can name, classes, functions, named parameters, examples, and options of the
-# program, and each class and overload of a function has a comment for Doxygen. With --list, each of them is printed.
+# Fails unless the manual lists all that a user can name, classes, functions, examples, and options of the program, and each
+# class, overload of a function, public member and named parameter has a comment for Doxygen. With --list, each of these is printed.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -22,13 +22,8 @@ require()
   done
 }
 
-require "named parameter" "$headers/stretch_minimizing_volume_parameterization.h" < <(
-  sed -n 's/^CGAL_add_named_parameter(.*, \(.*\))/cgalParamNBegin{\1}/p' \
-    "$headers/STL_Extension/internal/parameters_interface.h" | grep -v -e minimum_scaled_jacobian -e do_keep_interfaces)
-require "named parameter" "$headers/$polycubes/make_hexahedral_mesh_3.h" \
-  <<< $'cgalParamNBegin{minimum_scaled_jacobian}\ncgalParamNBegin{do_keep_interfaces}'
-
-# Prints the header, the name, and 1 or 0 for with or without a comment, of each class and function in a public namespace.
+# Prints the header, the name, and 1 or 0 for with or without a comment, of each class and function in a public namespace and of
+# each public member of a class. Members are indented by two blanks, and destructors and deleted functions need no comment.
 list_declarations()
 {
   local header
@@ -36,31 +31,63 @@ list_declarations()
     awk -v header="${header#"$headers"/}" '
       /^namespace (internal|.*::internal) / { is_internal = 1 }
       /^} \/\/ namespace .*internal/        { is_internal = 0; next }
-      is_internal || /^ *\/\/[^\/]/         { next }
-      /^\/\*!/ || /^\/\/\//                 { is_documented = 1; is_comment = /^\/\*!/ }
+      /^#ifndef DOXYGEN_RUNNING/            { is_hidden = 1 }
+      /^#(else|endif)/                      { is_hidden = 0 }
+      is_internal || is_hidden || /^ *\/\/[^\/]/ { next }
+      /^ *\/\*!/ || /^ *\/\/\/([^<]|$)/     { is_documented = 1; is_comment = is_comment || /\/\*!/ }
       /\*\/$/                               { is_comment = 0; next }
-      is_comment || /^\/\/\//               { next }
-      /^(class|struct|enum( class)?) [A-Za-z_0-9]+( .*)?[^;]?$/ { sub(/^enum class/, "enum"); print header, $2, is_documented + 0 }
-      /^[A-Za-z][A-Za-z_0-9:<>,&* ]*\(/ && !/^(template|typename|static_assert|explicit|friend|CGAL_)/ {
-        sub(/\(.*/, ""); sub(/.*[ &*]/, ""); print header, $0, is_documented + 0
+      is_comment || /^ *\/\/\//             { next }
+      /^(class|struct|enum( class)?) [A-Za-z_0-9]+( .*)?[^;]?$/ {
+        name = /^enum class/ ? $3 : $2
+        print header, name, is_documented + 0
+        of_class = /^enum/ ? "" : name
+        is_public = /^struct/
       }
-      /[;{}]$/ || /^$/                      { is_documented = 0 }
+      /^};/                                 { of_class = "" }
+      /^(public|protected|private):/        { is_public = /^public/ }
+      /^[A-Za-z][A-Za-z_0-9:<>,&* ]*\(/ && !/^(template|typename|static_assert|explicit|friend|CGAL_)/ {
+        name = $0; sub(/\(.*/, "", name); sub(/.*[ &*]/, "", name); print header, name, is_documented + 0
+      }
+      of_class != "" && is_public && !/= delete/ && !/^  (template|typename|static_assert|using [A-Za-z_:<>]*[:;]|friend class)/ &&
+      /^  [A-Za-z][]A-Za-z_0-9:<>,&*. []*(\(| = |[;{])/ {
+        name = $0; sub(/^  using /, "  ", name); sub(/( *=.*|[({;].*)/, "", name); sub(/.*[ &*]/, "", name)
+        print header, of_class "::" name, is_documented || /\/\/\/</
+      }
+      /[;{}]( *\/\/.*)?$/ || /^$/ || /^(public|private):/ { is_documented = 0 }
     ' "$header"
+  done
+}
+
+# Prints the header with the comments of a function, the name, and 1 or 0, of each named parameter that the function reads.
+list_named_parameters()
+{
+  local file header name
+  grep -rl 'check_named_parameters<internal_np::' "$headers" | sort | while read -r file; do
+    header=$file
+    [[ $file != */parameterize_body_3.h ]] || header="$headers/stretch_minimizing_volume_parameterization.h"
+    { sed -n '/check_named_parameters<internal_np::/,/;/p' "$file" | grep -o 'internal_np::[a-z_]*' |
+        sed 's/internal_np:://; s/_t$//; s/^vertex_.*/&_map/'; printf 'visitor\nmaximum_running_time\n'; } |
+      while read -r name; do
+        echo "${header#"$headers"/} $name $(grep -cF "cgalParamNBegin{$name}" "$header")"
+      done
   done
 }
 
 of_package=("$headers"/*.h "$headers/$package"/*.h "$headers/$package"/{IO,Arrays,Distributed}/*.h)
 of_polycubes=("$headers/$polycubes"/*.h "$headers/$polycubes"/IO/*.h)
+declarations=$(list_declarations "${of_package[@]}")
+declarations_of_polycubes=$(list_declarations "${of_polycubes[@]}")
+all=$(echo "$declarations"; echo "$declarations_of_polycubes"; list_named_parameters)
 if [ "${1:-}" = --list ]; then
-  list_declarations "${of_package[@]}" "${of_polycubes[@]}" | awk '{ print $1, $2, $3 ? "is documented" : "is not documented" }'
+  awk '{ print $1, $2, $3 ? "is documented" : "is not documented" }' <<< "$all"
 fi
-require "class or function" "$doc/PackageDescription.txt" < <(list_declarations "${of_package[@]}" | awk '{ print $2 }' | sort -u)
-require "class or function" "$root/doc/$polycubes/PackageDescription.txt" < <(
-  list_declarations "${of_polycubes[@]}" | awk '{ print $2 }' | sort -u)
+names() { awk '$2 !~ /::/ { print $2 }' | sort -u; }
+require "class or function" "$doc/PackageDescription.txt" < <(names <<< "$declarations")
+require "class or function" "$root/doc/$polycubes/PackageDescription.txt" < <(names <<< "$declarations_of_polycubes")
 while read -r header name; do
   echo "$header: $name has no comment for Doxygen"
   status=1
-done < <(list_declarations "${of_package[@]}" "${of_polycubes[@]}" | awk '!$3 { print $1, $2 }')
+done < <(awk '!$3 { print $1, $2 }' <<< "$all")
 require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp parameterize_mesh_file/*.cpp | xargs -n 1 basename)
 require "example" "$root/doc/$polycubes/examples.txt" < <(cd "$root/examples/$polycubes" && ls ./*.cpp | xargs -n 1 basename)
 require "option" "$doc/Parameterize_mesh_file.txt" < <(
