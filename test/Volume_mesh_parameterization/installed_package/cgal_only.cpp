@@ -3,6 +3,6 @@
 
 int number_of_iterations()
 {
-  auto np = CGAL::parameters::verbose(true).number_of_iterations(7);
+  auto np = CGAL::parameters::verbose(true).number_of_iterations(200);
   return CGAL::parameters::get_parameter(np, CGAL::internal_np::number_of_iterations);
 }

@@ -38,7 +38,9 @@
 
 // Instructions for which this unit is compiled, and the number of doubles in their registers. The namespace of the
 // arithmetic is named after the instructions, so that units for different processors do not share functions.
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
+#if !defined(CGAL_VOLUME_MESH_PARAMETERIZATION_EXTENSIONS)
+#  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS without_extensions
+#elif defined(__AVX512F__) && defined(__AVX512DQ__)
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS avx512
 #  define CGAL_VOLUME_MESH_PARAMETERIZATION_REGISTER_WIDTH 8
 #elif defined(__AVX2__) && defined(__FMA__)

@@ -9,6 +9,8 @@
 using Points = std::vector<std::array<double, 3> >;
 using Cells = std::vector<std::array<int, 4> >;
 
+int number_of_iterations(); // of the unit that knows only CGAL
+
 static void make_grid(Points& points, Cells& cells)
 {
   const int n = 4;
@@ -30,8 +32,8 @@ static Points images_of_grid()
   make_grid(points, cells);
   if(VMP::Ball_boundary_parameterizer_3().parameterize(points, cells, targets) != VMP::OK)
     throw std::runtime_error("no boundary");
-  const auto result = CGAL::stretch_minimizing_volume_parameterization(points, cells, targets, images,
-                                                                       CGAL::parameters::do_refine(true));
+  const auto result = CGAL::stretch_minimizing_volume_parameterization(
+    points, cells, targets, images, CGAL::parameters::do_refine(true).number_of_iterations(number_of_iterations()));
   if(result.status != VMP::OK)
     throw std::runtime_error(result.message);
   return images;
