@@ -2,6 +2,7 @@
 // cell matters, which counts the more the larger p is. It is infinite for flat cells.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Lp_stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -26,8 +27,7 @@ int main()
   VMP::IO::read_MEDIT("data/cube.mesh", soup); // [-1,1]^3
   C3t3 cube;
   std::vector<C3t3::Vertex_handle> vertices;
-  std::vector<C3t3::Cell_handle> cells;
-  VMP::tetrahedron_soup_to_mesh_complex_3(soup, cube, vertices, cells);
+  VMP::tetrahedron_soup_to_mesh_complex_3(soup, cube, vertices);
 
   std::unordered_map<C3t3::Vertex_handle, K::Point_3> target, uvw;
   for(const C3t3::Vertex_handle v : vertices)
@@ -43,5 +43,6 @@ int main()
             << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
             << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n"
             << "strongest compression of a cell: root mean square " << std::sqrt(result.energy) << std::endl;
-  return result.status == VMP::OK ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool is_written = VMP::IO::write_VTU("lp_stretch_energy.vtu", cube, VMP::make_vertex_point_map(uvw));
+  return result.status == VMP::OK && is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
