@@ -2,8 +2,8 @@
 """Draws the maps that the example programs wrote, for the manual.
 
 Usage: xvfb-run -a -s "-screen 0 2560x1280x24 -noreset" scripts/render_examples.py FOLDER [OUTPUT_FOLDER]
-FOLDER is where the example programs were run. Needs the Debian packages python3-matplotlib, python3-pil, python3-vtk9, xauth
-and xvfb.
+FOLDER is where the example programs were run, and the commands that the manual of Polycube_meshing_3 shows. Needs the Debian
+packages python3-matplotlib, python3-pil, python3-vtk9, xauth and xvfb.
 """
 import sys
 import tempfile
@@ -19,8 +19,9 @@ import vtk  # noqa: E402
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path.append(str(ROOT / "benchmark/Volume_mesh_parameterization/paper"))
+sys.path += [str(ROOT / "benchmark" / name) for name in ("Volume_mesh_parameterization/paper", "Polycube_meshing_3")]
 import render  # noqa: E402
+from solve_cantilever import read_inp  # noqa: E402
 
 LARGEST = 10  # largest distortion that colors tell apart
 DPI = 200  # pictures are shown at half their size, on screens with small pixels at all of it
@@ -29,7 +30,6 @@ render.SIZE = 1040  # pixels of a picture
 # name of the .vtu file: direction to the eye, direction upwards, normal of the plane that cuts
 VIEWS = {
     "twisted": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
-    "elephant_to_cube": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
     "polycube": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
     "sliding_boundary": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
 }
@@ -90,11 +90,11 @@ def grid_lines(grid, number=16):
     return line_actor(lines.GetOutput(), (0.1, 0.25, 0.5), 4)
 
 
-def colors_of_positions(grid):
-    """A color for each position in the domain: red, green and blue grow with the coordinates."""
-    uvw = vtk_to_numpy(grid.GetPointData().GetArray("uvw"))
-    low, high = uvw.min(axis=0), uvw.max(axis=0)
-    return (60 + 190 * (uvw - low) / (high - low)).astype(numpy.uint8)
+def colors_of_positions(grid, is_of_body=False):
+    """A color for each position in the domain, or in the body: red, green and blue grow with the coordinates."""
+    positions = vtk_to_numpy(grid.GetPoints().GetData() if is_of_body else grid.GetPointData().GetArray("uvw"))
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    return (60 + 190 * (positions - low) / (high - low)).astype(numpy.uint8)
 
 
 def painted_surface(grid, colors):
@@ -120,11 +120,11 @@ def show(axes, picture, title):
 
 
 def save(figure, output):
-    """With 256 colors, which keeps the file small."""
+    """With 256 colors, which keeps the file small, and without dithering, which would look like noise."""
     with tempfile.TemporaryDirectory() as name:
         figure.savefig(f"{name}/figure.png", dpi=DPI)
         picture = Image.open(f"{name}/figure.png").convert("RGB")
-        picture = picture.quantize(palette=picture.quantize(256), dither=Image.Dither.FLOYDSTEINBERG)
+        picture = picture.quantize(256, kmeans=1, dither=Image.Dither.NONE)
         colors = numpy.array(picture.getpalette()).reshape(-1, 3)
         colors[picture.getpixel((0, 0))] = 255  # the background stays white
         picture.putpalette(colors.ravel().tolist())
@@ -132,13 +132,14 @@ def save(figure, output):
     pyplot.close(figure)
 
 
-def draw_row(bodies, output, bar=None):
+def draw_row(bodies, output, bar=None, rows=1):
     """Bodies side by side, each a list of actors with its direction to the eye, direction upwards and title. The bar is
     colors, their scale and what it shows."""
-    figure, axes = pyplot.subplots(1, len(bodies), figsize=(10.8, 10.8 / len(bodies)), constrained_layout=True)
+    columns = len(bodies) // rows
+    figure, axes = pyplot.subplots(rows, columns, figsize=(10.8, 10.8 / columns * rows), constrained_layout=True)
     with tempfile.TemporaryDirectory() as name:
         panel = Path(name) / "panel.png"
-        for panel_axes, (actors, direction, up, title) in zip(axes, bodies):
+        for panel_axes, (actors, direction, up, title) in zip(axes.flat, bodies):
             render.picture(panel, actors, direction, up)
             show(panel_axes, panel, title)
     if bar:
@@ -217,23 +218,6 @@ def draw_overview(folder, output, icon):
     picture.quantize(256).save(icon, optimize=True)
 
 
-def surface_with_field(grid, largest):
-    """Colored by a field of the vertices, from 0, orange, to the largest value, blue."""
-    table = vtk.vtkLookupTable()
-    table.SetHueRange(0.08, 0.6)
-    table.SetSaturationRange(0.6, 0.6)
-    table.SetTableRange(0, largest)
-    table.Build()
-    actor = render.surface(grid, edges=False)
-    mapper = actor.GetMapper()
-    mapper.ScalarVisibilityOn()
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray("field")
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
-    return actor
-
-
 def landmarks(grid):
     """A ball at each marked vertex."""
     marks = vtk_to_numpy(grid.GetPointData().GetArray("landmark"))
@@ -247,21 +231,32 @@ def landmarks(grid):
         yield actor
 
 
+VIRIDIS = [matplotlib.colormaps["viridis"](i / 255)[:3] for i in range(256)]
+WOOD = [tuple(numpy.array((0.93, 0.78, 0.55)) - i / 255 * numpy.array((0.5, 0.52, 0.42))) for i in range(256)]
+
+
+def surface_with_field(grid, largest, colors):
+    """Colored by a field of the vertices, from 0 to the largest value."""
+    actor = surface_by_values(grid, vtk_to_numpy(grid.GetPointData().GetArray("field")), colors, 0, largest)
+    actor.GetProperty().SetEdgeVisibility(False)
+    return actor
+
+
 def draw_carried(folder, output):
     """A field, a regular grid and the landmarks of the elephant, and what becomes of them on the bull."""
     grids = [render.read(str(folder / f"{name}.vtu")) for name in ("elephant", "bull")]
     largest = grids[0].GetPointData().GetArray("field").GetRange()[1]
-    bodies = [([surface_with_field(grid, largest), grid_lines(grid), *landmarks(grid)], direction, (0, 1, 0), title)
+    bodies = [([surface_with_field(grid, largest, VIRIDIS), grid_lines(grid), *landmarks(grid)], direction, (0, 1, 0), title)
               for grid, direction, title in zip(grids, ((2, 1, 3), (-2, 1, 3)), ("elephant", "bull"))]
-    draw_row(bodies, output, (colors_of(bodies[0][0][0]), Normalize(0, 100), "distance from the tip of the trunk, in % of the largest one"))
+    draw_row(bodies, output, (VIRIDIS, Normalize(0, 100), "distance from the tip of the trunk, in % of the largest one"))
 
 
 def draw_texture(folder, output):
     """The texture in a section of the cube, on the body, and in a section of it."""
     direction, up, normal = (1, -2, 2), (0, 1, 0), (0, 0, 1)
     body = render.read(str(folder / "solid_texture.vtu"))
-    sections = [surface_with_field(render.cut(grid, normal), 1) for grid in (render.image_of(body), body)]
-    draw_row([([sections[0]], direction, up, "section of the cube"), ([surface_with_field(body, 1)], direction, up, "body"),
+    sections = [surface_with_field(render.cut(grid, normal), 1, WOOD) for grid in (render.image_of(body), body)]
+    draw_row([([sections[0]], direction, up, "section of the cube"), ([surface_with_field(body, 1, WOOD)], direction, up, "body"),
               ([sections[1]], direction, up, "section of the body")], output)
 
 
@@ -296,12 +291,49 @@ def draw_spline(folder, output):
               for grid, title in ((net, "control net"), (render.whole_cells_behind(net, (0, 0, 1)), "one half of it"))], output)
 
 
+def plane_section(grid, normal):
+    """Where a plane through the middle meets the cells: polygons with the data of the cells."""
+    cutter = vtk.vtkCutter()
+    cutter.SetInputData(grid)
+    cutter.SetCutFunction(render.plane_through(grid, normal))
+    cutter.GenerateTrianglesOff()
+    cutter.Update()
+    return cutter.GetOutput()
+
+
 def draw_moving(folder, output):
-    """The half of the mesh behind the middle, at the beginning and after each quarter of the way."""
-    frames = [render.read(str(folder / f"moving_boundary_{i}.vtu")) for i in range(1, 5)]
-    grids = [frames[0], *(render.image_of(frame) for frame in frames)]
-    draw_row([([render.surface(render.whole_cells_behind(grid, (0, 0, 1)))], (0, 0, 1), (0, 1, 0), title)
-              for grid, title in zip(grids, ("mesh of the beginning", "1/4", "1/2", "3/4", "end"))], output)
+    """A plane section of the mesh, with its distortion, at the beginning, after one half of the way, and at the end."""
+    frames = [render.read(str(folder / f"moving_boundary_{i}.vtu")) for i in (2, 4)]
+    bodies = [(frames[0], "beginning", False), *((render.image_of(frame), title, True) for frame, title in
+                                                zip(frames, ("half of the way", "end")))]
+    drawn = []
+    for grid, title, has_distortion in bodies:
+        flat = plane_section(grid, (0, 0, 1))
+        actor = (render.colored_surface(flat, "angle_distortion", LARGEST) if has_distortion
+                 else render.surface(flat, render.color_scale()[0]))
+        actor.GetProperty().SetEdgeVisibility(True)
+        actor.GetProperty().LightingOff()
+        drawn.append(([actor], (0, 0, 1), (0, 1, 0), title))
+    draw_row(drawn, output, DISTORTION)
+
+
+def shells(grid, number=8):
+    """Colors of bands between spheres around the origin of the image, from the middle to the boundary."""
+    radius = numpy.linalg.norm(vtk_to_numpy(grid.GetPointData().GetArray("uvw")), axis=1)
+    colors = [(0.97, 0.85, 0.62) if i % 2 else (0.25, 0.45, 0.62) for i in range(number)]
+    actor = surface_by_values(grid, radius, colors, 0, 1)
+    actor.GetProperty().SetEdgeVisibility(False)
+    return actor
+
+
+def draw_ball(folder, output):
+    """A body and its image in the ball with equal colors, and what concentric shells of the ball are in a section of the body."""
+    source = render.read(str(folder / "elephant_to_ball.vtu"))
+    colors = colors_of_positions(source)
+    direction, up, normal = (2, 1, 3), (0, 1, 0), (0, 0, 1)
+    draw_row([([painted_surface(source, colors)], direction, up, "body"),
+              ([painted_surface(render.image_of(source), colors)], direction, up, "its map to the ball"),
+              ([shells(render.cut(source, normal))], normal, up, "concentric shells of the ball, in the body")], output)
 
 
 def draw_conditions(folder, output):
@@ -316,9 +348,140 @@ def draw_conditions(folder, output):
     draw_row(bodies, output)
 
 
-def draw_hexahedra(vtu, output):
+def draw_boundaries(folder, output):
+    """A body and its images for several boundaries, with equal colors."""
+    direction, up, _ = VIEWS["twisted"]
+    bodies = []
+    for name, title in (("elephant_to_ball", "ball"), ("elephant_to_cube", "box"), ("elephant_to_polycube", "polycube"),
+                        ("twisted", "prescribed surface")):
+        source = render.read(str(folder / f"{name}.vtu"))
+        colors = colors_of_positions(source, is_of_body=True)
+        if not bodies:
+            bodies.append(([painted_surface(source, colors)], direction, up, "body"))
+        bodies.append(([painted_surface(render.image_of(source), colors)], direction, up, title))
+    draw_row(bodies, output)
+
+
+ENERGIES = {"stretch": "stretch", "lp_stretch": "Lp stretch", "symmetric_dirichlet": "symmetric Dirichlet", "mips": "MIPS",
+            "power": "third power of MIPS", "dirichlet": "Dirichlet", "arap": "ARAP", "lpm": "LPM", "lscm": "LSCM"}
+
+
+def draw_energies(folder, output):
+    """A plane section of a cube, and of its image on the dented cube by each energy."""
+    grids = [(name, render.read(str(folder / f"{name}_energy.vtu"))) for name in ENERGIES]
+    source = render.surface(plane_section(grids[0][1], (0, -1, 0)), render.color_scale()[0])
+    bodies = [(source, "cube")]
+    for name, grid in grids:
+        section = plane_section(render.image_of(grid), (0, -1, 0))
+        bodies.append((render.colored_surface(section, "angle_distortion", LARGEST), ENERGIES[name]))
+    for actor, _ in bodies:
+        actor.GetProperty().SetEdgeVisibility(True)
+        actor.GetProperty().LightingOff()
+    draw_row([([actor], (0, -1, 0), (0, 0, 1), title) for actor, title in bodies], output, DISTORTION, rows=2)
+
+
+def surface_by_values(grid, values, colors, low, high):
+    """Colored by values of the points, or of the cells if there are as many."""
+    table = vtk.vtkLookupTable()
+    table.SetNumberOfTableValues(len(colors))
+    table.SetTableRange(low, high)
+    for i, color in enumerate(colors):
+        table.SetTableValue(i, *color)
+    is_of_cells = len(values) == grid.GetNumberOfCells()
+    array = numpy_to_vtk(numpy.asarray(values, float), deep=True)
+    array.SetName("value")
+    (grid.GetCellData() if is_of_cells else grid.GetPointData()).AddArray(array)
+    actor = render.surface(grid)
+    mapper = actor.GetMapper()
+    mapper.ScalarVisibilityOn()
+    mapper.SetScalarMode(4 if is_of_cells else 3)  # the field of cells or points that has the name below
+    mapper.SelectColorArray("value")
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    mapper.InterpolateScalarsBeforeMappingOn()
+    return actor
+
+
+STEEL, BRONZE, RED, BLUE = (0.72, 0.76, 0.80), (0.80, 0.58, 0.32), (0.75, 0.15, 0.15), (0.25, 0.45, 0.70)
+
+
+def draw_materials(folder, output):
+    """Hexahedra of two materials, and those of one half with their scaled Jacobians."""
+    direction, up, normal = (2, -3, 3), (0, 0, 1), (0, -1, 0)
+    mesh = render.read(str(folder / "bearing.vtu"))
+    half = render.whole_cells_behind(mesh, normal)
+    quality = render.quality_surface(half, "scaled_jacobian")
+    materials = vtk_to_numpy(mesh.GetCellData().GetArray("subdomain"))
+    draw_row([([surface_by_values(mesh, materials, (BRONZE, STEEL), 1, 2)], direction, up, "hexahedra of two materials"),
+              ([quality], direction, up, "those of one half")], output,
+             (colors_of(quality), Normalize(0, 1), "scaled Jacobian (right angles: 1)"))
+
+
+def results_of_calculix(filename, name):
+    """The values of a result of each node in a file *.frd."""
+    values, is_wanted = {}, False
+    for line in filename.read_text().splitlines():
+        if line.startswith(" -4"):
+            is_wanted = line.split()[1] == name
+        elif line.startswith(" -1") and is_wanted:
+            values[int(line[3:13])] = [float(line[i:i + 12]) for i in range(13, len(line), 12)]
+    return values
+
+
+def quadrangles(points, cells):
+    grid = vtk.vtkUnstructuredGrid()
+    grid.SetPoints(vtk.vtkPoints())
+    grid.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+    for cell in cells:
+        grid.InsertNextCell(vtk.VTK_QUAD, 4, cell)
+    return grid
+
+
+def arrows(points, size):
+    """Arrows against the first axis that end at points."""
+    for x, y, z in points:
+        arrow = vtk.vtkArrowSource()
+        arrow.SetTipRadius(0.18)
+        arrow.SetShaftRadius(0.05)
+        place = vtk.vtkTransform()
+        place.Translate(x + size, y, z)
+        place.Scale(size, size, size)
+        place.RotateY(180)
+        placed = vtk.vtkTransformPolyDataFilter()
+        placed.SetTransform(place)
+        placed.SetInputConnection(arrow.GetOutputPort())
+        placed.Update()
+        yield line_actor(placed.GetOutput(), BLUE, 1)
+
+
+def draw_bracket(folder, output):
+    """A bracket with what holds and loads it, and its deformation and von Mises stress by CalculiX."""
+    direction, up = (3, -2, 1.8), (0, 0, 1)
+    points, patches = read_inp(folder / "bracket.inp")
+    nodes = {number: i for i, number in enumerate(points)}
+    positions = numpy.array(list(points.values()))
+    cells, groups = [], []
+    for name, faces in patches.items():
+        for face in faces if name in ("screws", "wall", "rest") else ():
+            cells.append([nodes[v] for v in face])
+            groups.append({"rest": 0, "screws": 1, "wall": 2}[name])
+    loaded = surface_by_values(quadrangles(positions, cells), groups, (STEEL, RED, (0.62, 0.73, 0.86)), 0, 2)
+    tips = [(8, y, z) for y in (4, 20, 36) for z in (14, 32, 50) if (y, z) != (20, 32)]  # on the wall, around its hole
+    moved, stress = (results_of_calculix(folder / "bracket_model.frd", name) for name in ("DISP", "STRESS"))
+    displacement = numpy.array([moved[number] for number in points])
+    a, b, c, d, e, f = numpy.array([stress[number] for number in points]).T
+    von_mises = numpy.sqrt(((a - b) ** 2 + (b - c) ** 2 + (c - a) ** 2) / 2 + 3 * (d ** 2 + e ** 2 + f ** 2))
+    largest, factor = numpy.percentile(von_mises, 99.5), 6 / numpy.linalg.norm(displacement, axis=1).max()
+    bent = surface_by_values(quadrangles(positions + factor * displacement, cells), von_mises, VIRIDIS, 0, largest)
+    print(f"bracket: displacements times {factor:.3g}, largest {6 / factor:.3g} mm, stress up to {von_mises.max():.3g} MPa")
+    draw_row([([loaded, *arrows(tips, 14)], direction, up, "screws hold, a pressure loads"),
+              ([bent], direction, up, f"deformed, displacements times {factor:.0f}")], output,
+             (VIRIDIS, Normalize(0, largest), "von Mises stress in MPa"))
+
+
+def draw_hexahedra(vtu, output, view=VIEWS["polycube"]):
     """Hexahedra, and those of one half with their scaled Jacobians."""
-    direction, up, normal = VIEWS["polycube"]
+    direction, up, normal = view
     mesh = render.read(str(vtu))
     quality = render.quality_surface(render.whole_cells_behind(mesh, normal), "scaled_jacobian")
     draw_row([([render.surface(mesh)], direction, up, "hexahedra"), ([quality], direction, up, "those of one half")], output,
@@ -327,7 +490,8 @@ def draw_hexahedra(vtu, output):
 
 def main(folder, output_folder):
     draw_carried(folder, output_folder / "body_to_body.png")
-    for name in ("twisted", "elephant_to_cube", "polycube"):
+    draw_ball(folder, output_folder / "elephant_to_ball.png")
+    for name in ("twisted", "polycube"):
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
     draw_sliding(folder, output_folder / "sliding_boundary.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
@@ -337,7 +501,12 @@ def main(folder, output_folder):
     draw_spline(folder, output_folder / "spline_of_map.png")
     draw_moving(folder, output_folder / "moving_boundary.png")
     draw_conditions(folder, output_folder / "free_boundary.png")
+    draw_boundaries(folder, output_folder / "boundaries.png")
+    draw_energies(folder, output_folder / "energies.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
+    draw_hexahedra(folder / "elephant_hexahedra.vtu", output_folder / "organic_body.png", VIEWS["twisted"])
+    draw_materials(folder, output_folder / "materials.png")
+    draw_bracket(folder, output_folder / "bracket.png")
 
 
 if __name__ == "__main__":

@@ -139,7 +139,7 @@ def picture(filename, actors, direction, up, legend="", aspect=1):
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetFocalPoint(*focus)
-    camera.SetPosition(*(x + d for x, d in zip(focus, direction)))
+    camera.SetPosition(*(x + 10 * half_size * d for x, d in zip(focus, direction)))  # in front of all
     camera.SetViewUp(*up)
     camera.SetParallelScale(1.04 * half_size)
     renderer.ResetCameraClippingRange()
