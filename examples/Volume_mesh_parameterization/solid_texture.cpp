@@ -17,7 +17,7 @@ namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 // Rings of wood in the unit cube around the origin, from 0, light, to 1, dark.
-double wood(const Point_3& p) { return 0.5 + 0.5 * std::sin(50 * std::hypot(p.y() - 0.1 * std::sin(5 * p.x()), p.z())); }
+double wood(const Point_3& p) { return 0.5 + 0.5 * std::sin(30 * std::hypot(p.y() - 0.1 * std::sin(5 * p.x()), p.z())); }
 
 int main(int argc, char* argv[])
 {
