@@ -364,7 +364,7 @@ TEST_CASE("Refinement is no advice where it was allowed, and ends where it bring
     for(std::size_t i = 0; i < 3; ++i)
       nearer[v][i] = soup.points[v][i] + 1e-3 * (targets[v][i] - soup.points[v][i]);
   CHECK(has(CGAL::stretch_minimizing_volume_parameterization(coarse, targets, images, np).message,
-            "Allow refinement (do_refine)"));
+            "Allow refinement (do_refine(true), for a mesh that is not constant), or prescribe"));
   const VMP::Parameterization_result result
     = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.do_refine(true));
   INFO(result.message);

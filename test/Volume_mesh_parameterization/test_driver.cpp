@@ -668,7 +668,7 @@ TEST_CASE("The line on a terminal moves with the boundary and with hexahedra")
 {
   const Folder folder;
   folder.write("source.mesh", cube(4));
-  Terminal terminal(folder, "source.mesh --to polycube --hexahedra 1 hexahedra.mesh --report report.json");
+  Terminal terminal(folder, "source.mesh --to polycube --refine=none --hexahedra 1 hexahedra.mesh --report report.json");
   CHECK(terminal.waits_for("mapping the boundary ("));
   CHECK(terminal.waits_for("), round 2"));
   CHECK(terminal.waits_for("making hexahedra (corners), round 1"));
@@ -712,7 +712,7 @@ TEST_CASE("There are no more threads than processors, which is told")
   const Folder folder;
   folder.write("source.mesh", cube(2));
   const std::string processors = std::to_string(std::thread::hardware_concurrency());
-  REQUIRE(folder.run("source.mesh --to polycube --threads 2147483647 --report report.json") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none --threads 2147483647 --report report.json") == 0);
   CHECK(folder.text("stderr").find("note: " + processors + " threads run in place of 2147483647, ") == 0);
   CHECK(folder.text("report.json").find("\"threads\": " + processors + ",") != std::string::npos);
 }
@@ -794,7 +794,7 @@ TEST_CASE("The faces of a polycube are multiples of the spacing of hexahedra")
     source.cells.push_back({a + 64, b + 64, c + 64, d + 64});
   source.cell_references.assign(source.cells.size(), 1);
   folder.write("source.mesh", source);
-  REQUIRE(folder.run("source.mesh --to polycube --hexahedra 1 hexahedra.mesh") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none --hexahedra 1 hexahedra.mesh") == 0);
   CHECK(folder.text("stdout").find("35 hexahedra, scaled Jacobian: minimal 1, mean 1") != std::string::npos);
 }
 
@@ -815,7 +815,7 @@ TEST_CASE("Hexahedra follow a ridge that is in a list of features")
   folder.write("triangles.sharp", "1\n0 5 2\n");
   const auto vertices_on_ridge = [&](const std::string& options)
   {
-    REQUIRE(folder.run("source.mesh --to polycube --slide --hexahedra 2 hexahedra.mesh" + options) == 0);
+    REQUIRE(folder.run("source.mesh --to polycube --refine=none --slide --hexahedra 2 hexahedra.mesh" + options) == 0);
     std::istringstream mesh(folder.text("hexahedra.mesh"));
     std::string word;
     while(mesh >> word && word != "Vertices") {}
@@ -848,11 +848,11 @@ TEST_CASE("Sharp edges that a polycube gives up are counted, and their place is 
   };
   const std::string diagonal = vertex(1, 1) + " " + vertex(2, 2) + "\n" + vertex(2, 2) + " " + vertex(3, 3) + "\n";
   folder.write("diagonal.feat", diagonal + vertex(1, 0) + " " + vertex(2, 0) + "\n");
-  REQUIRE(folder.run("source.mesh --to polycube --features diagonal.feat --report report.json") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none --features diagonal.feat --report report.json") == 0);
   CHECK(folder.text("stderr").find("2 of 3 sharp edges lead along no axis of the polycube, in 1 line, and hexahedra do not follow "
                                    "them: the longest leads through (2, 2, 4)") != std::string::npos);
   CHECK(folder.text("report.json").find("\"sharp_edges_given_up\": 2, \"features_given_up\": [2, 2, 4]") != std::string::npos);
-  REQUIRE(folder.run("source.mesh --to polycube --report report.json") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none --report report.json") == 0);
   CHECK(folder.text("stderr").find("sharp edges lead") == std::string::npos);
   CHECK(number(folder.text("report.json"), "sharp_edges_given_up") == 0);
 }
@@ -864,10 +864,10 @@ TEST_CASE("A turned source has its own polycube, unless the axes are given")
   for(Point& p : source.points)
     p = {0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]};
   folder.write("source.mesh", source);
-  REQUIRE(folder.run("source.mesh --to polycube --report report.json") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none --report report.json") == 0);
   CHECK(number(folder.text("report.json"), "boundary_distortion") < 1e-4);
   CHECK(folder.text("report.json").find("\"polycube_rotation\": [0.8") != std::string::npos);
-  REQUIRE(folder.run("source.mesh --to polycube --polycube-axes given --report report.json") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none --polycube-axes given --report report.json") == 0);
   CHECK(folder.text("report.json").find("\"polycube_rotation\": [1, 0, 0, 0, 1, 0, 0, 0, 1]") != std::string::npos);
   CHECK(folder.run("source.mesh --to ball --polycube-axes given") == 2);
   CHECK(folder.text("stderr").find("--to polycube is missing") != std::string::npos);
@@ -1348,8 +1348,8 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(folder.names() == Names{"map.mesh", "report.json", "source.mesh", "target.mesh"});
   CHECK(number(folder.text("report.json"), "inverted_cells") == 0);
   CHECK(number(folder.text("report.json"), "boundary_residual") > 0);
-  CHECK(folder.text("stderr").find("Allow refinement (--refine)") != std::string::npos);
-  CHECK(folder.text("report.json").find("Allow refinement (--refine)") != std::string::npos);
+  CHECK(folder.text("stderr").find("Allow refinement (--refine), or") != std::string::npos);
+  CHECK(folder.text("report.json").find("Allow refinement (--refine), or") != std::string::npos);
 
   // edges are split where the boundary could not be reached
   CHECK(folder.run(command + "fixed --refine") == 0); // as the help advises for both
@@ -1397,6 +1397,32 @@ TEST_CASE("A boundary that cannot be reached: exit code 3 if fixed, 1 if it may 
   CHECK(array_of<std::int32_t>(folder.text("map.vtu"), "reference", "Int32") == references);
 }
 
+TEST_CASE("Notes name refinement if it may improve a map much, and the file of the refined source")
+{
+  const Folder folder;
+  Soup source = cube(2); // a flat corner of the cube is the top of a cell whose vertices are all on the boundary
+  for(Point& p : source.points)
+    p[2] *= 0.1;
+  folder.write("source.mesh", source);
+  const auto energy_of = [&](const std::string& options)
+  {
+    REQUIRE(folder.run("source.mesh --to ball --report report.json -o map.mesh" + options) == 0);
+    return number(folder.text("report.json"), "energy_value");
+  };
+  const std::string advice = "Refinement (--refine) may lower the distortion much.", lacking = "--refined-source FILE writes";
+  const double plain = energy_of(" --refine=none");
+  CHECK(folder.text("stderr").find("note: source.mesh: The prescribed vertices alone distort the angles of ") == 0);
+  CHECK(folder.text("stderr").find(advice) != std::string::npos);
+  CHECK(folder.text("stderr").find(lacking) == std::string::npos);
+  CHECK(energy_of("") < plain);
+  CHECK(folder.text("stderr").find(advice) == std::string::npos);
+  CHECK(folder.text("stderr").find(lacking) != std::string::npos);
+  energy_of(" --refined-source refined.mesh");
+  CHECK(folder.text("stderr") == "");
+  energy_of(" --refine=none --quiet");
+  CHECK(folder.text("stderr") == "");
+}
+
 TEST_CASE("Vertices are added where they are needed, where they help, or in all bridges")
 {
   const Folder folder;
@@ -1426,6 +1452,8 @@ TEST_CASE("Vertices are added where they are needed, where they help, or in all 
   CHECK(added("--refine sheared.mesh") == number_of_bridges); // which is not taken for a value
   CHECK(added("--refine=helpful same.mesh") == needed);
   CHECK(added("--refine=all same.mesh") == number_of_bridges);
+  CHECK(added("--to ball") == number_of_bridges); // as the library does
+  CHECK(added("--to ball --refine=none") == 0);
   CHECK(folder.run("source.mesh sheared.mesh --refine=most") == 2);
   CHECK(folder.text("stderr").find("'most'") != std::string::npos);
 }
@@ -1904,7 +1932,7 @@ TEST_CASE("A body that is torn at doubled points is told, and joined")
     bar.cells.push_back({a + n, b + n, c + n, d + n});
   bar.cell_references.assign(bar.cells.size(), 1);
   folder.write("torn.mesh", bar);
-  CHECK(folder.run("torn.mesh --to polycube --report report.json") == 0);
+  CHECK(folder.run("torn.mesh --to polycube --refine=none --report report.json") == 0);
   CHECK(folder.text("stderr").find("note: torn.mesh: 9 vertices of the boundary have the place of another one, as vertex 35 has "
                                    "that of vertex 26 (counted from 0)") == 0);
   CHECK(number(folder.text("report.json"), "coinciding_points") == 9);
@@ -2628,7 +2656,7 @@ TEST_CASE("The last lines tell times, files and success")
 {
   const Folder folder;
   folder.write("source.mesh", cube(2));
-  REQUIRE(folder.run("source.mesh --to polycube -o map.vtu --hexahedra 1 hexahedra.mesh --report report.json") == 0);
+  REQUIRE(folder.run("source.mesh --to polycube --refine=none -o map.vtu --hexahedra 1 hexahedra.mesh --report report.json") == 0);
   const std::string text = folder.text("stdout");
   const std::string end = "\nWritten: map.vtu and hexahedra.mesh\nSuccess\n";
   CHECK(text.find(end) + end.size() == text.size());

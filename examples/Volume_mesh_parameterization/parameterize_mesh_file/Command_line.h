@@ -66,7 +66,7 @@ Ctrl-C and the time limit end the program in each of its parts. What is valid by
 Ctrl-C once more ends the program at once.
 
 Examples:
-  parameterize_mesh_file cube.mesh --to ball --refine -o ball.vtu
+  parameterize_mesh_file cube.mesh --to ball -o ball.vtu
   parameterize_mesh_file cube.mesh cube_to_ball.txt --output ball.vtu
       For ParaView: there, the filter Calculator with Coordinate Results and the expression uvw shows
       the image. The cells can be colored by angle_distortion and volume_distortion.
@@ -248,6 +248,8 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   if(options.source.empty() || number_of_ways > 1 || (number_of_ways == 0 && options.conditions.empty()))
     throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET, --to DOMAIN, --improve and --conditions FILE; --help "
                              "tells more");
+  if(!options.domain.empty() && given["refine"].defaulted())
+    options.refinement = "boundary"; // as the library refines for a boundary parameterizer
   if(!options.conditions.empty() && given["others"].defaulted())
     options.others = "free";
   if(options.others == "free" && given["energy"].defaulted())

@@ -43,7 +43,7 @@ struct Outcome
 // A sentence of the library with the options of the program in place of the parameters of the function.
 inline std::string with_names_of_options(std::string message)
 {
-  boost::replace_all(message, "do_refine", "--refine");
+  boost::replace_all(message, "do_refine(true), for a mesh that is not constant", "--refine");
   boost::replace_all(message, "Conjugate_gradient_solver_traits_3", "--solver cg");
   boost::replace_all(message, "CHOLMOD_solver_traits_3", "--solver cholmod");
   boost::replace_all(message, "Symmetric_Dirichlet_energy_3", "--energy symmetric_dirichlet");
@@ -156,6 +156,18 @@ inline std::string list(const std::vector<std::string>& names)
   for(std::size_t i = 0; i < names.size(); ++i)
     result += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
   return result;
+}
+
+// Prints what the message of a map adds to success, and which output may lack its source.
+inline void print_notes(const Options& options, const CGAL::Volume_mesh_parameterization::Parameterization_result& result)
+{
+  const std::string success = CGAL::Volume_mesh_parameterization::get_error_message(CGAL::Volume_mesh_parameterization::OK);
+  if(result.message.size() > success.size())
+    std::cerr << "note: " << options.source << ":" << result.message.substr(success.size()) << std::endl;
+  if(result.number_of_added_vertices > 0 && !options.output.empty() && extension_of(options.output) != ".vtu"
+     && options.refined_source.empty() && !options.do_improve)
+    std::cerr << "note: " << options.output << ": refinement added " << result.number_of_added_vertices
+              << " vertices. --refined-source FILE writes the source with these vertices." << std::endl;
 }
 
 // Prints the last lines.

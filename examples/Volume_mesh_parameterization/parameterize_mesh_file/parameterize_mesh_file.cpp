@@ -279,6 +279,8 @@ int main(int argc, char* argv[])
     }
     if(outcome.exit_code != SUCCESS || result.status != VMP::OK)
       std::cerr << result.message << std::endl;
+    else if(!options.is_quiet)
+      print_notes(options, result);
     if(outcome.exit_code == NOT_AS_ASKED && result.boundary_residual > 0)
       std::cerr << "The boundary residual is " << result.boundary_residual << "." << std::endl;
     if(!options.report.empty())

@@ -57,8 +57,17 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const M
   return sentence(" The largest distance to a target is ", distance, ", ", distance / target_diagonal(mesh),
                   " times the diagonal of all targets: the source's vertex at ", describe(mesh.source.col(v)), " is at ",
                   describe(positions.col(v)), " instead of ", describe(mesh.target.col(v)),
-                  is_refinable ? ". Allow refinement (do_refine), or prescribe" : ". Prescribe",
+                  is_refinable ? sentence(". Allow refinement (", way_to_refine, "), or prescribe") : ". Prescribe",
                   " a boundary nearer to the source there.");
+}
+
+// Counts the cells that the boundary alone distorts, which refinement splits; empty if there are none.
+inline std::string describe_distorted_prescribed_cells(const Numbered_mesh_3& mesh)
+{
+  const std::size_t number = distorted_prescribed_cells_3(mesh).size();
+  return number == 0 ? "" : sentence(" The prescribed vertices alone distort the angles of ", number,
+                                     number == 1 ? " cell" : " cells", " by a factor above ", large_prescribed_distortion,
+                                     ". Refinement (", way_to_refine, ") may lower the distortion much.");
 }
 
 // The result where the check does not allow a search, without counts.
@@ -102,6 +111,8 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
       result.message += crossing + "; the map is not one to one.";
     }
   result.has_valid_map = found.map.is_valid();
+  if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole())
+    result.message += describe_distorted_prescribed_cells(mesh);
   result.number_of_sliding_vertices = found.number_of_sliding_vertices
     + std::count_if(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return !projector.isZero(0); });
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;

@@ -50,24 +50,6 @@ inline Matrix3Xd start_of_search_3(const Numbered_mesh_3& mesh, Linear_solver_3&
   return snapped(mesh, initial + displacements);
 }
 
-// Finds the cells with four prescribed vertices whose distortion of angles is large.
-inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh_3& mesh)
-{
-  constexpr double large_distortion = 10; // a guess: no other bound was tried
-  std::vector<std::size_t> result;
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-  {
-    const std::array<int, 4>& cell = mesh.cells[c];
-    if(!std::all_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_fixed(v); }))
-      continue;
-    const Eigen::Vector3d s
-      = signed_singular_values_3(edge_matrix(mesh.target, cell) * source_edges(mesh, cell).inverse());
-    if(angle_distortion(s[0], s[2]) > large_distortion)
-      result.push_back(c);
-  }
-  return result;
-}
-
 // Splits all bridges if one has a vertex of a poor cell: of one that is inverted where the search starts, or of a distorted
 // prescribed cell. To leave bridges that are far from poor cells costs up to a quarter of the energy and saves few vertices.
 inline std::vector<Insertion_3> split_bridges_3(Body_3& body, const Numbered_body_3& numbered,

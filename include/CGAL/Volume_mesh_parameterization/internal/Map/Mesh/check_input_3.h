@@ -20,6 +20,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Completes advice to refine by what compiles: constant complexes and arrays cannot be refined.
+constexpr const char* way_to_refine = "do_refine(true), for a mesh that is not constant";
+
 // Tells whether something is wrong with the input, with the data that make it concrete.
 struct Input_check_3
 {

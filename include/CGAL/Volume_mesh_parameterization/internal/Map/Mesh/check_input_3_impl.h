@@ -175,7 +175,7 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, "The conditions keep all vertices of ", flat.number,
                       " cells in one plane; the first one is cell ", mesh.user_number(*flat.first), ", with a vertex at ",
                       describe(mesh.source.col(mesh.cells[*flat.first][0])),
-                      ". Allow refinement (do_refine), or free one of its vertices.");
+                      ". Allow refinement (", way_to_refine, "), or free one of its vertices.");
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget)

@@ -142,6 +142,25 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
   return result;
 }
 
+constexpr double large_prescribed_distortion = 10; // a guess: no other bound was tried
+
+// Finds the cells with four prescribed vertices whose distortion of angles is large.
+inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh_3& mesh)
+{
+  std::vector<std::size_t> result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    const std::array<int, 4>& cell = mesh.cells[c];
+    if(!std::all_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_fixed(v); }))
+      continue;
+    const Eigen::Vector3d s
+      = signed_singular_values_3(edge_matrix(mesh.target, cell) * source_edges(mesh, cell).inverse());
+    if(angle_distortion(s[0], s[2]) > large_prescribed_distortion)
+      result.push_back(c);
+  }
+  return result;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_MEASURE_DISTORTION_3_H
