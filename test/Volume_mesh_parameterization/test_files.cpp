@@ -217,7 +217,7 @@ TEST_CASE("The MEDIT reader takes sections in any order, comments and what it do
 
 TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
 {
-  CHECK(reading_error("") == "line 1: this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
+  CHECK(reading_error("") == "line 1: this is not an ASCII MEDIT file, because it does not begin with 'MeshVersionFormatted'");
   CHECK(reading_error("OFF\n4 4 6\n") == reading_error(""));
   for(const std::string version : {"0", "5"})
     CHECK(reading_error(replaced(tetrahedron, "Formatted 1", "Formatted " + version))
@@ -226,7 +226,7 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
 
   // a truncated file
   CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find("Tetrahedra")))
-        == "the mesh is not tetrahedral, there is no tetrahedron in the file");
+        == "the file contains no tetrahedron");
   CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find(" 3 4 7")))
         == "line 11: the file ends where the number of a vertex should be");
   CHECK(reading_error(tetrahedron.substr(0, tetrahedron.find("\n1\n1 2 3 4")))
@@ -244,7 +244,7 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
   CHECK(reading_error(replaced(tetrahedron, "End", "Prisms 1\n"))
         == "line 12: " + VMP::internal::sentence_on_other_cells("Prisms"));
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n1 2 3 4 7", "Tetrahedra\n0"))
-        == "the mesh is not tetrahedral, there is no tetrahedron in the file");
+        == "the file contains no tetrahedron");
 
   // indices
   CHECK(reading_error(replaced(tetrahedron, "1 2 3 4", "1 2 3 5"))
@@ -336,13 +336,13 @@ TEST_CASE("Of second-order cells the corners are read, and it is noted")
   CHECK(soup.corners == std::vector<std::size_t>{3});
   REQUIRE(soup.notes.size() == 1);
   CHECK(soup.notes[0]
-        == "the mesh has cells of a higher order: their corners are used, and 7 points that are no corners are left out");
+        == "the mesh has cells of a higher order. Only their corners are used; 7 other points are left out");
 }
 
 TEST_CASE("A surface is told from a mesh without tetrahedra")
 {
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n1 2 3 4 7", "Triangles\n1\n1 2 3 7"))
-        == "the mesh is a surface, there are 1 triangles and no tetrahedron in the file; a volume mesher fills it: tetgen -pqg "
+        == "the mesh is a surface with 1 triangles and no tetrahedron; a volume mesher fills it: tetgen -pqg "
            "FILE.mesh writes FILE.1.mesh");
 }
 
@@ -840,7 +840,7 @@ TEST_CASE("Each fault in a binary MEDIT file has a sentence")
   CHECK(reading_error(with(32, 5)) == "vertex 5 does not exist, there are 4, counted from 1");
   CHECK(reading_error(with(32, 0)).find("vertex 0 does not exist") == 0);
   CHECK(reading_error(with(20, 10)) == VMP::internal::sentence_on_other_cells("prisms, hexahedra or pyramids"));
-  CHECK(reading_error(with(20, 12)).find("the mesh is a surface, there are 1 triangles and no tetrahedron") == 0);
+  CHECK(reading_error(with(20, 12)).find("the mesh is a surface with 1 triangles and no tetrahedron") == 0);
   std::string infinite = file;
   const double infinity = std::numeric_limits<double>::infinity();
   std::memcpy(&infinite[file.find(std::string("\0\0\0\0\0\0\xD0\x3F", 8))], &infinity, sizeof(infinity));
@@ -1019,10 +1019,10 @@ TEST_CASE("Each fault in a VTU file has a sentence")
   CHECK(error("Points' Num", "Points' Num") == "");
   CHECK(error("UnstructuredGrid\" version", "PolyData\" version")
         == "this is not a VTK XML file of the type UnstructuredGrid");
-  CHECK(error("1 5 10", "1 5 12") == "the mesh is not tetrahedral, it has hexahedra, such as cell 2 (counted from 0); ParaView's "
-                                     "filter Tetrahedralize cuts the cells of a file .vtu into tetrahedra");
+  CHECK(error("1 5 10", "1 5 12") == "the mesh is not tetrahedral, because it has hexahedra, such as cell 2 (counted from 0); "
+                                     "ParaView's filter Tetrahedralize cuts cells into tetrahedra");
   CHECK(error("1 5 10", "1 5 99").find("it has cells of VTK's type 99, such as cell 2") != std::string::npos);
-  CHECK(error("1 5 10", "1 5 5").find("the mesh is a surface, there are 2 triangles") == 0);
+  CHECK(error("1 5 10", "1 5 5").find("the mesh is a surface with 2 triangles") == 0);
   CHECK(error("1 4 8", "1 4 80") == "the offset 80 of cell 2 (counted from 0) is wrong");
   CHECK(error("1 4 8", "1 4 2") == "the offset 2 of cell 2 (counted from 0) is wrong");
   CHECK(error("1 4 8", "1 4") == "the arrays of the cells are not equally long");

@@ -76,7 +76,8 @@ TEST_CASE("Cells with the same vertices become the first of them, with the refer
   CHECK((soup.cell_data[1].name == "reference_2" && soup.cell_data[1].values == std::vector<double>{ 5, 0 }));
   CHECK((soup.cell_data[2].name == "reference_3" && soup.cell_data[2].values == std::vector<double>{ 9, 0 }));
   REQUIRE(soup.notes.size() == 1);
-  CHECK(soup.notes[0].find("2 cells have the vertices of an earlier cell, such as cell 2 those of cell 0") == 0);
+  CHECK(soup.notes[0].find("2 cells have the vertices of an earlier cell and are left out. For example, cell 2 has those of "
+                           "cell 0") == 0);
   VMP::merge_coinciding_cells(soup);
   CHECK((soup.notes.size() == 1 && soup.cell_data.size() == 3));
 }

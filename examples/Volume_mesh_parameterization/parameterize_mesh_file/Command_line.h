@@ -41,37 +41,38 @@ R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [
        parameterize_mesh_file SOURCE.mesh --conditions FILE [options]
        parameterize_mesh_file SOURCE.mesh --improve [options]
 
-Maps a tetrahedral mesh onto another domain. The boundary goes to the domain with that name, or where TARGET
-tells; the vertices inside are placed such that no cell is inverted or flat, and that the distortion is low. Or it stays, and
-SOURCE.mesh may have inverted and flat cells.
+Maps a tetrahedral mesh onto another domain. The option --to or the file TARGET prescribes the image of the boundary. The program
+computes the images of the interior vertices. No cell of the image is inverted or flat, and the distortion is low. With --improve,
+the boundary does not move, and the source may have inverted and flat cells.
 
-  SOURCE.mesh  the mesh: a MEDIT file (*.mesh or *.meshb) or one of VTK (*.vtu); if the program was built with Gmsh, also
-               *.msh, *.unv or *.bdf; if it was built with VTK, also *.vtk. Of other formats,
-               meshio makes a file *.vtu: meshio convert a.inp a.vtu
-  TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
-               the first vertex has the index 0; or a table *.csv of ParaView; or a copy of SOURCE.mesh with other
-               coordinates; or a surface with triangles of its boundary (*.mesh, *.off, *.ply, *.obj, *.stl or *.vtp).
-               Vertices inside may be told as well: see --inside
-Each file may be a pipe, or - for the standard input or output; then the summary goes to the standard error.
+  SOURCE.mesh  the mesh: a file of MEDIT (*.mesh or *.meshb) or VTK (*.vtu). If the program was built with Gmsh, also *.msh, *.unv
+               or *.bdf. If it was built with VTK, also *.vtk. The program meshio converts other formats: meshio convert a.inp a.vtu
+  TARGET       a text with a line 'vertex_index x y z' for each boundary vertex, with indices from 0;
+               or a table *.csv of ParaView;
+               or a copy of SOURCE.mesh with other coordinates;
+               or a surface with triangles of the boundary (*.mesh, *.off, *.ply, *.obj, *.stl or *.vtp).
+               Interior vertices may have targets, too: see --inside
+Each file may be a pipe, or - for the standard input or output. If a file goes to the standard output, messages go to the
+standard error.
 )";
 
 constexpr const char* help_after_options = R"(
 Exit status:
-  0  success: no inverted cell, and the boundary is met exactly
-  1  no inverted cell, but the boundary is missed by the distance that is printed; try --refine
-  2  bad input: the message names the file, line or vertex; no output is written
-  3  no map without inverted cells was found; no output is written; try --refine
-  2 or 3 after the map is written: another file is not, as the message says
-Ctrl-C and the time limit end the program in each of its parts. What is valid by then is written: this is 0, 1 or 3.
-Ctrl-C once more ends the program at once.
+  0  success: no cell is inverted, and the boundary is met exactly
+  1  no cell is inverted, but the boundary is missed by the printed distance. Try --refine
+  2  bad input: the message names the file, line or vertex. No output is written
+  3  no map without inverted cells was found. No output is written. Try --refine
+If the map is written, but another file cannot be written, the status is 2 or 3, and the message says so.
+Ctrl-C and the time limit end the program in each of its parts. The program then writes valid results, with status 0, 1 or 3.
+A second Ctrl-C ends the program at once.
 
 Examples:
   parameterize_mesh_file cube.mesh --to ball -o ball.vtu
   parameterize_mesh_file cube.mesh cube_to_ball.txt --output ball.vtu
-      For ParaView: there, the filter Calculator with Coordinate Results and the expression uvw shows
-      the image. The cells can be colored by angle_distortion and volume_distortion.
+      In ParaView, the filter Calculator with Coordinate Results and the expression uvw shows the image.
+      The data angle_distortion and volume_distortion can color the cells.
   parameterize_mesh_file cube.mesh cube_to_ball.txt --refine --output ball.mesh --refined-source source.mesh
-      A pair of meshes with the same cells, for programs that show or use the map.
+      Other programs can use this pair of meshes with the same cells.
 )";
 
 namespace options_of_both_programs {
@@ -84,12 +85,13 @@ inline boost::program_options::options_description distortion(Options& options)
   po::options_description result("Distortion", width);
   result.add_options()
     ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
-     "what is minimized: stretch, for maps to a ball, box or polycube; symmetric_dirichlet, where the boundary moves little, or "
-     "cells are to keep their shapes, as in boundary layers; mips, for angles only, and the default of --improve; arap, "
-     "dirichlet, lscm or lpm")
-    ("volume-weights", po::bool_switch(&options.use_volume_weights), "count cells by their volume, not all alike")
+     "the minimized energy. stretch: for maps onto a ball, box or polycube. symmetric_dirichlet: if the boundary moves little, "
+     "or if cells must keep their shapes, as in boundary layers. mips: for angles only; the default of --improve. Others: "
+     "arap, dirichlet, lscm, lpm")
+    ("volume-weights", po::bool_switch(&options.use_volume_weights),
+     "weight cells by their volume; otherwise, all cells count alike")
     ("energy-tolerance", po::value(&options.energy_tolerance)->value_name("PART")->default_value(1e-3, "0.001"),
-     "end where five Newton steps lower the energy by less than this part of it; 0: at a minimum");
+     "end the minimization if five Newton steps lower the energy by less than this part of it; with 0, continue to a minimum");
   return result;
 }
 
@@ -98,10 +100,10 @@ inline void add_limits(boost::program_options::options_description& computation,
   namespace po = boost::program_options;
   computation.add_options()
     ("max-iterations", po::value(&options.number_of_iterations)->value_name("N")->default_value(1000),
-     "largest number of Newton steps of each stage")
+     "the largest number of Newton steps of each stage")
     ("time-limit", po::value(&options.time_limit)->value_name("SECONDS")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
-     "when the program ends, counted from its start; what is valid by then is written")
+     "the time limit from the start of the program, after which it writes valid results")
     ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
     ("version", "print the version")
     ("help", "print this text");
@@ -118,63 +120,62 @@ inline Command_line command_line(Options& options)
   po::options_description files("Files", width);
   files.add_options()
     ("output,o", po::value(&options.output)->value_name("FILE"),
-     "the map; *.mesh: the mesh with the new coordinates, with Gmsh also *.msh, or *.msh2 for its version 2.2; *.vtu: the source "
-     "with the map and its distortion as data. Groups and data of the source are in what can hold them")
+     "the file for the map. *.mesh: the mesh with the new coordinates; with Gmsh also *.msh, or *.msh2 for version 2.2. *.vtu: "
+     "the source with the map and its distortion as data. Groups and data of the source are kept if the format can store them")
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
-     "the source (*.mesh, *.msh) with the vertices that --refine has added; it has the cells of the output")
+     "the source (*.mesh, *.msh) with the vertices that --refine added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
-     "if the target is a box or a polycube: hexahedra of that size in it, pulled back to the source (*.mesh, *.vtu, *.msh or "
-     "*.inp)")
-    ("staircases", po::bool_switch(&options.are_staircases), "let hexahedra not follow the interfaces between subdomains")
+     "hexahedra of this size (*.mesh, *.vtu, *.msh or *.inp). They fill a box or polycube, and are pulled back to the source")
+    ("staircases", po::bool_switch(&options.are_staircases), "do not let hexahedra follow the interfaces between subdomains")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
   po::options_description source("Source", width);
   source.add_options()
-    ("merge-points", po::bool_switch(&options.do_merge_points), "join cells where several points have one place")
+    ("merge-points", po::bool_switch(&options.do_merge_points), "join cells at points with the same coordinates")
     ("features", po::value(&options.features)->value_name("FILE"),
-     "the sharp edges of the source: lines with two vertices, counted from 0, in place of the edges that SOURCE.mesh marks. "
-     "If none are marked, edges with more than 60 degrees between the normals are sharp")
+     "the sharp edges of the source: lines with two vertices, counted from 0. They replace the edges marked in SOURCE.mesh. If "
+     "no edges are marked, edges with more than 60 degrees between the normals are sharp")
     ("regions", po::value(&options.regions)->value_name("NAME"),
-     "cell data that are the subdomains, in place of those with a known name, such as material or RegionId")
+     "the cell data that are the subdomains, instead of data with a known name, such as material or RegionId")
     ("separate", po::bool_switch(&options.do_separate),
-     "where the body touches itself at a vertex or an edge, give each of its parts there vertices of its own");
+     "separate parts of the body that touch at a vertex or an edge only, by copies of vertices");
 
   po::options_description boundary("Boundary", width);
   boundary.add_options()
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
-     "in place of TARGET: ball, the unit ball; cube, the unit cube; box=X,Y,Z, a box with sides of these lengths; "
-     "polycube, one that is close to the source; most meshes need --refine for that, which also splits edges of the boundary of a "
-     "body with handles where the polycube needs that")
+     "the domain, instead of TARGET. ball: the unit ball. cube: the unit cube. box=X,Y,Z: a box with sides of these lengths. "
+     "polycube: a polycube close to the source. --to refines the source like --refine=boundary, unless --refine=none is given")
     ("polycube-axes", po::value(&options.polycube_axes)->value_name("WHICH")->default_value("found"),
-     "found: the source is turned such that its faces are nearly normal to the axes of the polycube; given: it stays as it is")
+     "found: the source is turned until its faces are nearly normal to the axes of the polycube. given: it is not turned")
     ("improve", po::bool_switch(&options.do_improve),
-     "in place of TARGET: vertices of the boundary stay, and those between cells of different references and of triangles inside; "
-     "the others move such that no cell is inverted or flat, each as regular as it can be. With --refine, cells are also split "
-     "whose vertices all stay")
+     "repair inverted and flat cells, instead of TARGET. Vertices of the boundary, of interfaces between references and of "
+     "interior triangles stay. The other vertices move until each cell is as regular as possible. With --refine, cells whose "
+     "vertices all stay are split")
     ("landmarks", po::value(&options.landmarks)->value_name("FILE"),
-     "lines as of TARGET for some vertices, where --to is to bring them: a ball is turned such that they are close, a box has "
-     "eight of them as corners, each in the octant of its line")
-    ("displacements", po::bool_switch(&options.are_displacements), "TARGET tells by what vertices move, and not where they go")
+     "a file like TARGET with lines for some vertices, for --to. A ball is turned to bring these vertices close to their "
+     "points. A box has eight landmarks as corners, each in the octant of its point")
+    ("displacements", po::bool_switch(&options.are_displacements), "TARGET contains displacements, not positions")
     ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
-     "what vertices of the boundary without a target do: missing: there is no map; stay: they stay where they are; slide: they "
-     "move in the planes and along the straight edges of the boundary, and those with a target do not; free: they go where the "
-     "energy is lowest")
+     "the treatment of boundary vertices without a target. missing: there is no map. stay: they keep their positions. slide: "
+     "they move in the planes and along the straight edges of the boundary; vertices with a target do not slide. free: they "
+     "move to where the energy is lowest")
     ("conditions", po::value(&options.conditions)->value_name("FILE"),
-     "lines for vertices that are free in part, others are free: the reference or the name of triangles, or 'vertex' and an "
-     "index; and fixed, free, plane with a normal, or a coordinate such as z=1. What stays, or the point of a plane, is the "
-     "target of a vertex if there is one, and its place in SOURCE.mesh otherwise")
+     "lines for vertices that are not free. A line begins with the reference or the name of triangles, or with 'vertex' and an "
+     "index. It ends with fixed, free, plane and a normal, or a coordinate such as z=1. A fixed vertex is at its target in "
+     "TARGET, or keeps its position. A plane with a normal goes through the same point")
     ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
-     "what vertices inside with a target do: met: they meet it; free: they do not; auto: they meet it if others have none, and "
-     "where all have one, as in a copy of SOURCE.mesh, those between cells of different references do, if one of them has moved")
+     "the treatment of interior vertices with a target. met: they meet the target. free: they ignore it. auto: they meet it if "
+     "some vertices have no target. If all vertices have one, as in a copy of SOURCE.mesh, vertices between cells of different "
+     "references meet it if one of these vertices has moved")
     ("initial", po::value(&options.initial)->value_name("FILE"),
-     "a map nearby to start from, a file as TARGET: what --output has written for other targets")
+     "an initial map, as a file like TARGET; for example, the --output for other targets nearby")
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),
-     "fixed: the targets are met or there is no map; soft: the boundary is pulled to its targets and may miss them; "
-     "auto: fixed, and soft if that finds no map")
-    ("refine", po::value(&options.refinement)->value_name("WHERE")->default_value("none"),
-     "--refine=needed: add vertices where the targets cannot be met otherwise; --refine=helpful: also where edges inside between "
-     "vertices of the boundary make the map slow or distorted; --refine, or --refine=boundary: also on edges of the boundary "
-     "where a polycube needs that; --refine=all: first in all edges inside between vertices of the boundary")
+     "fixed: the targets are met, or there is no map. soft: the boundary is pulled to its targets, and may miss them. auto: "
+     "fixed, and soft if fixed finds no map")
+    ("refine", po::value(&options.refinement)->value_name("WHERE")->default_value("none", "none, or boundary with --to"),
+     "none: add no vertices. needed: add vertices if the targets cannot be met otherwise. helpful: also in interior edges "
+     "between boundary vertices if these edges make the map slow or distorted. boundary, and --refine without a value: also on "
+     "edges of the boundary if a polycube needs this. all: first in all interior edges between boundary vertices")
     ("slide", po::bool_switch(&options.do_slide),
      "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
 
@@ -182,16 +183,16 @@ inline Command_line command_line(Options& options)
   distortion.add_options()
     ("max-angle-distortion", po::value(&options.maximum_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
-     "bring the distortion of angles of every cell below K, if that is possible; without distortion, it is 2")
+     "bring the distortion of angles of every cell below K, if possible; without distortion, it is 2")
     ("minimize-max-angle-distortion", po::bool_switch(&options.minimize_maximum_angle_distortion),
      "make the largest distortion of angles as small as possible, which takes longer");
 
   po::options_description computation("Computation", width);
   computation.add_options()
     ("solver", po::value(&options.solver)->value_name("NAME")->default_value("cg"),
-     "cg: conjugate gradients; cholmod: a direct solver, if the program was built with CHOLMOD")
+     "cg: conjugate gradients. cholmod: a direct solver, if the program was built with CHOLMOD")
     ("threads", po::value(&options.number_of_threads)->value_name("N")->default_value(1),
-     "number of threads, at most that of processors; they do not change the result");
+     "the number of threads, at most the number of processors; the result does not depend on it");
   options_of_both_programs::add_limits(computation, options);
 
   po::options_description all(width);
@@ -246,8 +247,8 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
       *name = "/dev/stdout";
   const int number_of_ways = !options.target.empty() + !options.domain.empty() + options.do_improve;
   if(options.source.empty() || number_of_ways > 1 || (number_of_ways == 0 && options.conditions.empty()))
-    throw std::runtime_error("SOURCE.mesh is needed, and one of TARGET, --to DOMAIN, --improve and --conditions FILE; --help "
-                             "tells more");
+    throw std::runtime_error("give SOURCE.mesh and one of TARGET, --to DOMAIN, --improve and --conditions FILE; --help lists "
+                             "all options");
   if(!options.domain.empty() && given["refine"].defaulted())
     options.refinement = "boundary"; // as the library refines for a boundary parameterizer
   if(!options.conditions.empty() && given["others"].defaulted())

@@ -29,14 +29,14 @@ public:
     if(words.empty())
       return;
     if(words.size() != 2)
-      throw std::runtime_error("--hexahedra takes a spacing and the name of a file");
+      throw std::runtime_error("--hexahedra needs a spacing and the name of a file");
     char* end;
     m_spacing = std::strtod(words[0].c_str(), &end);
     m_name = words[1];
     if(*end != '\0' || !(m_spacing > 0) || !std::isfinite(m_spacing))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a finite positive number");
     if(!CGAL::Volume_mesh_parameterization::IO::Output_file::is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
-      throw std::runtime_error(m_name + ": the name of the hexahedra ends neither with " + mesh_extensions + " nor with .inp");
+      throw std::runtime_error(m_name + ": the name of the hexahedra must end with .inp, " + mesh_extensions);
   }
 
   const std::string& name() const { return m_name; } // empty if there is none

@@ -63,18 +63,18 @@ inline std::string advice_for(const std::string& filename)
   const auto renamed = [&](const char* extension)
   { return shell_quoted(std::filesystem::path(path).replace_extension(extension).string()); };
   if(extension_of(filename) == ".obj")
-    return "; this is a surface, which a volume mesher fills: meshio convert " + file + " " + renamed(".stl")
+    return "; this is a surface; a volume mesher fills it: meshio convert " + file + " " + renamed(".stl")
       + ", and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
   if(extension_of(filename) == ".vtp")
-    return "; this is a surface, which a volume mesher fills: save it as " + renamed(".stl")
+    return "; this is a surface; a volume mesher fills it: save it as " + renamed(".stl")
       + " in ParaView, and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::SURFACE)
-    return "; this is a surface, which a volume mesher fills: tetgen -pqg " + file + " writes " + renamed(".1.mesh");
+    return "; this is a surface; a volume mesher fills it: tetgen -pqg " + file + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::GMSH) // meshio 5.0 fails where parts of a mesh are in no group
     return "; other formats can be converted: gmsh " + file + " -save -setnumber Mesh.SaveElementTagType 2 -o "
       + renamed(".mesh");
   if(extension_of(filename) == ".pvtu")
-    return "; this file is a list of pieces: save it in ParaView as one file .vtu, and use --merge-points";
+    return "; this file is a list of pieces. Save them in ParaView as one file .vtu, and use --merge-points";
   if(format_of(filename) == Mesh_format::OTHER)
     return "; neither this program (see --help) nor meshio reads files with the extension '" + extension_of(filename) + "'";
   return "; other formats can be converted: meshio convert " + file + " " + renamed(".vtu");
@@ -86,8 +86,8 @@ inline std::string advice_to_refine(const std::string& filename)
   const bool is_of_Gmsh = format_of(filename) == Mesh_format::GMSH || extension_of(filename) == ".mesh";
   const std::string name = is_of_Gmsh ? filename : "SOURCE.mesh";
   const std::string finer = std::filesystem::path(name).replace_extension(".finer" + extension_of(name)).string();
-  return " --refine does not split its edges here. A finer mesh helps: gmsh " + shell_quoted(name) + " -refine -o "
-    + shell_quoted(finer) + " splits each cell into eight, and can be repeated.";
+  return " --refine does not split edges of this boundary. A finer mesh helps: gmsh " + shell_quoted(name) + " -refine -o "
+    + shell_quoted(finer) + " splits each cell into eight. This command can be repeated.";
 }
 
 // The formats that are written: MEDIT, VTU and, with Gmsh, its own, of the versions 4.1 and 2.2.
@@ -96,10 +96,10 @@ inline bool is_Gmsh_name(const std::string& name) { return extension_of(name) ==
 
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
 constexpr bool can_write_by_Gmsh = true;
-const std::string mesh_extensions = ".mesh nor with .vtu nor with .msh nor with .msh2";
+const std::string mesh_extensions = ".mesh, .vtu, .msh or .msh2";
 #else
 constexpr bool can_write_by_Gmsh = false;
-const std::string mesh_extensions = ".mesh nor with .vtu";
+const std::string mesh_extensions = ".mesh or .vtu";
 #endif
 
 inline bool is_mesh_name(const std::string& name)

@@ -41,7 +41,7 @@ inline std::array<std::size_t, 8> corners_of_box(const Landmarks& landmarks)
     corners[octant] = v;
   }
   if(landmarks.size() != 8 || octants.size() != 8)
-    throw std::runtime_error("the landmarks of a box are eight vertices, one in each octant, for its corners");
+    throw std::runtime_error("a box needs eight vertices as landmarks, one in each octant");
   return corners;
 }
 
@@ -77,7 +77,7 @@ inline Ball_or_box named_box(const std::string& lengths)
   std::istringstream is(lengths);
   if(!(is >> x >> comma[0] >> y >> comma[1] >> z) || is >> rest || comma[0] != ',' || comma[1] != ','
      || !(std::fmin(x, std::fmin(y, z)) > 0) || std::isinf(x * y * z))
-    throw std::runtime_error("'box=" + lengths + "' does not tell three positive lengths, as box=1,2,0.5 does");
+    throw std::runtime_error("'box=" + lengths + "' is not a box with three positive lengths, such as box=1,2,0.5");
   return { Ball_or_box::Box(x, y, z) };
 }
 
@@ -119,17 +119,18 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
   const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
   if(vertices.empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY);
-  const std::string first = std::to_string(vertices.front()), sentence = "It is no manifold at " + std::to_string(vertices.size())
+  const std::string first = std::to_string(vertices.front()), sentence = "The boundary is not a manifold at "
+    "" + std::to_string(vertices.size())
     + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ") + first + " (counted from 0).";
   if(!VMP::separate_pinched_vertices(mesh).empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY) + (" " + sentence)
-      + " Where only vertices or edges join cells there, --separate parts them.";
+      + " If only vertices or edges join cells there, --separate separates them.";
   const bool is_edge = vertices.size() == 2 && std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const auto& cell)
   { return std::count(cell.begin(), cell.end(), vertices[0]) + std::count(cell.begin(), cell.end(), vertices[1]) == 2; });
   const std::string location = !is_edge ? "vertex " + first
     : "the edge between the vertices " + first + " and " + std::to_string(vertices[1]);
-  return sentence + " Gaps between cells touch each other there. Facets join all cells around each of these vertices; therefore, "
-    "--separate parts nothing. Close a gap by cells at " + location + ", or remove the cells between the gaps. In a labeled "
+  return sentence + " Gaps between cells touch each other there. Facets join all cells around each of these vertices, and "
+    "--separate has no effect. Close a gap by cells at " + location + ", or remove the cells between the gaps. In a labeled "
     "image, change the label of a voxel there.";
 }
 

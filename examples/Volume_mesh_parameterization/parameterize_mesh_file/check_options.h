@@ -18,15 +18,15 @@
 inline void check_number_of_threads(const Options& options)
 {
   if(options.number_of_threads < 1)
-    throw std::runtime_error("the number of threads is too small");
+    throw std::runtime_error("the number of threads must be positive");
 #ifndef CGAL_LINKED_WITH_TBB
   if(options.number_of_threads > 1)
-    throw std::runtime_error("this program was built without TBB, it has only one thread");
+    throw std::runtime_error("this program was built without TBB, and has only one thread");
 #endif
   if(const std::size_t number = number_of_threads(options);
      static_cast<std::size_t>(options.number_of_threads) > number && !options.is_quiet)
-    std::cerr << "note: " << number << " threads run in place of " << options.number_of_threads
-              << ", as many as there are processors" << std::endl;
+    std::cerr << "note: " << number << " threads run instead of " << options.number_of_threads
+              << ", because there are no more processors" << std::endl;
 }
 
 inline std::vector<std::string> without_empty(std::vector<std::string> names)
@@ -56,8 +56,8 @@ inline bool writes_to_standard_output(const Options& options)
 inline void check_files(const Options& options)
 {
   if(!options.output.empty() && !Output_file::is_stream(options.output) && !is_mesh_name(options.output))
-    throw std::runtime_error(options.output + ": the name of the output ends neither with " + mesh_extensions + "; "
-                             "other formats can be made of both: meshio convert map.vtu map.OTHER");
+    throw std::runtime_error(options.output + ": the name of the output must end with " + mesh_extensions + ". Convert it to "
+                             "other formats by: meshio convert map.vtu map.OTHER");
   check_roles(inputs(options), outputs(options));
 }
 
@@ -71,34 +71,35 @@ inline void check(const Options& options)
     named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()));
   if(named_polycube_axes(options.polycube_axes) != CGAL::Volume_mesh_parameterization::Polycube_axes::FOUND
      && options.domain != "polycube")
-    throw std::runtime_error("the axes are those of a polycube, and --to polycube is missing");
+    throw std::runtime_error("--polycube-axes needs --to polycube");
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
-    throw std::runtime_error("landmarks are for a ball or a box that --to names, a polycube has none");
+    throw std::runtime_error("--landmarks needs --to ball, --to cube or --to box=X,Y,Z");
   if(!options.hexahedra.empty() && options.domain == "ball")
-    throw std::runtime_error("hexahedra fill a box or a polycube: --to cube, --to box=X,Y,Z or --to polycube in place of ball");
+    throw std::runtime_error("hexahedra need a box or a polycube: use --to cube, --to box=X,Y,Z or --to polycube instead of "
+                             "ball");
   if(!options.conditions.empty()
      && (!options.domain.empty() || options.do_improve || options.do_slide || options.others == "slide"))
-    throw std::runtime_error("--conditions tells what vertices do, and is not for --to, --improve and those that slide");
+    throw std::runtime_error("--conditions excludes --to, --improve, --slide and --others slide");
   if(options.others == "free" && options.do_slide)
-    throw std::runtime_error("vertices slide in the planes of a boundary that is not free: --conditions tells other planes");
+    throw std::runtime_error("--slide excludes --others free; use --conditions for planes of a free boundary");
   if(named_others(options.others) != Others::MISSING && options.target.empty() && options.conditions.empty())
-    throw std::runtime_error("other vertices than those of TARGET are told by --others, which is missing");
+    throw std::runtime_error("--others needs TARGET or --conditions");
   if(named_inside(options.inside) != Inside::AUTO && options.target.empty())
-    throw std::runtime_error("vertices inside with a target are told by --inside, which is missing");
+    throw std::runtime_error("--inside needs TARGET");
   if(options.are_displacements && options.target.empty())
-    throw std::runtime_error("displacements are those of TARGET, which is missing");
+    throw std::runtime_error("--displacements needs TARGET");
   if(options.are_staircases && options.hexahedra.empty())
-    throw std::runtime_error("--staircases is for hexahedra (--hexahedra)");
+    throw std::runtime_error("--staircases needs --hexahedra");
   if(options.do_improve && (!options.initial.empty() || !options.hexahedra.empty() || options.boundary == "soft"))
-    throw std::runtime_error("--improve starts from SOURCE.mesh, keeps its boundary, and makes no hexahedra");
+    throw std::runtime_error("--improve excludes --initial, --hexahedra and --boundary soft");
   if(options.number_of_iterations < 0)
-    throw std::runtime_error("the number of iterations is too small");
+    throw std::runtime_error("the number of iterations must not be negative");
   if(!(options.energy_tolerance >= 0))
-    throw std::runtime_error("the tolerance of the energy is negative");
+    throw std::runtime_error("the tolerance of the energy must not be negative");
   if(!(options.maximum_angle_distortion > 2))
-    throw std::runtime_error("the distortion of angles cannot be below 2");
+    throw std::runtime_error("the bound of the distortion of angles must be larger than 2");
   if(!(options.time_limit >= 0))
-    throw std::runtime_error("the time limit is negative");
+    throw std::runtime_error("the time limit must not be negative");
   check_number_of_threads(options);
   check_files(options);
 }

@@ -43,7 +43,7 @@ inline void check_roles(const std::vector<std::string>& inputs, const std::vecto
   for(std::size_t i = 0; i < inputs.size(); ++i)
     for(std::size_t j = 0; j < i; ++j)
       if(Output_file::is_stream(inputs[i]) && Output_file::is_stream(inputs[j]) && is_same_file(inputs[i], inputs[j]))
-        throw std::runtime_error(inputs[i] + ": this has two roles, it can be read only once");
+        throw std::runtime_error(inputs[i] + ": this input has two roles, but can be read only once");
 
   for(std::size_t i = 0; i < outputs.size(); ++i)
   {
@@ -56,7 +56,7 @@ inline void check_roles(const std::vector<std::string>& inputs, const std::vecto
     for(std::size_t j = 0; j < i; ++j)
       is_used = is_used || is_same_file(outputs[j], name);
     if(is_used)
-      throw std::runtime_error(name + ": this file has two roles, it would be overwritten");
+      throw std::runtime_error(name + ": this file has two roles and would be overwritten");
     Output_file can_be_written(name);
   }
 }

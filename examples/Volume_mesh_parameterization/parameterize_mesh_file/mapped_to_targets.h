@@ -110,14 +110,14 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
       + (result.status == VMP::ERROR_BOUNDARY_TOO_COARSE ? advice_to_refine(options.source) : "");
   result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
-    result.message += " If TARGET has displacements, --displacements tells this.";
+    result.message += " If TARGET contains displacements, use --displacements.";
   if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
     result.message += " " + advice_to_improve + ".";
   if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !named_refinement(options.refinement).do_refine
      && result.message.find("No refinement helps") == std::string::npos)
-    result.message += " With --refine, such cells are split.";
+    result.message += " --refine splits such cells.";
   if(!result.has_valid_map && !mapped.target.inside.empty() && result.status != VMP::ERROR_INTERRUPTED)
-    result.message += " Targets of vertices inside are asked for, too; --inside free does without.";
+    result.message += " Interior vertices have targets, too; --inside free ignores them.";
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(Progress_line::reason())
       + (result.has_valid_map ? " The map is valid, but the energy is not minimal yet."
@@ -135,8 +135,8 @@ inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameteriz
   const auto& [x, y, z] = longest[longest.size() / 2];
   std::ostringstream result;
   result << polycube.number_of_edges_given_up() << " of " << polycube.number_of_sharp_edges
-         << " sharp edges lead along no axis of the polycube, in " << lines << (lines == 1 ? " line" : " lines")
-         << ", and hexahedra do not follow them: the longest leads through (" << x << ", " << y << ", " << z << ")";
+         << " sharp edges follow no axis of the polycube, in " << lines << (lines == 1 ? " line" : " lines")
+         << ". Hexahedra do not follow these edges. The longest line goes through (" << x << ", " << y << ", " << z << ")";
   return result.str();
 }
 

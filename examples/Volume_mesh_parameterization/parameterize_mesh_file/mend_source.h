@@ -75,21 +75,21 @@ inline void merge_points(Source& source)
   source.first_points = VMP::merge_coinciding_points(source.soup);
   source.number_of_merged_points = repeated(source.first_points).size();
   source.notes.push_back(std::to_string(source.number_of_merged_points)
-                         + " points have the place of another one, and are merged with it");
+                         + " points have the position of another point, and are merged with it");
 }
 
 // Advice for cells that are inverted or flat, behind the reason.
-const std::string advice_to_improve = "--improve -o FILE moves vertices inside such that no cell is inverted or flat, and with "
-  "--refine also splits cells whose vertices are all on the boundary";
+const std::string advice_to_improve = "--improve -o FILE moves interior vertices until no cell is inverted or flat. With "
+  "--refine, it also splits cells whose vertices are all on the boundary";
 
 inline void note_turned_cells(Source& source)
 {
   const std::size_t n = source.number_of_turned_cells, all = source.soup.cells.size();
   if(n == 0)
     return;
-  source.notes.push_back(n == all ? "all " + std::to_string(n) + " cells are negative, and are turned: the written files have "
+  source.notes.push_back(n == all ? "all " + std::to_string(n) + " cells are negative and are turned. The written files have "
                                     "positive cells"
-                                  : std::to_string(n) + " of " + std::to_string(all) + " cells were reversed, and are turned");
+                                  : std::to_string(n) + " of " + std::to_string(all) + " cells were reversed and are turned");
 }
 
 inline std::size_t number_of_tangled_cells(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
@@ -136,8 +136,9 @@ inline void separate(Source& source)
   if(!source.unmended)
     source.unmended = source.soup;
   source.origins = CGAL::Volume_mesh_parameterization::separate_pinched_vertices(source.soup);
-  source.notes.push_back(source.origins.empty() ? "there are no parts to separate: facets join the cells around each vertex"
-    : std::to_string(source.origins.size()) + " vertices are added to separate parts of the body");
+  source.notes.push_back(source.origins.empty() 
+    ? "there are no parts to separate, because facets join the cells around each vertex"
+    : std::to_string(source.origins.size()) + " vertices were added to separate parts of the body");
 }
 
 // Leaves out cells with the vertices of one before them. Numbers of cells in messages do not count them.
@@ -166,9 +167,10 @@ inline void count_coinciding_points(Source& source)
   const std::vector<std::size_t> first = VMP::first_coinciding_points(points), others = repeated(first);
   source.number_of_coinciding_points = others.size();
   if(!others.empty())
-    source.notes.push_back(std::to_string(others.size()) + " vertices of the boundary have the place of another one, as vertex "
-      + std::to_string(vertices[others.back()]) + " has that of vertex " + std::to_string(vertices[first[others.back()]])
-      + " (counted from 0): the body is torn there, unless --merge-points joins it");
+    source.notes.push_back(std::to_string(others.size()) + " vertices of the boundary have the position of another one. For "
+                           "example, vertex "
+      + std::to_string(vertices[others.back()]) + " has the position of vertex " + std::to_string(vertices[first[others.back()]])
+      + " (counted from 0). The body is torn there; --merge-points joins it");
 }
 
 inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup, const Options& options)

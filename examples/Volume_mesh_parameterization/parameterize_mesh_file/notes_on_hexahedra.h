@@ -35,12 +35,12 @@ inline void note_on_hexahedra(const Options& options, const CGAL::Volume_mesh_pa
   progress.show("");
   if(distortion > hopeless_distortion)
     std::cerr << "note: " << options.source << ": the map distorts angles by a factor of up to " << distortion
-              << ", which leaves little hope for good hexahedra. A finer source, --refine=all, or another domain may help."
+              << ". Hexahedra of good quality are unlikely. A finer source, --refine=all or another domain may help."
               << std::endl;
   const double growth = volume(mesh, images) / volume(mesh, mesh.points);
   if(options.domain == "polycube" && growth > large_growth)
     std::cerr << "note: " << options.source << ": the polycube has " << growth << " times the volume of the body, because its "
-                 "faces are at least the spacing apart. There will be as many times more hexahedra than the spacing suggests."
+                 "faces are at least one spacing apart. The number of hexahedra grows by this factor."
               << std::endl;
 }
 

@@ -263,17 +263,17 @@ int main(int argc, char* argv[])
       if(options.do_improve)
         std::cout << outcome.number_of_tangled_cells << " cells were inverted or flat\n";
       if(outcome.number_of_targets_inside > 0)
-        std::cout << outcome.number_of_targets_inside << " targets of vertices inside are met\n";
+        std::cout << outcome.number_of_targets_inside << " targets of interior vertices are met\n";
       if(outcome.number_of_missed_targets > 0)
-        std::cout << outcome.number_of_missed_targets << " targets of vertices inside are missed\n";
+        std::cout << outcome.number_of_missed_targets << " targets of interior vertices are missed\n";
       if(const auto& [free, in_planes, on_lines, at_targets] = outcome.numbers_of_conditions; free + in_planes + on_lines > 0)
-        std::cout << "vertices of the boundary: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
+        std::cout << "boundary vertices: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
                   << " on lines, " << free << " free\n";
       if(result.boundary_crosses_itself)
         std::cout << "the image of the free boundary intersects itself\n";
       if(outcome.number_of_free_targets > 0)
         std::cout << outcome.number_of_free_targets
-                  << " targets of vertices inside are not asked for; --inside met asks for them\n";
+                  << " targets of interior vertices are ignored; --inside met prescribes them\n";
       if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
         print(*outcome.hexahedra);
     }

@@ -52,19 +52,19 @@ int number_of_processes()
 constexpr const char* help_before =
 R"(Usage: mpirun -n N parameterize_mesh_file_mpi SOURCE.mesh TARGET [options] [options of PETSc, with one dash]
 
-Maps a tetrahedral mesh onto the boundary that TARGET tells, with several processes, without inverted or flat cells.
+Several processes map a tetrahedral mesh onto the boundary that TARGET prescribes. No cell of the image is inverted or flat.
 
   SOURCE.mesh  the mesh: a MEDIT file as text
-  TARGET       either a text with a line 'vertex_index x y z' for each vertex of the boundary, where
-               the first vertex has the index 0; or a copy of SOURCE.mesh with other coordinates
-Each process reads a part of these files, hence they cannot be pipes.
+  TARGET       a text with a line 'vertex_index x y z' for each boundary vertex, with indices from 0;
+               or a copy of SOURCE.mesh with other coordinates
+Each process reads a part of these files. Therefore, they must be regular files.
 )";
 
 constexpr const char* help_after = R"(
 Exit status:
   0  success: no inverted cell, and the boundary is met exactly
-  2  bad input: the message names the file, line or vertex; no output is written
-  3  no map without inverted cells was found; no output is written
+  2  bad input: the message names the file, line or vertex. No output is written
+  3  no map without inverted cells was found. No output is written
 
 Example:
   mpirun -n 4 parameterize_mesh_file_mpi cube.mesh cube_to_ball.txt --output ball.pvtu -ksp_rtol 1e-6
@@ -92,7 +92,7 @@ void check_names(const int argc, char* argv[], const Command_line& line)
   {
     const std::string name = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
     if(name.substr(0, 2) == "--" && line.options.find_nothrow(name.substr(2), false) == nullptr)
-      throw std::runtime_error(name + " is not for several processes, but for parameterize_mesh_file");
+      throw std::runtime_error(name + " is an option of parameterize_mesh_file only, not of several processes");
   }
 }
 
@@ -119,11 +119,11 @@ void check(const Options& options)
 {
   named_energy(options.energy);
   if(options.number_of_iterations < 0)
-    throw std::runtime_error("the number of iterations is too small");
+    throw std::runtime_error("the number of iterations must not be negative");
   if(!(options.energy_tolerance >= 0))
-    throw std::runtime_error("the tolerance of the energy is negative");
+    throw std::runtime_error("the tolerance of the energy must not be negative");
   if(!(options.time_limit >= 0))
-    throw std::runtime_error("the time limit is negative");
+    throw std::runtime_error("the time limit must not be negative");
   if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu")
     throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
   if(rank() != 0)

@@ -197,7 +197,7 @@ read_in_own_process(const std::string& filename, const std::string& library, con
                            + note_of_large_number(filename, size));
   if(WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
     throw VMP::Input_error(library + " did not finish within " + std::to_string(seconds_to_read(size))
-                           + " s of processor time; the file may be damaged");
+                           + " s of processor time. The file may be damaged");
   throw VMP::Input_error(library + " crashed"
                          + (WIFSIGNALED(status) ? std::string(" (") + strsignal(WTERMSIG(status)) + ")" : std::string())
                          + "; the file may be damaged");

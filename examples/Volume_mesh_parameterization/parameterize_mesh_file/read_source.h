@@ -63,7 +63,7 @@ inline void check_coordinate_systems(const std::string& filename)
       if(!system.empty())
         throw CGAL::Volume_mesh_parameterization::Input_error(
           "line " + std::to_string(number) + ": the coordinate system (CP) is '" + system
-          + "', but only the basic one (0 or blank) is supported: write the points in basic coordinates");
+          + "', but only the basic one (0 or blank) is supported. Write the points in basic coordinates");
     }
 }
 
@@ -107,9 +107,10 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
   std::vector<std::array<std::size_t, 2> > unmarked;
   std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
   return unmarked.empty() ? std::string()
-    : std::to_string(unmarked.size()) + " sharp edges of the boundary, as that between the vertices "
+    : std::to_string(unmarked.size()) + " sharp edges of the boundary are not marked and are not followed, for example the edge "
+      "between the vertices "
       + std::to_string(unmarked[0][0]) + " and " + std::to_string(unmarked[0][1])
-      + " (counted from 0), are not among the marked ones, and are not followed; --features FILE tells others";
+      + " (counted from 0). --features FILE marks other edges";
 }
 
 inline Source read_source(const Options& options, Progress_line& progress)

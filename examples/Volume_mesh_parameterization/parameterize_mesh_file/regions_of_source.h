@@ -68,8 +68,7 @@ inline std::vector<std::string> notes_of_unused_regions(const CGAL::Volume_mesh_
       parts.push_back({ soup.cell_references[c], array.values[c] });
     if(number_of_values(std::move(parts)) > number_of_references)
       result.push_back("the cell data '" + array.name + "' are integers with " + std::to_string(number)
-                       + " values, and are not used; if they are regions or materials, --regions " + shell_quoted(array.name)
-                       + " uses them");
+                       + " values and are not used. If they are regions or materials, use --regions " + shell_quoted(array.name));
   }
   return result;
 }

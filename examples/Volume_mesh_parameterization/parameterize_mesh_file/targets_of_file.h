@@ -41,8 +41,8 @@ inline void name_missing_target(const std::string& filename,
   for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
     if(std::isnan(targets[v][0]))
       throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
-                             + " (counted from 0) is on the boundary of the source, but has no target; --others stay keeps "
-                             "the place of such vertices, --others slide lets them move in planes of the boundary");
+                             + " (counted from 0) is on the boundary of the source, but has no target. --others stay keeps the "
+                               "positions of such vertices; --others slide lets them slide in planes of the boundary");
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TARGETS_OF_FILE_H

@@ -81,49 +81,50 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_BOUNDARY_NOT_REACHED: return "The map has no inverted cell, but it does not meet the boundary.";
     case ERROR_NOT_FLIP_FREE: return "No map without inverted cells was found for this boundary and this connectivity.";
     case ERROR_INVERTED_BY_ROUNDING:
-      return "Rounding the images to their type inverts cells; store them as double, or move the target nearer to the origin.";
-    case ERROR_LINEAR_SOLVER_FAILED: return "The linear solver failed; try another one.";
+      return "Rounding the images to their type inverts cells. Store them as double, or move the target nearer to the origin.";
+    case ERROR_LINEAR_SOLVER_FAILED: return "The linear solver failed. Use another one.";
     case ERROR_EMPTY_COMPLEX: return "The complex has no cell.";
     case ERROR_NON_FINITE_COORDINATE: return "A coordinate is infinite or not a number.";
     case ERROR_SIZE_OUT_OF_RANGE:
-      return "The source or the target is too large or too small for floating-point numbers; scale it.";
+      return "The source or the target is too large or too small for floating-point numbers. Scale it.";
     case ERROR_INVERTED_SOURCE_CELL: return "A cell of the source has no positive volume.";
     case ERROR_MISSING_BOUNDARY_TARGET: return "A boundary vertex has no target.";
     case ERROR_INVERTED_TARGET_BOUNDARY:
       return "The target boundary is flat or turned inside out: it encloses no positive volume.";
     case ERROR_PRESCRIBED_CELL_INVERTED:
       return "The prescribed vertices alone make a cell of the target flat or invert it.";
-    case ERROR_ENERGY_WITHOUT_MINIMUM: return "A part of the boundary is free, and the energy has no minimum then.";
+    case ERROR_ENERGY_WITHOUT_MINIMUM:
+      return "A part of the boundary is free, but the energy has no minimum for a free boundary.";
     case ERROR_NON_MANIFOLD_BOUNDARY:
-      return "The boundary of the complex is not a manifold: cells touch each other in a vertex or an edge alone. Give "
-             "those that are connected by facets around a vertex a copy of it of their own.";
+      return "The boundary of the complex is not a manifold: cells meet in a vertex or an edge only. Around such a vertex, give "
+             "each set of cells that facets connect a vertex of its own.";
     case ERROR_SEVERAL_BOUNDARY_COMPONENTS: return "The boundary of the complex has several connected components.";
     case ERROR_BOUNDARY_NOT_OF_GENUS_ZERO:
-      return "The boundary of the complex has handles; it must be a topological sphere.";
+      return "The boundary of the complex has handles, but it must be a topological sphere.";
     case ERROR_BOUNDARY_TOO_COARSE:
-      return "The boundary has not enough vertices for the edges of the target; refine it or choose others.";
-    case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE: return "Rounding made the map of the boundary not one to one.";
+      return "The boundary has too few vertices for the edges of the target. Refine the boundary or choose another target.";
+    case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE: return "After rounding, the map of the boundary is not one to one.";
     case ERROR_OTHER_CONNECTIVITY:
-      return "The surface for the target has another connectivity than the boundary of the complex.";
+      return "The surface for the target and the boundary of the complex have different connectivities.";
     case ERROR_NO_POLYCUBE:
-      return "No polycube was found for the boundary, or for the labels of its facets where some are given.";
+      return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_INVALID_CORNERS:
       return "The corners of a cube must be eight different vertices of the boundary of the complex.";
     case ERROR_MIRRORED_CORNERS:
-      return "The corners are those of a mirrored cube; exchange opposite faces along one axis, for instance corners "
+      return "The corners are those of a mirrored cube. Exchange opposite faces along one axis, for instance corners "
              "0 and 1, 2 and 3, 4 and 5, 6 and 7.";
     case ERROR_INVALID_LANDMARK:
-      return "Each landmark must be a vertex of the boundary of the complex, with finite coordinates of where it should be.";
+      return "Each landmark must be a vertex of the boundary of the complex, and its point must be finite.";
     case ERROR_SPACING_TOO_COARSE:
-      return "The faces of the polycube cannot be put to multiples of the spacing without merging; make it smaller.";
+      return "At multiples of the spacing, faces of the polycube would merge. Make the spacing smaller.";
     case ERROR_DOMAIN_NOT_AXIS_PARALLEL:
-      return "A boundary facet of the domain is not orthogonal to an axis; map the body to a box or a polycube.";
+      return "A boundary facet of the domain is not orthogonal to an axis. Map the body to a box or a polycube.";
     case ERROR_INVERTED_HEXAHEDRON:
       return "A hexahedron is flat or inverted at a corner or inside.";
     case ERROR_POOR_HEXAHEDRON:
       return "The hexahedra are valid, but the scaled Jacobian of one is below the bound.";
     case ERROR_INCOMPLETE_HEXAHEDRA:
-      return "The hexahedra are valid, but leave out a part of the body; map the body with less distortion there, or to a "
+      return "The hexahedra are valid, but leave out a part of the body. Map the body with less distortion there, or to a "
              "domain that has this part. If the part is thinner than the spacing, make the spacing smaller.";
   }
   return "Unknown error code.";

@@ -121,8 +121,8 @@ public:
           m_point[i] = n[i] * offset; // to the bit
     }
     else if(std::abs(distance) > rounding * (std::abs(offset) + m_point.norm()))
-      throw Input_error(sentence("The conditions of the patches of the vertex at ", describe(m_start), " contradict each other: "
-                                 "no point meets all of them."));
+      throw Input_error(sentence("The conditions of the patches of the vertex at ", describe(m_start), " contradict each other, "
+                                 "because no point meets all of them."));
   }
 
   const Eigen::Vector3d& start() const { return m_start; }

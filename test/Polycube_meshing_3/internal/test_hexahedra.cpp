@@ -837,7 +837,7 @@ TEST_CASE("A grid that memory has no room for is refused with a spacing that wou
     CHECK(result.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
     return result.message;
   };
-  CHECK(refused(2. / 1000).find("1e+09 boxes, which may take 4000 GB of memory") != std::string::npos);
+  CHECK(refused(2. / 1000).find("1e+09 boxes and may need 4000 GB of memory") != std::string::npos);
   for(const double spacing : {2. / 300, 1e-9, std::numeric_limits<double>::denorm_min()})
   {
     const std::string message = refused(spacing);

@@ -353,7 +353,7 @@ TEST_CASE("the user learns how many sets of cells are to blame and where the fir
 {
   const Mesh m = edge_ring(bow_tie);
   const std::string sentence = internal::describe_infeasibility(prove(m), m);
-  CHECK(sentence.find("found: 1; cells of the first one: ") != std::string::npos);
+  CHECK(sentence.find("found: 1. Number of cells of the first set: ") != std::string::npos);
   CHECK(sentence.find("(0, 0, 0), (1, 0, 0)") != std::string::npos);
 }
 

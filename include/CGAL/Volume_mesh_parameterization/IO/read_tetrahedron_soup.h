@@ -81,8 +81,8 @@ bool read_features(const std::string& filename, Tetrahedron_soup_3& soup,
     {
       internal::Text_scanner line = scanner.next_line();
       if(line.rest().find(',') != std::string_view::npos)
-        line.fail("a line must contain two vertices of the mesh; "
-                  "sides of triangles, as in files .sharp of LoopyCuts, are not supported");
+        line.fail("a line must contain two vertices of the mesh. Sides of triangles, as in files .sharp of LoopyCuts, are not "
+                  "supported");
       const std::size_t v = line.next_number<std::size_t>("the index of a vertex");
       if(is_first && line.rest().empty())
         continue;

@@ -66,9 +66,10 @@ inline void evaluate_interfaces(const Hexahedron_soup_3& mesh, Body_interfaces_3
   if(staircases == Staircases::ASKED || !(farthest.distance > tolerance_of_interfaces * edge))
     return;
   if(staircases == Staircases::BETTER)
-    result.message += " Interfaces between subdomains are staircases, as hexahedra that follow them would be inverted or worse.";
+    result.message += " Interfaces between subdomains are staircases, because hexahedra that follow them would be inverted or "
+      "of lower quality.";
   result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
-                             " of the edges there; it is the largest at ", describe(farthest.point), ".");
+                             " of the edges there. The distance is largest at ", describe(farthest.point), ".");
 }
 
 // Names the place if a part of the body is left out: a subdomain, or what is farther from the hexahedra than their edges are long.
@@ -77,14 +78,14 @@ inline void check_completeness(const Tetrahedron_soup_3& soup, const Largest_dis
 {
   std::string missing;
   if(farthest.distance > edge)
-    missing = sentence(" The boundaries are ", farthest.distance, " apart at ", describe(farthest.point),
+    missing = sentence(" The boundaries of hexahedra and body are ", farthest.distance, " apart at ", describe(farthest.point),
                        ", where an edge of a hexahedron is about ", edge, " long.");
   for(const Subdomain_volumes& volumes : result.volumes)
     if(volumes.of_hexahedra == 0)
     {
       const auto first = std::find(soup.cell_references.begin(), soup.cell_references.end(), volumes.reference);
       const std::size_t v = soup.cells[first - soup.cell_references.begin()][0];
-      missing += sentence(" Subdomain ", volumes.reference, ", which is at ", describe(to_vector(soup.points[v])),
+      missing += sentence(" Subdomain ", volumes.reference, " at ", describe(to_vector(soup.points[v])),
                           ", has no hexahedron.");
     }
   if(missing.empty())
@@ -139,8 +140,8 @@ inline std::string advice_3(const Mapped_soup_3& soup, const Volume_map_3& map, 
   const Eigen::Vector3d s = signed_singular_values_3(edge_matrix(soup.images, cell) * edge_matrix(soup.points, cell).inverse());
   const double distortion = angle_distortion(s[0], s[2]);
   return distortion < large_distortion ? " Make the spacing smaller."
-    : sentence(" The map distorts angles by a factor of ", distortion, " at the worst one. Map the body with less distortion: "
-               "refine the source, allow refinement, or choose another domain.");
+    : sentence(" The map distorts angles by a factor of ", distortion, " at the worst one. To lower the distortion, refine the "
+               "source, allow refinement, or choose another domain.");
 }
 
 // Names the hexahedron of the least scaled Jacobian if this is below a bound.

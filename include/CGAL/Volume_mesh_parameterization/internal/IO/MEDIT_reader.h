@@ -43,7 +43,7 @@ public:
     : m_communicator(communicator), m_is_slice(is_slice)
   {
     if(communicator.rank() == 0 && Text_scanner(text).next_word() != m_keywords[VERSION])
-      text.fail("this is not an ASCII MEDIT file, it does not begin with 'MeshVersionFormatted'");
+      text.fail("this is not an ASCII MEDIT file, because it does not begin with 'MeshVersionFormatted'");
     find_sections(text);
     share_sections(text);
   }

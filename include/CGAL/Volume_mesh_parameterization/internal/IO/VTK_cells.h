@@ -62,7 +62,8 @@ public:
         constexpr std::int64_t last_of_surfaces = 9;
         if(type < 1 || type > last_of_surfaces)
           throw Input_error(sentence_on_other_cells(name_of_VTK_cells(type) + ", such as cell " + std::to_string(c)
-                                                    + " (counted from 0)"));
+                                                    + " (counted from 0)",
+                                                    "ParaView's filter Tetrahedralize cuts cells into tetrahedra"));
     }
   }
 
@@ -112,7 +113,7 @@ private:
       name_in(1, m_soup.edge_references);
       if(is_empty)
         m_soup.notes.push_back("the set '" + m_references.sets[i] + "' has no cell in the file, because meshio keeps only the "
-                               "last set of a cell; remove the larger sets before the conversion");
+                               "last set of a cell. Remove larger sets before the conversion");
     }
   }
 

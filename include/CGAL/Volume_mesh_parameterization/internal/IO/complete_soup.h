@@ -26,17 +26,14 @@ inline void require_tetrahedra(const std::size_t number_of_cells, const std::siz
   if(number_of_cells > 0)
     return;
   if(number_of_facets == 0)
-    throw Input_error("the mesh is not tetrahedral, there is no tetrahedron in the file");
-  throw Input_error("the mesh is a surface, there are " + std::to_string(number_of_facets) + " triangles and no tetrahedron in "
-                    "the file; a volume mesher fills it: " + command);
+    throw Input_error("the file contains no tetrahedron");
+  throw Input_error("the mesh is a surface with " + std::to_string(number_of_facets) + " triangles and no tetrahedron; a volume "
+                    "mesher fills it: " + command);
 }
 
-// The message on a mesh with other cells, named in the plural.
-inline std::string sentence_on_other_cells(const std::string& cells)
-{
-  return "the mesh is not tetrahedral, it has " + cells + "; ParaView's filter Tetrahedralize cuts the cells of a file .vtu into "
-         "tetrahedra";
-}
+// Refuses a mesh with other cells, named in the plural. The remedy depends on the format.
+inline std::string sentence_on_other_cells(const std::string& cells, const char* const remedy = "mesh the body by tetrahedra only")
+{ return "the mesh is not tetrahedral, because it has " + cells + "; " + remedy; }
 
 // Removes the points that are no corner of a cell, facet or edge, as those on the edges of second-order cells are not, and no
 // marked one, and notes it.
@@ -68,8 +65,8 @@ inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
         values[indices[v] * number_of_components + i] = values[v * number_of_components + i];
     values.resize(number_of_points * number_of_components);
   };
-  soup.notes.push_back("the mesh has cells of a higher order: their corners are used, and "
-                       + std::to_string(indices.size() - number_of_points) + " points that are no corners are left out");
+  soup.notes.push_back("the mesh has cells of a higher order. Only their corners are used; "
+                       + std::to_string(indices.size() - number_of_points) + " other points are left out");
   move_entries(soup.points, 1);
   for(Data_array_3& array : soup.point_data)
     move_entries(array.values, array.number_of_components);

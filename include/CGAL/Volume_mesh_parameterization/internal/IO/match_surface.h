@@ -126,8 +126,8 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
       if(!matchings[i].matching || !boundary.is_free(*matchings[i].matching))
         matchings[i] = best_matching(parts[i], points, boundary, budget);
       if(!matchings[i].matching)
-        throw Input_error("the surface has " + std::to_string(parts[i].number_of_triangles()) + " triangles that match no part of "
-                          "the boundary of the source, which has " + std::to_string(boundary.surfaces[0].number_of_triangles())
+        throw Input_error("the surface has " + std::to_string(parts[i].number_of_triangles()) + " triangles that match no part "
+                          "of the boundary of the source with " + std::to_string(boundary.surfaces[0].number_of_triangles())
                           + " triangles");
       if(best == nullptr || matchings[i].matching->displacement < best->matching->displacement)
         best = &matchings[i];
@@ -149,10 +149,11 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
   const auto mean = [&](const double sum)
   { return sentence(std::sqrt(sum / static_cast<double>(number_of_vertices))); };
   if(least_increase <= relative_difference * displacement)
-    throw Input_error("the triangles of the surface match the boundary of the source in several ways with the least displacement; "
-                      "write it with the vertices in the order of the source");
+    throw Input_error("the triangles of the surface match the boundary of the source in several ways with the least "
+                      "displacement. Write the surface with the vertices in the order of the source");
   if(std::isfinite(least_increase))
-    result.note = "the triangles match the boundary of the source in several ways; the one with the least displacement is used: "
+    result.note = "the triangles match the boundary of the source in several ways. The match with the least displacement is "
+                  "used: "
       + mean(displacement) + " in the quadratic mean, and " + mean(displacement + least_increase) + " for the next one";
   return result;
 }
@@ -192,8 +193,8 @@ inline Read_targets targets_of_surface(const Points& points, const Triangles& tr
       return result;
     }
   if(triangles.empty() || !surface.is_oriented() || !boundary.surfaces[0].is_oriented())
-    throw Input_error("the triangles of the surface do not identify the vertices of the source, because they are no oriented "
-                           "manifold; write the surface with the vertices in the order of the source");
+    throw Input_error("the triangles of the surface are not an oriented manifold, and do not identify the vertices of the "
+                      "source. Write the surface with the vertices in the order of the source");
   return targets_by_triangles(points, triangles, boundary, budget);
 }
 

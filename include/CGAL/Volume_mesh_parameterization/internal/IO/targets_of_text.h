@@ -144,7 +144,7 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
   }
   if(columns.index == Columns_of_targets::none && targets.size() != number_of_vertices)
     throw Input_error(
-      "there is no column with the indices of vertices, such as 'Point ID', and there are " + std::to_string(targets.size())
+      "there is no column with the indices of vertices, such as 'Point ID', but there are " + std::to_string(targets.size())
       + " rows for " + std::to_string(number_of_vertices) + " vertices");
   return points_of_vertices(targets, 0, number_of_vertices);
 }

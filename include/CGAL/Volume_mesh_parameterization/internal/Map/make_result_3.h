@@ -54,8 +54,8 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const M
     if(distance_of(w) > distance_of(v))
       v = w;
   const double distance = distance_of(v);
-  return sentence(" The largest distance to a target is ", distance, ", ", distance / target_diagonal(mesh),
-                  " times the diagonal of all targets: the source's vertex at ", describe(mesh.source.col(v)), " is at ",
+  return sentence(" The largest distance of a vertex to its target is ", distance, ", ", distance / target_diagonal(mesh),
+                  " times the diagonal of all targets. The vertex of the source at ", describe(mesh.source.col(v)), " is at ",
                   describe(positions.col(v)), " instead of ", describe(mesh.target.col(v)),
                   is_refinable ? sentence(". Allow refinement (", way_to_refine, "), or prescribe") : ". Prescribe",
                   " a boundary nearer to the source there.");
@@ -93,8 +93,8 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
   result.status = final_status(found);
   result.message = get_error_message(result.status) + reason_of(result.status, found, check);
   if(const std::size_t number = solver.number_of_cut_solutions(); number > 0)
-    result.message += sentence(" The linear solver has reached its limit of iterations ", number, " times, and steps were the "
-                               "shorter for it; ", mesh.is_whole() ? "CHOLMOD_solver_traits_3 has no limit."
+    result.message += sentence(" The linear solver reached its limit of iterations ", number, " times, which shortened steps. ",
+                               mesh.is_whole() ? "CHOLMOD_solver_traits_3 has no limit."
                                                                    : "PETSc's option -ksp_max_it sets it.");
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
     result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
@@ -102,13 +102,13 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
      && !mesh.alignment && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
     if(const std::string crossing = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
        !crossing.empty())
-      result.message += crossing + "; few such boundaries have a map without inverted cells, and none that is one to one.";
+      result.message += crossing + ". Few such boundaries have a map without inverted cells, and no such map is one to one.";
   if(found.map.is_valid() && mesh.alignment)
     if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
        !crossing.empty())
     {
       result.boundary_crosses_itself = true;
-      result.message += crossing + "; the map is not one to one.";
+      result.message += crossing + ". Therefore, the map is not one to one.";
     }
   result.has_valid_map = found.map.is_valid();
   if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole())

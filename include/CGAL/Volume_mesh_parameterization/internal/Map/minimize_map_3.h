@@ -73,12 +73,12 @@ public:
   // Why the minimization over all vertices was ended.
   std::string describe_dominant_cells() const
   {
-    return sentence(m_dominant.cells.size(), " of ", m_mesh.cells.size(), " cells, which the prescribed vertices make flat, "
-                    "hold ", std::floor(100 * m_dominant.part_of_energy), " % of the energy, and further steps would hardly "
-                    "lower it, or for them alone; most of it holds the cell at ",
+    return sentence(m_dominant.cells.size(), " of ", m_mesh.cells.size(), " cells hold ",
+                    std::floor(100 * m_dominant.part_of_energy), " % of the energy, because prescribed vertices make these "
+                      "cells flat. Further steps would hardly lower the energy, or only in these cells. The cell at ",
                     describe(m_mesh.source.col(m_mesh.cells[m_dominant.cells.front()][0])),
-                    ". A boundary with less distortion there, or vertices that slide, would help. The other vertices were "
-                    "then moved alone, to where they hardly improve either.");
+                    " has the largest part. A boundary with less distortion there, or vertices that slide, would help. The "
+                    "other vertices were then moved until they hardly improved either.");
   }
 
   bool is_stagnating(const Newton_iterate_3& iterate)

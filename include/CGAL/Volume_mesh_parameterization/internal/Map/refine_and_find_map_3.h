@@ -41,7 +41,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& e
   const auto is_wrong = [](const double error) { return error >= Derivative_errors_3::bound && std::isfinite(error); };
   if(is_wrong(errors.symmetry))
     std::cout << "The energy is not symmetric: its value changes by " << errors.symmetry
-              << " of its size where singular values are exchanged." << std::endl;
+              << " of its size if singular values are exchanged." << std::endl;
   if(is_wrong(errors.gradient))
     std::cout << "The gradient of the energy is wrong: it differs from finite differences by " << errors.gradient
               << " of their size." << std::endl;
@@ -106,7 +106,8 @@ inline Input_check_3 check_energy_3(const Cell_energy_3& energy)
   const bool grows = psi.back() < lowest_inside, shrinks = psi.front() < lowest_inside;
   if(!grows && !shrinks)
     return {};
-  return failed_check(ERROR_ENERGY_WITHOUT_MINIMUM, get_error_message(ERROR_ENERGY_WITHOUT_MINIMUM), " It falls as the body ",
+  return failed_check(ERROR_ENERGY_WITHOUT_MINIMUM, get_error_message(ERROR_ENERGY_WITHOUT_MINIMUM), 
+                      " The energy falls as the body ",
                       grows ? "grows" : "shrinks", ". Symmetric_Dirichlet_energy_3 has a minimum.");
 }
 

@@ -129,9 +129,9 @@ inline void round_map_3(const Numbered_mesh_3& mesh, const Coordinate_type& type
   {
     found.status = ERROR_INVERTED_BY_ROUNDING;
     const int v = mesh.cells[found.map.inverted_cells.front()][0];
-    found.reason = describe_inverted_cells(found.map.inverted_cells, mesh, "These cells are inverted or flat then: ")
-                   + " One of them has the source's vertex at " + describe(mesh.source.col(v))
-                   + sentence("; the numbers of its image have a spacing of ", spacing(type, found.map.positions.col(v)), ".");
+    found.reason = describe_inverted_cells(found.map.inverted_cells, mesh, "After rounding, these cells are inverted or flat: ")
+                   + " One of them has the vertex of the source at " + describe(mesh.source.col(v))
+                   + sentence(". Numbers at its image have a spacing of ", spacing(type, found.map.positions.col(v)), ".");
   }
   else if(const double bound = problem.options.maximum_angle_distortion; found.status == OK && std::isfinite(bound))
     if(const double largest = largest_angle_distortion_3(mesh, found.map.positions); !(largest < bound))

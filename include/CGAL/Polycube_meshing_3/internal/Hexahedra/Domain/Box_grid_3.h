@@ -143,8 +143,8 @@ private:
     if(number_of_boxes(spacing) <= maximum_number)
       return true;
     if(number_of_boxes(infinity) > maximum_number)
-      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The planes of the faces of the domain alone make ",
-                             number_of_boxes(infinity), " boxes; at most ", maximum_number, " are allowed.");
+      m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The planes of the faces of the domain make ",
+                             number_of_boxes(infinity), " boxes. At most ", maximum_number, " are allowed.");
     else
     {
       double coarser = spacing;
@@ -153,8 +153,8 @@ private:
       while(number_of_boxes(coarser) > maximum_number)
         coarser *= 1.1;
       m_check = failed_check(ERROR_SIZE_OUT_OF_RANGE, "The grid would have ", number_of_boxes(spacing),
-                             " boxes, which may take ", gigabytes_of_box * number_of_boxes(spacing),
-                             " GB of memory; at most ", maximum_number, " are allowed: a spacing of ", coarser, " would do.");
+                             " boxes and may need ", gigabytes_of_box * number_of_boxes(spacing),
+                             " GB of memory. At most ", maximum_number, " are allowed. Use a spacing of ", coarser, " or more.");
     }
     return false;
   }

@@ -119,9 +119,9 @@ inline std::string describe_infeasibility(const std::vector<Infeasibility_proof_
   std::string points;
   for(const int v : blamed_vertices(proofs.front(), mesh))
     points += (points.empty() ? "" : ", ") + describe(mesh.source.col(v));
-  return sentence("No map with this connectivity meets this boundary: some sets of cells cannot all be positive, "
-                  "wherever the free vertices are. Number of sets found: ", proofs.size(), "; cells of the first one: ",
-                  proofs.front().cells.size(), ", around the source's vertices at ", points, ".");
+  return sentence("No map with this connectivity meets this boundary, because the cells of a set cannot all be positive. Number "
+                  "of such sets found: ", proofs.size(), ". Number of cells of the first set: ",
+                  proofs.front().cells.size(), ", around the vertices of the source at ", points, ".");
 }
 
 // A sentence with the cells, the first ones of many; by default if there is no proof.
@@ -149,8 +149,9 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const
     const auto& [a, b, c] = facets[facet];
     return describe(mesh.source.col(a)) + ", " + describe(mesh.source.col(b)) + ", " + describe(mesh.source.col(c));
   };
-  return sentence(" The ", name, " intersects itself, for instance in the images of two facets, the one with the source's "
-                  "vertices at ", corners(found->first), ", and the one at ", corners(found->second));
+  return sentence(" The ", name, " intersects itself. For instance, the images of two facets intersect: the facet of the source "
+                  "with the vertices at ", corners(found->first), ", and the facet with the vertices at ",
+                  corners(found->second));
 }
 
 // Looks at the cells that are not positive in the best images that were found.

@@ -60,9 +60,9 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
   if(!inverted.first || mesh.regular_cell)
     return {};
   return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
-                      " cells of the source have no positive volume; the first one is cell ", mesh.user_number(*inverted.first),
+                      " cells of the source have no positive volume. The first one is cell ", mesh.user_number(*inverted.first),
                       " with volume ", edge_matrix(mesh.source, mesh.cells[*inverted.first]).determinant() / 6,
-                      static_cast<double>(inverted.number) == number_of_cells ? "; exchange two vertices of each cell." : ".");
+                      static_cast<double>(inverted.number) == number_of_cells ? ". Exchange two vertices of each cell." : ".");
 }
 
 // The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
@@ -131,8 +131,8 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
   if(!flat_cells.first)
     return {};
   Input_check_3 result
-    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat_cells.number, " cells have a facet whose three vertices are prescribed"
-                   " on a line; the first one is cell ", mesh.user_number(*flat_cells.first), ".");
+    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat_cells.number, " cells have a facet whose three vertices are prescribed "
+                   "on a line. The first one is cell ", mesh.user_number(*flat_cells.first), ".");
   if(!mesh.is_whole())
     return result; // which facets are on the boundary is known to all processes together only
   for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
@@ -141,7 +141,7 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
       result.is_refinable = false;
       result.message += " No refinement helps: the facet with the vertices at " + describe(mesh.source.col(facet[0]))
                         + ", " + describe(mesh.source.col(facet[1])) + " and " + describe(mesh.source.col(facet[2]))
-                        + " is on the boundary. Move a target of it off the line.";
+                        + " is on the boundary. Move one of its targets off the line.";
       break;
     }
   return result;
@@ -157,7 +157,7 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
   if(!inverted.first)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
-                      " cells have four prescribed vertices and no positive volume in the target; the first one is cell ",
+                      " cells have four prescribed vertices and no positive volume in the target. The first one is cell ",
                       mesh.user_number(*inverted.first), ".");
 }
 
@@ -173,7 +173,7 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
   if(!flat.first)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, "The conditions keep all vertices of ", flat.number,
-                      " cells in one plane; the first one is cell ", mesh.user_number(*flat.first), ", with a vertex at ",
+                      " cells in one plane. The first one is cell ", mesh.user_number(*flat.first), ", with a vertex at ",
                       describe(mesh.source.col(mesh.cells[*flat.first][0])),
                       ". Allow refinement (", way_to_refine, "), or free one of its vertices.");
 }

@@ -192,11 +192,10 @@ inline const char* describe_failure(const Newton_direction_3& direction)
   switch(direction.status)
   {
     case Linear_solver_status::OUT_OF_MEMORY:
-      return "There is not enough memory for the factorization; Conjugate_gradient_solver_traits_3 needs far less.";
+      return "There is not enough memory for the factorization. Conjugate_gradient_solver_traits_3 needs far less memory.";
     case Linear_solver_status::NOT_POSITIVE_DEFINITE:
-      return "The matrix is not positive definite, although it should be up to rounding: cells are too flat for the "
-             "precision of the solver.";
-    default: return "Numbers are not finite, or the solver gave up: cells are too flat for its precision.";
+      return "The matrix is not positive definite, because cells are too flat for the precision of the solver.";
+    default: return "A number is not finite, or the solver gave up, because cells are too flat for its precision.";
   }
 }
 
