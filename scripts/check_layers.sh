@@ -25,16 +25,16 @@ part_of()
   case $header in
     stretch_minimizing_volume_parameterization.h) REPLY=entry ;;
     internal/*/*) header=${header#internal/}; REPLY=${header%%/*} ;;
-    Default_visitor.h | Error_code.h | Parameterization_step.h | select.h) REPLY=Support ;;
+    Error_code.h | Parameterization_step.h | select.h) REPLY=Support ;;
     *_energy_3.h | check_derivatives.h) REPLY=Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) REPLY=Solvers ;;
-    Boundary_mode.h | Refinement_mode.h | Linear_constraint_3.h | Parameterization_result.h | Soft_boundary_parameters.h | Tetrahedron_soup_3.h | conditions_of_patches.h | Vertex_condition_3.h | Vertex_point_map.h | \
-      make_parameterizable.h | measure_distortion.h | measure_quality.h | mesh_complex_3_to_tetrahedron_soup.h | \
+    Parameterization_parameters.h | Parameterization_result.h | Tetrahedron_soup_3.h | Vertex_condition_3.h | \
+      Vertex_point_map.h | conditions_of_patches.h | make_parameterizable.h | measure_distortion.h | mesh_complex_3_to_tetrahedron_soup.h | \
       orient_tetrahedron_soup.h | repair_tetrahedron_soup.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
-    Volume_map_3.h | cell_distortions.h | evaluate_on_grid.h) REPLY=Evaluation ;;
+    Volume_map_3.h) REPLY=Evaluation ;;
     *_boundary_parameterizer_3.h | boundary_vertices.h) REPLY=Boundary ;;
     IO/*.h) REPLY=IO ;;
-    Distributed/*.h | Distributed_tetrahedron_soup_3.h) REPLY=Distributed ;;
+    Distributed/*.h) REPLY=Distributed ;;
     Arrays/*.h) REPLY=entry ;;
     *) REPLY="no part" ;;
   esac

@@ -4,7 +4,6 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/evaluate_on_grid.h>
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/Splines>

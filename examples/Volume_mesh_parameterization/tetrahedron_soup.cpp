@@ -3,7 +3,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
-#include <CGAL/Volume_mesh_parameterization/cell_distortions.h>
+#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "catch.h"
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Default_visitor.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
 #include <CGAL/Named_function_parameters.h>
 

@@ -10,7 +10,6 @@
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
-#include <CGAL/Volume_mesh_parameterization/measure_quality.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Surface_mesh.h>

@@ -5,7 +5,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/VTS.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/evaluate_on_grid.h>
 
 #include <algorithm>
 #include <array>

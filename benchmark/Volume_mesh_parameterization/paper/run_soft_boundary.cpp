@@ -7,7 +7,7 @@
 #include "Plain_newton_map_3.h"
 
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Cell_packs_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>

@@ -6,9 +6,9 @@
 #include "Result_report.h"
 #include "check_roles.h"
 
+#include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/distributed_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 
 #include <petscsys.h>

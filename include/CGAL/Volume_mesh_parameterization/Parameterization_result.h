@@ -41,6 +41,19 @@ struct Distortion_3
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
+The distortions of one cell by a map with the differential \f$J\f$ there, as in `Distortion_3`. They have no unit; for
+inverted cells, where \f$\det J\f$ is negative, those of angles and volumes are not defined.
+*/
+struct Cell_distortion_3
+{
+  double angle;  ///< the distortion of angles, 2 at least
+  double volume; ///< the distortion of volumes, 2 at least
+  double det_J;  ///< the volume of the image relative to that of the cell
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
 The worst shapes of tetrahedra, by measures of simulations. Without a cell, the values are not numbers.
 */
 struct Cell_quality_3

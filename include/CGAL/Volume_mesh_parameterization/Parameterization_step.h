@@ -61,6 +61,22 @@ struct Parameterization_step
   double seconds = 0;                       ///< wall-clock time since the beginning
 };
 
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+The default visitor, which does nothing.
+
+\cgalModels{ParameterizationVisitor_3}
+*/
+struct Default_visitor
+{
+  /// returns `true`: the computation continues.
+  bool after_step(const Parameterization_step&) { return true; }
+
+  /// returns `true`: the computation continues.
+  bool goes_on() { return true; }
+};
+
 } // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_STEP_H

@@ -12,8 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
+
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -58,6 +64,109 @@ Distortion_3 measure_distortion(const PointRange& points, const CellRange& cells
 {
   const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
   return internal::distortion_of_soup_3(soup, internal::coordinates_of(images));
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFunctions
+
+computes the distortions of one cell of a complex, in constant time.
+
+\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+\tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+        `C3t3::Triangulation::Geom_traits::Point_3` as value type
+
+\param c3t3 the complex
+\param cell the cell, which must be positive
+\param uvw_map the image of each vertex of the cell
+
+\sa `measure_distortion()`
+*/
+template <typename C3t3, typename VertexUVWMap>
+Cell_distortion_3 cell_distortion(const C3t3& c3t3, const typename C3t3::Cell_handle cell, const VertexUVWMap uvw_map)
+{
+  return internal::distortion_of_cell(
+    [&](const int i) { return internal::to_vector(internal::point_of_vertex(c3t3.triangulation(), cell->vertex(i))); },
+    [&](const int i) { return internal::to_vector(get(uvw_map, cell->vertex(i))); });
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFunctions
+
+computes the distortions of all cells of a mesh that is given by arrays, in linear time.
+
+\param points the points
+\param cells four indices of points each, such that all cells are positive
+\param images the image of each point
+
+\return the distortions, in the order of the cells
+
+\exception Input_error names a cell with an index that does not exist.
+
+\pre There are as many images as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+*/
+inline std::vector<Cell_distortion_3> cell_distortions(const std::vector<std::array<double, 3> >& points,
+                                                       const std::vector<std::array<std::size_t, 4> >& cells,
+                                                       const std::vector<std::array<double, 3> >& images)
+{
+  internal::require(images.size() == points.size(), "images must have an element for each point.");
+  internal::check_cells(cells, points.size());
+  std::vector<Cell_distortion_3> result;
+  result.reserve(cells.size());
+  for(const std::array<std::size_t, 4>& cell : cells)
+    result.push_back(internal::distortion_of_cell([&](const int i) { return internal::to_vector(points[cell[i]]); },
+                                                  [&](const int i) { return internal::to_vector(images[cell[i]]); }));
+  return result;
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFunctions
+
+measures the shapes of tetrahedra that are given by arrays: the cells of a mesh, or, with images for the points, those of
+its image.
+
+\tparam PointRange a range of points as `CGAL::stretch_minimizing_volume_parameterization()` takes it
+\tparam CellRange a range of cells as `CGAL::stretch_minimizing_volume_parameterization()` takes it
+
+\param points the points, or their images
+\param cells four indices of points each
+
+\return the worst values of all cells. An inverted cell has a negative scaled Jacobian.
+
+The time is linear in the number of cells.
+
+\sa `Parameterization_result::quality`
+\sa `measure_distortion()`
+*/
+template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
+Cell_quality_3 measure_quality(const PointRange& points, const CellRange& cells)
+{
+  const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
+  std::vector<Cell_quality_3> qualities;
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
+  {
+    const auto corner = [&](const int i) { return internal::to_vector(soup.points.at(cell[i])); };
+    qualities.push_back(internal::quality_of_cell({ corner(0), corner(1), corner(2), corner(3) }));
+  }
+  return qualities.empty() ? Cell_quality_3() : internal::worst_quality(qualities);
+}
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFunctions
+
+measures the shapes of the cells of the image of a complex.
+
+\tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
+\tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
+        `C3t3::Triangulation::Geom_traits::Point_3` as value type
+
+\param c3t3 the complex
+\param uvw_map the image of each vertex of a cell
+*/
+template <typename C3t3, typename VertexUVWMap, typename = typename C3t3::Triangulation, typename = void>
+Cell_quality_3 measure_quality(const C3t3& c3t3, const VertexUVWMap uvw_map)
+{
+  const internal::Body_of_complex_3<C3t3> body(c3t3);
+  return measure_quality(internal::points_of(body.vertices, uvw_map), body.soup.cells);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <Eigen/Dense>
@@ -71,6 +72,21 @@ inline Cell_quality_3 worse(const Cell_quality_3& a, const Cell_quality_3& b)
 // Returns the worst of all qualities; for none, what no cell is better than.
 inline Cell_quality_3 worst_quality(const std::vector<Cell_quality_3>& of_cells)
 { return std::accumulate(of_cells.begin(), of_cells.end(), Cell_quality_3{ 180, 0, 1, 1 }, worse); }
+
+// Returns the distortion of a cell; `source(i)` and `image(i)` return the points of its vertices.
+template <typename Source, typename Image>
+Cell_distortion_3 distortion_of_cell(const Source& source, const Image& image)
+{
+  Eigen::Matrix3d X, U;
+  for(int i = 0; i < 3; ++i)
+  {
+    X.col(i) = source(i + 1) - source(0);
+    U.col(i) = image(i + 1) - image(0);
+  }
+  const Eigen::Vector3d s = signed_singular_values_3(U * X.inverse());
+  const double ratio = s.maxCoeff() / s.minCoeff(), determinant = s.prod();
+  return { ratio + 1 / ratio, determinant + 1 / determinant, determinant };
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Soft_boundary_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/line_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Negative_curvature.h>
 

@@ -7,14 +7,46 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_PARAMETERS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_PARAMETERS_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <Eigen/Core>
+
 #include <cstddef>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+The ways in which a map meets its boundary: see the named parameter `boundary_mode` of
+`CGAL::stretch_minimizing_volume_parameterization()`.
+*/
+enum class Boundary_mode
+{
+  AUTO,  ///< first `FIXED`; if no valid map is found, `SOFT`
+  FIXED, ///< prescribed vertices are at their targets from the beginning, and cells are untangled
+  SOFT   ///< no cell is ever inverted, and a penalty pulls the prescribed vertices to their targets
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+Which vertices refinement may add: see the named parameter `refinement_mode` of
+`CGAL::stretch_minimizing_volume_parameterization()`, and Section \ref VMPRefinement.
+
+A new vertex on the boundary is the midpoint of an edge of the boundary, with coordinates rounded to their number type. Therefore,
+it lies on the edge up to rounding, and in exact arithmetic it may be off the edge.
+*/
+enum class Refinement_mode
+{
+  NEEDED, ///< only those without which the boundary is not reached
+  HELPFUL, ///< also those in bridges, simplices inside whose vertices are all prescribed, that make the map slow or distorted
+  BOUNDARY ///< also those on the boundary, at edges that `boundary_parameterizer` splits; only that for polycubes does so
+};
 
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
@@ -91,6 +123,36 @@ inline Soft_boundary_parameters approaching_soft_boundary_parameters()
   return parameters;
 }
 
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+A linear equation \f$\sum_k c_k \cdot u_{v_k} = p\f$ between the images of vertices: a row of the
+positional constraints \f$P(u) = C u - p = 0\f$ of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (7).
+
+For example, a vertex `v` stays on the plane through `q` with normal `n` by the term `{v, n}` and the
+value `n.dot(q)`, and the vertices `v` and `w` keep their distance in that direction by the terms
+`{v, n}` and `{w, -n}`. The meaning of the residual is a distance if the coefficients have length 1.
+
+Constraints have an effect with `Boundary_mode::SOFT` only. They act like the targets of the boundary, by the square of
+their residual.
+
+\tparam Vertex_ a type that names a vertex: `C3t3::Vertex_handle` in what is passed to
+        `CGAL::stretch_minimizing_volume_parameterization()`
+*/
+template <typename Vertex_>
+struct Linear_constraint_3
+{
+  /// a summand \f$c_k \cdot u_{v_k}\f$
+  struct Term
+  {
+    Vertex_ vertex;              ///< the vertex \f$v_k\f$, one of a cell of the complex
+    Eigen::Vector3d coefficient; ///< the vector \f$c_k\f$
+  };
+
+  std::vector<Term> terms; ///< the left-hand side
+  double value = 0;        ///< the right-hand side \f$p\f$, in the unit of the target if the coefficients have none
+};
+
 } // namespace CGAL::Volume_mesh_parameterization
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SOFT_BOUNDARY_PARAMETERS_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_PARAMETERIZATION_PARAMETERS_H
