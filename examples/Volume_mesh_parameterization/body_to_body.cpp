@@ -29,8 +29,7 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 Vertex_handle nearest_boundary_vertex(const C3t3& c3t3, const Point_3& p)
 {
-  std::vector<Vertex_handle> vertices;
-  VMP::boundary_vertices(c3t3, std::back_inserter(vertices));
+  const std::vector<Vertex_handle> vertices = VMP::boundary_vertices(c3t3);
   return *std::min_element(vertices.begin(), vertices.end(), [&](const Vertex_handle v, const Vertex_handle w)
   { return CGAL::has_smaller_distance_to_point(p, v->point().point(), w->point().point()); });
 }

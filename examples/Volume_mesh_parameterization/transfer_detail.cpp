@@ -46,8 +46,7 @@ int main(int argc, char* argv[])
 
   // the height of the bump at the same point of the ball, along the normal
   const VMP::Volume_map_3 source_to_ball(source, source_map);
-  std::vector<Vertex_handle> boundary;
-  VMP::boundary_vertices(target, std::back_inserter(boundary));
+  const std::vector<Vertex_handle> boundary = VMP::boundary_vertices(target);
   for(const Vertex_handle v : boundary)
   {
     const Point_3 p = v->point().point();

@@ -548,10 +548,10 @@ TEST_CASE("a body with a cavity and without a polycube is told to have several b
 TEST_CASE("labels that are found are told, and lead to the same labels again")
 {
   const VMP::Tetrahedron_soup_3 soup = bricks(size, is_ring, in_place);
-  VMP::Polycube_result result;
-  const Polycube polycube(0, VMP::Polycube_axes::GIVEN, &result);
+  const Polycube polycube(0, VMP::Polycube_axes::GIVEN);
   std::vector<std::array<double, 3> > targets;
   REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
+  const VMP::Polycube_result& result = polycube.result();
   REQUIRE(result.labels.size() == soup.cells.size());
   std::size_t number = 0;
   std::set<std::size_t> all;
@@ -957,9 +957,10 @@ TEST_CASE("features that are given up are told as polylines, the longest one fir
   mark({ { 0, 5 }, { 1, 5 }, { 2, 5 } });           // along an axis
   mark({ { 1, 3 }, { 2, 4 } });                     // diagonals, which are edges of bricks
   mark({ { 1, 0 }, { 2, 1 }, { 3, 2 }, { 4, 3 } });
-  VMP::Polycube_result result;
   std::vector<std::array<double, 3> > targets;
-  REQUIRE(Polycube(1, VMP::Polycube_axes::FOUND, &result).parameterize(soup, targets) == VMP::OK);
+  const Polycube polycube(1);
+  REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
+  const VMP::Polycube_result& result = polycube.result();
   CHECK(result.number_of_sharp_edges == 6);
   CHECK(result.number_of_edges_given_up() == 4);
   REQUIRE(result.features_given_up.size() == 2);
@@ -1083,7 +1084,12 @@ struct Turned_body
   {}
 
   VMP::Error_code parameterize(const VMP::Polycube_axes axes, const double spacing = 0)
-  { return Polycube(spacing, axes, &result).parameterize(soup.points, soup.cells, image); }
+  {
+    const Polycube polycube(spacing, axes);
+    const VMP::Error_code status = polycube.parameterize(soup.points, soup.cells, image);
+    result = polycube.result();
+    return status;
+  }
 
   Eigen::Vector3d point(const std::size_t v) const { return Eigen::Vector3d(soup.points[v].data()); }
   Eigen::Vector3d image_of(const std::size_t v) const { return Eigen::Vector3d(image[v].data()); }

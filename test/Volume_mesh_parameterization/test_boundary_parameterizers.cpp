@@ -442,8 +442,7 @@ TEST_CASE("boundaries that are no topological sphere are named")
   CHECK(status(cells_on_moment_curve({{0, 1, 2, 3}, {3, 4, 5, 6}})) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
   CHECK(status(cells_on_moment_curve({{0, 1, 2, 3}, {2, 3, 4, 5}})) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
   const Complex edge(cells_on_moment_curve({{0, 1, 2, 3}, {2, 3, 4, 5}}));
-  std::vector<Vertex_handle> non_manifold;
-  VMP::non_manifold_boundary_vertices(edge.c3t3, std::back_inserter(non_manifold));
+  const std::vector<Vertex_handle> non_manifold = VMP::non_manifold_boundary_vertices(edge.c3t3);
   CHECK(std::unordered_set<Vertex_handle>(non_manifold.begin(), non_manifold.end())
         == std::unordered_set<Vertex_handle>{edge.vertices[2], edge.vertices[3]});
 

@@ -14,6 +14,7 @@
 #include <optional>
 #include <random>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -267,6 +268,10 @@ TEST_CASE("Data of vertices are interpolated, numbers and vectors, on both sides
   const Point_3 p(1.3, 2.2, 0.4);
   const auto location = map.image(p);
   CHECK(map.interpolate(*location, heights) == Approx(2 * 0.4 - 1.3));
+  const Eigen::VectorXd column = Eigen::Map<const Eigen::VectorXd>(heights.data(), static_cast<Eigen::Index>(heights.size()));
+  const auto height = map.interpolate(*location, column);
+  CHECK(std::is_same<decltype(height), const double>::value);
+  CHECK(height == map.interpolate(*location, heights));
   const Vector3d source = map.interpolate(*location, sources);
   CHECK((source - vector(p)).norm() < 1e-14);
   const Eigen::RowVectorXd image = map.interpolate(*location, images);

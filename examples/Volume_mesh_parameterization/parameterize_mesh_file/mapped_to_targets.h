@@ -89,13 +89,14 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
       const auto sliding = np.do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE);
       if(options.domain.empty())
         return map_to(sliding.vertex_is_constrained_map(CGAL::make_property_map(mapped.target.is_constrained)));
-      const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes),
-                              &mapped.polycube);
-      return std::visit([&](const auto& boundary)
+      const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes));
+      const Result result = std::visit([&](const auto& boundary)
       {
         return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mapped.mesh, mapped.uvw,
                                                                                  sliding.boundary_parameterizer(boundary));
       }, named_boundary_parameterizer(options.domain, polycube, landmarks));
+      mapped.polycube = polycube.result();
+      return result;
     };
     return mapped.initial.empty() ? map(np) : map(np.initial_map(CGAL::make_property_map(mapped.initial)));
   }, named_solver(options.solver));

@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -139,17 +140,19 @@ class Polycube_boundary_parameterizer_3
   friend internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>;
 
 public:
-  /// chooses the grid, the axes and the place of the result.
+  /// chooses the grid and the axes.
   ///
   /// \param spacing the spacing of the grid, in the units of the complex; 0 for faces with any coordinates
   /// \param axes the axes of the polycube
-  /// \param result receives, for each polycube that is found, its rotation, labels and the sharp edges that it gives up
   ///
   /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
-  explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
-                                             Polycube_result* const result = nullptr)
-    : m_spacing(spacing), m_axes(axes), m_result(result)
+  explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND)
+    : m_spacing(spacing), m_axes(axes)
   { internal::require(spacing >= 0 && std::isfinite(spacing), "spacing must be finite and not negative."); }
+
+  /// returns the rotation, the labels and the sharp edges given up of the last polycube found. Copies of this object have the same
+  /// result, also the copy in a named parameter. Without a polycube, the result is empty.
+  const Polycube_result& result() const { return *m_result; }
 
   using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
 #ifdef DOXYGEN_RUNNING
@@ -209,8 +212,6 @@ public:
   // Tells of the polycube that a body is mapped to at last.
   void tell(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
   {
-    if(m_result == nullptr)
-      return;
     const internal::Body_3 body = internal::body_of(refined_body.soup); // with the sides that are on the boundary now
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
     std::vector<Eigen::Vector3d> images;
@@ -232,7 +233,7 @@ public:
   // Is told of the order of the cells in a complex that has been refined.
   void tell_order_of_cells(const std::vector<std::size_t>& order) const
   {
-    if(m_result == nullptr || m_result->labels.size() != order.size())
+    if(m_result->labels.size() != order.size())
       return;
     const std::vector<std::array<std::size_t, 4> > labels = m_result->labels;
     for(std::size_t c = 0; c < order.size(); ++c)
@@ -283,7 +284,7 @@ private:
 
   double m_spacing;
   Polycube_axes m_axes;
-  Polycube_result* m_result;
+  std::shared_ptr<Polycube_result> m_result = std::make_shared<Polycube_result>(); // of all copies
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

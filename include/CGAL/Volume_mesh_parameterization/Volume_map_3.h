@@ -118,7 +118,8 @@ public:
   /// interpolates data of the vertices, linearly on each cell.
   ///
   /// \tparam ValueRange a random access range of numbers, vectors of \cgal or Eigen, or other values with a sum and a product by
-  ///         `double`. A matrix of Eigen with a row for each point is also possible.
+  ///         `double`. A matrix of Eigen with a row for each point is also possible. For a column vector of Eigen, the result is a
+  ///         number.
   /// \param location a result of one of the queries, of either direction
   /// \param values the value at each point of the arrays, or of a complex in the order of
   ///        `mesh_complex_3_to_tetrahedron_soup()`
@@ -130,10 +131,12 @@ public:
     const auto value = [&](const int i) -> decltype(auto) { return internal::row(values, cell[i]); };
     const auto sum = [&]() { return b[0] * value(0) + b[1] * value(1) + b[2] * value(2) + b[3] * value(3); };
     using Value = std::decay_t<decltype(value(0))>;
-    if constexpr(internal::is_matrix<Value>) // a sum of Eigen would refer to its parts
-      return typename Value::PlainObject(sum());
-    else
+    if constexpr(!internal::is_matrix<Value>)
       return sum();
+    else if constexpr(Value::SizeAtCompileTime == 1) // a row of a vector
+      return sum().value();
+    else
+      return typename Value::PlainObject(sum()); // a sum of Eigen would refer to its parts
   }
 
   /// returns the differential in the cell that `image()` finds, a 3 x 3 matrix; empty if the point is outside.

@@ -17,39 +17,48 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
+namespace internal {
+
+template <typename C3t3>
+std::vector<typename C3t3::Vertex_handle> handles_of(const Body_of_complex_3<C3t3>& body, const std::vector<std::size_t>& points)
+{
+  std::vector<typename C3t3::Vertex_handle> result;
+  for(const std::size_t p : points)
+    result.push_back(body.vertices[p]);
+  return result;
+}
+
+} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-writes the vertices of the boundary of a complex, those that need a target: the vertices of facets with a cell of the
-complex on one side and none on the other. Each comes once, in the order of the cells.
+returns the vertices of the boundary of a complex. These vertices need a target. A facet of the boundary has a cell of the complex on
+one side only.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
-\tparam OutputIterator a model of `OutputIterator` that accepts `C3t3::Vertex_handle`
 
 \param c3t3 the complex
-\param out receives the vertices
 
-\return `out`, after the last vertex
+\return the vertices, each once, in the order of the cells
 
 The time is linear in the number of cells.
 
 \sa `non_manifold_boundary_vertices()`
 */
-template <typename C3t3, typename OutputIterator, typename = typename C3t3::Triangulation>
-OutputIterator boundary_vertices(const C3t3& c3t3, OutputIterator out)
+template <typename C3t3>
+std::vector<typename C3t3::Vertex_handle> boundary_vertices(const C3t3& c3t3)
 {
   const internal::Body_of_complex_3<C3t3> body(c3t3);
-  for(const std::size_t v : internal::surface_of(body).vertices)
-    *out++ = body.vertices[v];
-  return out;
+  return internal::handles_of(body, internal::surface_of(body).vertices);
 }
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns the points on the boundary of a mesh that is given by arrays, as indices. Throws `Input_error` as
-`CGAL::stretch_minimizing_volume_parameterization()` does.
+returns the points on the boundary of a mesh that is given by arrays, as indices in the order of the cells.
+
+\exception Input_error is thrown as by `CGAL::stretch_minimizing_volume_parameterization()`.
 */
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellRange& cells)
@@ -58,29 +67,25 @@ std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellR
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-writes the vertices where the boundary of a complex is not a manifold: those at an edge of more than two of its
-facets, and those whose facets are not all joined by edges at the vertex. The models of `BoundaryParameterizer_3` refuse
-complexes that have any with `ERROR_NON_MANIFOLD_BOUNDARY`.
+returns the vertices at which the boundary of a complex is not a manifold. At such a vertex, an edge has more than two boundary
+facets, or edges do not connect all boundary facets of the vertex. If a complex has such vertices, the models of
+`BoundaryParameterizer_3` return `ERROR_NON_MANIFOLD_BOUNDARY`.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
-\tparam OutputIterator a model of `OutputIterator` that accepts `C3t3::Vertex_handle`
 
 \param c3t3 the complex
-\param out receives the vertices, each once, in the order of the cells
 
-\return `out`, after the last vertex
+\return the vertices, each once, in the order of the cells
 
 The time is linear in the number of cells, and O(n log n) for n facets of the boundary.
 
 \sa `boundary_vertices()`
 */
-template <typename C3t3, typename OutputIterator, typename = typename C3t3::Triangulation>
-OutputIterator non_manifold_boundary_vertices(const C3t3& c3t3, OutputIterator out)
+template <typename C3t3>
+std::vector<typename C3t3::Vertex_handle> non_manifold_boundary_vertices(const C3t3& c3t3)
 {
   const internal::Body_of_complex_3<C3t3> body(c3t3);
-  for(const std::size_t v : internal::non_manifold_points(body))
-    *out++ = body.vertices[v];
-  return out;
+  return internal::handles_of(body, internal::non_manifold_points(body));
 }
 
 /*!
@@ -95,8 +100,8 @@ std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns the sharp edges of the boundary of a mesh that is given by arrays, which polycubes and hexahedra follow: those among marked
-edges, or if no edge of the boundary is marked, those whose facets have normals with an angle of more than 60 degrees.
+returns the sharp edges of the boundary of a mesh that is given by arrays. Polycubes and hexahedra follow them. Marked edges of the
+boundary are sharp. If no edge of the boundary is marked, edges with more than 60 degrees between the normals on both sides are sharp.
 
 \param points the points
 \param cells four indices of points for each cell, such that all cells are positive

@@ -69,32 +69,34 @@ Distortion_3 measure_distortion(const PointRange& points, const CellRange& cells
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes the distortions of one cell of a complex, in constant time.
+computes the distortions of each cell of a complex.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
 \tparam VertexUVWMap a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 
-\param c3t3 the complex
-\param cell the cell, which must be positive
-\param uvw_map the image of each vertex of the cell
+\param c3t3 the complex; its cells must be positive
+\param uvw_map the image of each vertex of a cell
+
+\return the distortions, in the order of `cells_in_complex_begin()`
+
+The time is O(n log n) for n vertices, linear in the number of cells.
 
 \sa `measure_distortion()`
 */
-template <typename C3t3, typename VertexUVWMap>
-Cell_distortion_3 cell_distortion(const C3t3& c3t3, const typename C3t3::Cell_handle cell, const VertexUVWMap uvw_map)
+template <typename C3t3, typename VertexUVWMap, typename = typename C3t3::Triangulation>
+std::vector<Cell_distortion_3> cell_distortions(const C3t3& c3t3, const VertexUVWMap uvw_map)
 {
-  return internal::distortion_of_cell(
-    [&](const int i) { return internal::to_vector(internal::point_of_vertex(c3t3.triangulation(), cell->vertex(i))); },
-    [&](const int i) { return internal::to_vector(get(uvw_map, cell->vertex(i))); });
+  const internal::Body_of_complex_3<C3t3> body(c3t3);
+  return internal::distortions_of_cells_3(body.soup.points, body.soup.cells, internal::points_of(body.vertices, uvw_map));
 }
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes the distortions of all cells of a mesh that is given by arrays, in linear time.
+computes the distortions of each cell of a mesh that is given by arrays, in linear time.
 
-\param points the points
+\param points the points, a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it
 \param cells four indices of points each, such that all cells are positive
 \param images the image of each point
 
@@ -104,18 +106,14 @@ computes the distortions of all cells of a mesh that is given by arrays, in line
 
 \pre There are as many images as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 */
-inline std::vector<Cell_distortion_3> cell_distortions(const std::vector<std::array<double, 3> >& points,
-                                                       const std::vector<std::array<std::size_t, 4> >& cells,
-                                                       const std::vector<std::array<double, 3> >& images)
+template <typename PointRange, typename CellRange, typename ImageRange, typename = internal::If_range<PointRange> >
+std::vector<Cell_distortion_3> cell_distortions(const PointRange& points, const CellRange& cells, const ImageRange& images)
 {
-  internal::require(images.size() == points.size(), "images must have an element for each point.");
-  internal::check_cells(cells, points.size());
-  std::vector<Cell_distortion_3> result;
-  result.reserve(cells.size());
-  for(const std::array<std::size_t, 4>& cell : cells)
-    result.push_back(internal::distortion_of_cell([&](const int i) { return internal::to_vector(points[cell[i]]); },
-                                                  [&](const int i) { return internal::to_vector(images[cell[i]]); }));
-  return result;
+  const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
+  const std::vector<std::array<double, 3> > coordinates = internal::coordinates_of(images);
+  internal::require(coordinates.size() == soup.points.size(), "images must have an element for each point.");
+  internal::check_cells(soup.cells, soup.points.size());
+  return internal::distortions_of_cells_3(soup.points, soup.cells, coordinates);
 }
 
 /*!

@@ -14,8 +14,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
-#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -37,7 +37,7 @@ inline double volume(const std::vector<std::array<std::size_t, 4> >& cells, cons
 inline void write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw,
                       const double volume_ratio)
 {
-  const std::vector<Cell_distortion_3> distortions = cell_distortions(soup.points, soup.cells, uvw);
+  const std::vector<Cell_distortion_3> distortions = distortions_of_cells_3(soup.points, soup.cells, uvw);
   const std::vector<std::size_t> cells = cells_of_VTU(soup);
   const auto of_cell = [&](const auto& value)
   {

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <Eigen/Dense>
 
@@ -86,6 +87,19 @@ Cell_distortion_3 distortion_of_cell(const Source& source, const Image& image)
   const Eigen::Vector3d s = signed_singular_values_3(U * X.inverse());
   const double ratio = s.maxCoeff() / s.minCoeff(), determinant = s.prod();
   return { ratio + 1 / ratio, determinant + 1 / determinant, determinant };
+}
+
+// Returns the distortions of cells, whose indices have been checked.
+inline std::vector<Cell_distortion_3> distortions_of_cells_3(const std::vector<std::array<double, 3> >& points,
+                                                             const std::vector<std::array<std::size_t, 4> >& cells,
+                                                             const std::vector<std::array<double, 3> >& images)
+{
+  std::vector<Cell_distortion_3> result;
+  result.reserve(cells.size());
+  for(const std::array<std::size_t, 4>& cell : cells)
+    result.push_back(distortion_of_cell([&](const int i) { return to_vector(points[cell[i]]); },
+                                        [&](const int i) { return to_vector(images[cell[i]]); }));
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
