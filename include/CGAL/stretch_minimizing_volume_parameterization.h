@@ -26,8 +26,8 @@ namespace CGAL {
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes a map from a tetrahedral complex to a domain with prescribed boundary that has no inverted cell and a low
-distortion of angles and volumes. The map is linear on each cell and given by the images of the vertices.
+computes a map from a tetrahedral complex to a domain with prescribed boundary. No cell of the image is inverted, and the
+distortion of angles and volumes is low. The map is linear on each cell and given by the images of the vertices.
 
 The method is the stretch-minimizing parameterization of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
 harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps that never invert a
@@ -45,10 +45,10 @@ exact predicates on the coordinates that are written check that no cell is inver
 \param c3t3 the complex; it is modified only if it may be refined (see `do_refine`), and may be constant otherwise. Its
        cells may have several subdomains and connected components; vertices without a cell are ignored.
 \param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
-       (see `Parameterization_result::has_valid_map`); otherwise it is left alone. If its points have coordinates of a type
-       narrower than `double`, as those of `Simple_cartesian<float>`, targets are rounded to this type before the computation,
-       and images before the exact check. If rounding inverts cells, vertices inside move by a few units in the last place;
-       if this does not help, the status is `ERROR_INVERTED_BY_ROUNDING`.
+       (see `Parameterization_result::has_valid_map`); otherwise it is left alone. Its points may have coordinates of a type
+       narrower than `double`, as in `Simple_cartesian<float>`. Then targets are rounded to this type before the computation, and
+       images before the exact check. If rounding inverts cells, vertices inside move by a few units in the last place; if this
+       does not help, the status is `ERROR_INVERTED_BY_ROUNDING`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below, in three groups. The
        \ref Chapter_Volume_Mesh_Parameterization "manual" has the details.
 
@@ -222,9 +222,9 @@ exact predicates on the coordinates that are written check that no cell is inver
 \return the status, the distortions and the running times. Failures that depend on the complex or on the boundary are
         reported by `Parameterization_result::status` and, in words, by `Parameterization_result::message`, not thrown.
 
-Named parameters that break a precondition are answered by `CGAL::Precondition_exception`, also in programs that are
-compiled with `NDEBUG`; those that are not listed above are not compiled. Exceptions of property
-maps, energy, solver and visitor pass through, with `uvw_map` left alone, and so does `std::bad_alloc`.
+If a named parameter breaks a precondition, `CGAL::Precondition_exception` is thrown, also in programs that are compiled with
+`NDEBUG`. Other named parameters than those listed above do not compile. Exceptions of property maps, energy, solver and visitor
+pass through, with `uvw_map` left alone, and so does `std::bad_alloc`.
 
 A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
 the number of cells, plus what the solver needs.

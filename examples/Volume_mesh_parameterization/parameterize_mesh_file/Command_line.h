@@ -46,7 +46,8 @@ computes the images of the interior vertices. No cell of the image is inverted o
 the boundary does not move, and the source may have inverted and flat cells.
 
   SOURCE.mesh  the mesh: a file of MEDIT (*.mesh or *.meshb) or VTK (*.vtu). If the program was built with Gmsh, also *.msh, *.unv
-               or *.bdf. If it was built with VTK, also *.vtk. The program meshio converts other formats: meshio convert a.inp a.vtu
+               or *.bdf. If it was built with VTK, also *.vtk. The program meshio converts other formats:
+               meshio convert a.inp a.vtu
   TARGET       a text with a line 'vertex_index x y z' for each boundary vertex, with indices from 0;
                or a table *.csv of ParaView;
                or a copy of SOURCE.mesh with other coordinates;

@@ -20,21 +20,21 @@ namespace CGAL::Volume_mesh_parameterization {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
-/// A mesh of hexahedra as arrays, with its blocks: the planes of all faces of a polycube cut it into blocks, and a block is a
+/// A mesh of hexahedra as arrays, with its blocks. The planes of all faces of a polycube cut it into blocks. A block is a
 /// regular grid of hexahedra. The part of a layer of padding over a face of one block, or of another layer, is a block, too.
-/// Blocks and faces are numbered from 1. Where hexahedra follow interfaces, their layers are blocks, too, one for each side of
-/// the hexahedra of a block, and such a block need not be complete: two hexahedra of a block whose indices are neighbors share
-/// a quadrangle, but not each triple of indices has a hexahedron.
+/// Blocks and faces are numbered from 1. If hexahedra follow interfaces, their layers on each side of the hexahedra of a block
+/// are also blocks. Such a block may be incomplete: some triples of indices have no hexahedron. Two hexahedra of a block whose
+/// indices are neighbors share a quadrangle.
 struct Hexahedron_soup_3
 {
   std::vector<std::array<double, 3> > points; ///< the coordinates of the vertices
   std::vector<std::array<double, 3> > images; ///< the positions of the vertices in the domain
-  /// eight indices of points each, in the order of VTK: around one quadrangle and, in the same order, around the
-  /// opposite one, into whose direction the first one turns counterclockwise
+  /// eight indices of points each, in the order of VTK: the points around a quadrangle, then those of the opposite quadrangle in
+  /// the same order. The first quadrangle turns counterclockwise, seen from the opposite one
   std::vector<std::array<std::size_t, 8> > cells;
   std::vector<std::size_t> cell_blocks;       ///< the block of each hexahedron
-  /// the indices (i, j, k) of each hexahedron in its block, from 0: i + 1 is behind the quadrangle of the vertices 1, 2, 6
-  /// and 5 of the hexahedron, j + 1 behind 2, 3, 7 and 6, and k + 1 behind 4, 5, 6 and 7
+  /// the indices (i, j, k) of each hexahedron in its block, from 0. The quadrangle of the vertices 1, 2, 6 and 5 of a hexahedron
+  /// is in direction of i. The quadrangle of 2, 3, 7 and 6 is in direction of j, and that of 4, 5, 6 and 7 of k
   std::vector<std::array<std::size_t, 3> > cell_indices;
   std::vector<int> cell_references;           ///< the subdomain that the center of each hexahedron is mapped to
   std::vector<std::array<std::size_t, 4> > facets; ///< the quadrangles of the boundary, counterclockwise seen from outside

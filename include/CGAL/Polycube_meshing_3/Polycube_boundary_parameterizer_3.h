@@ -55,10 +55,11 @@ struct Polycube_result
   /// polylines of the sharp edges whose images are not parallel to an axis, in the body as it is given; the longest one is first.
   /// Grids do not follow them.
   std::vector<Polyline> features_given_up = {};
-  /// label of the facet opposite to each vertex of each cell, as `Polycube_boundary_parameterizer_3::parameterize()` takes it:
-  /// 0 for +x, 1 for -x, 2 for +y, 3 for -y, 4 for +z, 5 for -z, in the axes of the polycube; `no_label` for facets inside. Cells
-  /// are in the order of the arrays, or of the cells in the complex, after refinement. If the body has been turned, rotate it
-  /// before these labels are passed on. Labels of a box with holes are not close to the normals, and may have no polycube.
+  /// label of the facet opposite to each vertex of each cell, in the axes of the polycube. The labels are 0 for +x, 1 for -x, 2
+  /// for +y, 3 for -y, 4 for +z, 5 for -z. Facets inside have `no_label`. `Polycube_boundary_parameterizer_3::parameterize()`
+  /// takes these labels. Cells are in the order of the arrays, or of the cells in the complex, after refinement. If the body has
+  /// been turned, rotate it before these labels are passed on. Labels of a box with holes are not close to the normals, and may
+  /// have no polycube.
   std::vector<std::array<std::size_t, 4> > labels = {};
 
   static constexpr std::size_t no_label = 6; ///< label of a facet that is not on the boundary
@@ -169,8 +170,9 @@ public:
   /// writes the image of each vertex of the boundary of the complex, for given labels.
   ///
   /// \param c3t3 the complex
-  /// \param labels the label of each boundary facet, as a facet of its cell in the complex: 0 for +x, 1 for -x, 2 for +y,
-  ///        3 for -y, 4 for +z, 5 for -z. In a `boost::make_assoc_property_map()`, a facet without label has the label 0.
+  /// \param labels the label of each boundary facet, as a facet of its cell in the complex. The labels are 0 for +x, 1 for -x, 2
+  ///        for +y, 3 for -y, 4 for +z, 5 for -z. In a `boost::make_assoc_property_map()`, a facet without label has the label
+  ///        0.
   /// \param target receives the images
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`
@@ -192,8 +194,8 @@ public:
     return this->parameterize_complex(body, target, np, label_of_facet);
   }
 
-  /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels, as for a complex:
-  /// `labels[c][i]` is the label of the facet opposite to vertex `i` of cell `c`.
+  /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels. `labels[c][i]` is the
+  /// label of the facet opposite to vertex `i` of cell `c`.
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
             typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange>,
             typename = internal::If_range<TargetRange> >

@@ -92,12 +92,12 @@ If the mesh is written, it has these properties:
 - The Jacobian determinant of the trilinear map of each hexahedron is positive everywhere. Exact arithmetic on the returned
   coordinates decides this. A determinant whose minimum is below 1e-12 of its maximum may count as not positive.
 - Vertices on the boundary of the domain lie on the boundary of the body, up to rounding.
-- If an edge or a corner of the domain is the image of a sharp edge or a corner of the body, its vertices lie on this sharp edge
-  or corner. If hexahedra would be inverted or nearly flat, vertices may leave them.
+- An edge or a corner of the domain may be the image of a sharp edge or a corner of the body. Then its vertices lie on this sharp
+  edge or corner. If hexahedra would be inverted or nearly flat, vertices may leave them.
 - Marked corners of the soup, or 0-dimensional features of the complex, become vertices. Otherwise,
   `Hexahedral_mesh_result::corners_given_up` lists them.
-- Each quadrangle on the boundary or on an interface has the reference of the marked facets of the soup, or of the surface patch
-  of the complex, that it lies on.
+- Each quadrangle on the boundary or on an interface lies on marked facets of the soup, or on a surface patch of the complex. The
+  quadrangle has the reference of these.
 
 Sharp edges are the marked edges of the soup, or the 1-dimensional features of the complex. If none of them is on the boundary,
 edges with more than 60 degrees between the normals on both sides are sharp.
@@ -105,8 +105,8 @@ edges with more than 60 degrees between the normals on both sides are sharp.
 <b>Quality</b>. First, vertices are moved by an energy that untangles the corners of hexahedra \cgalCite{cgal:gkkrs-ffm-21}, and
 makes them similar to corners of boxes. Then vertices at the worst corners move one after the other. Vertices on the boundary
 slide on it. If an edge of the domain is mapped to a smooth part of the boundary, a layer of hexahedra is inserted along the
-adjacent faces (Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing, 2019). If
-the hexahedra remain poor, the function also tries other layers. Fewer inverted hexahedra come first in the comparison of
+adjacent faces. (See Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing, 2019.)
+If the hexahedra remain poor, the function also tries other layers. Fewer inverted hexahedra come first in the comparison of
 meshes. Then the minimal and the mean scaled Jacobian and the distance of the boundaries count.
 
 <b>Interfaces</b>. Quadrangles between subdomains follow the interfaces, with their borders, sharp edges and corners. Layers of

@@ -21,9 +21,9 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-An energy whose type is chosen when the program runs. It holds a copy of a model of `DistortionEnergy_3`, which is
-evaluated by one virtual call for several cells: map and running time are the same, and the functions that take an energy
-are compiled once for all energies. Copies share the energy that they hold.
+An energy whose type is chosen when the program runs. It holds a copy of a model of `DistortionEnergy_3`. One virtual call
+evaluates the energy of several cells. Map and running time do not change. The functions that take an energy are compiled once
+for all energies. Copies share the energy that they hold.
 
 To be used where the energy is read from a file or a command line, or to shorten compilation.
 

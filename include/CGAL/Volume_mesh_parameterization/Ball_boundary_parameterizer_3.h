@@ -26,15 +26,16 @@ The image is a polyhedron inscribed in the sphere. Its central projection covers
 sees each triangle from inside, which is checked with exact predicates on the coordinates written.
 
 With the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03} the surface is coarsened to a tetrahedron by edge
-collapses, and the vertices come back one by one. The distortion that is kept low is the symmetric Dirichlet
-energy, which compares lengths and areas, of the map from the boundary, scaled to the area of the sphere.
+collapses, and the vertices come back one by one. The map from the boundary, scaled to the area of the sphere, has a low
+distortion. The distortion is the symmetric Dirichlet energy, which compares lengths and areas.
 
 Unless landmarks are given, the sphere is turned arbitrarily.
 
-`parameterize()` writes points of the unit sphere, up to rounding, and returns `OK`; or, with nothing written,
-`ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
-`ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding spoilt the map, or `ERROR_INTERRUPTED`.
-The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices, if their degrees are bounded.
+`parameterize()` writes points of the unit sphere, up to rounding, and returns `OK`. Otherwise, it writes nothing and returns one
+of these codes: `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`,
+`ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`, `ERROR_INTERRUPTED`, or
+`ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if rounding makes the map invalid. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$
+boundary vertices, if their degrees are bounded.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -57,8 +58,8 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const;
 #endif
 
-  /// writes the image of each vertex of the boundary of the complex, turned about the origin such that the landmarks are
-  /// as close to given points as a map of this distortion allows, in the sense of least squares.
+  /// writes the image of each vertex of the boundary of the complex, turned about the origin. The turn brings the landmarks as
+  /// close to given points as possible, in the sense of least squares.
   ///
   /// \param c3t3 the complex
   /// \param landmarks vertices of the boundary, each with the point of the unit sphere that it should be near to

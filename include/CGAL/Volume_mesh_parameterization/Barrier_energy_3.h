@@ -60,12 +60,11 @@ spline \f$\varphi(x) = 1 / (1 - (1 - x)^3) - 1\f$ for \f$0 < x < 1\f$, \f$\varph
 It is twice continuously differentiable. For \f$D \to 0\f$ it grows like \f$\beta\lambda / (3 D)\f$; it is
 meaningless for \f$D \le 0\f$.
 
-The defaults are the parameters of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5: \f$\beta = 0.01\f$, and the
-barrier concerns a cell whose volume has fallen below \f$V_D / V_M\f$ times that in the source, where
-\f$V_D\f$ and \f$V_M\f$ are the volumes of target and source. As both meshes are scaled to one volume
-before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
+The defaults are the parameters of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5, with \f$\beta = 0.01\f$. Let \f$V_D\f$
+and \f$V_M\f$ be the volumes of target and source. The barrier concerns a cell whose volume is below \f$V_D / V_M\f$ times that
+in the source. As both meshes are scaled to one volume before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
 
-Values are as high as those of \f$\psi_0\f$ where no cell shrinks. Not homogeneous.
+If no cell shrinks, the values are those of \f$\psi_0\f$. Not homogeneous.
 
 To be used with energies that have no barrier of their own.
 

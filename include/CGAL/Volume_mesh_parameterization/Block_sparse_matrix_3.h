@@ -42,12 +42,12 @@ enum class Linear_solver_status
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
-A symmetric sparse matrix of 3x3 blocks: the Hessian of an energy, one block row a free vertex and
-one block for each pair of vertices that share a cell or a linear constraint. Both triangles are stored, in
-compressed rows; blocks are stored by columns, and the columns of each row are sorted.
+A symmetric sparse matrix of 3x3 blocks, such as the Hessian of an energy. It has one block row for each free vertex, and one
+block for each pair of vertices in a cell or a linear constraint. Both triangles are stored, in compressed rows; blocks are
+stored by columns, and the columns of each row are sorted.
 
-Rows and columns count blocks, from 0. A position is the index of a block in the order of storage, also from 0: the blocks
-of a row have the positions from `row_begin(row)` to `row_end(row) - 1`. Memory: nine numbers and an index a block.
+Rows and columns count blocks, from 0. A position is the index of a block in the order of storage, also from 0. The blocks of a
+row have the positions from `row_begin(row)` to `row_end(row) - 1`. Memory: nine numbers and an index a block.
 
 \tparam NT_ the number type, `float` or `double`
 

@@ -19,22 +19,22 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationEnergies
 
-Any energy, plus a barrier that keeps the distortion of angles of every cell,
-\f$k = \sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ as in `Distortion_3`, below a bound \f$K\f$:
+Any energy, plus a barrier that bounds the distortion of angles \f$k = \sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ (see
+`Distortion_3`) of each cell by \f$K\f$:
 \f[ \psi = \psi_0 + \sum_{i<j} \varphi\left(2 - 2\,\frac{k_{ij}}{K}\right), \qquad
     k_{ij} = \frac{\sigma_i}{\sigma_j} + \frac{\sigma_j}{\sigma_i}, \f]
-with the inverse spline \f$\varphi\f$ of `Barrier_energy_3`. The largest of the \f$k_{ij}\f$ is \f$k\f$, which has kinks
-where singular values are equal; the sum over all pairs has none: it is twice continuously differentiable. It is equal
-to \f$\psi_0\f$ where \f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. So the minimization, which
-accepts only steps that lower the energy, never exceeds the bound if it starts below it.
+with the inverse spline \f$\varphi\f$ of `Barrier_energy_3`. The largest \f$k_{ij}\f$ is \f$k\f$, which has kinks at equal
+singular values. The sum over all pairs has no kinks: it is twice continuously differentiable. It is equal to \f$\psi_0\f$ where
+\f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. So the minimization, which accepts only steps that lower
+the energy, never exceeds the bound if it starts below it.
 
 For a start above the bound, \f$\varphi\f$ can be relaxed: below an argument \f$\varepsilon > 0\f$, the function is
-continued by the parabola that touches it there. Then the energy is finite, and the minimization leads from a map that
-exceeds the bound to one below it, or beyond it by little, the less the smaller \f$\varepsilon\f$ is. The result tells
-whether the bound is met. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
+continued by the parabola that touches it there. Then the energy is finite, and the minimization leads from a map above the bound
+to a map below or slightly above the bound. The excess decreases with \f$\varepsilon\f$. The result reports whether the bound is
+met. If no argument is below \f$\varepsilon\f$, the relaxation has made no difference.
 
-A facet with three prescribed vertices limits what can be asked for: the distortion in its cell is not
-below the one of the map of the facet. Cells whose four vertices are prescribed are not influenced at all.
+A facet with three prescribed vertices limits the bound: the distortion in its cell is not below the distortion of the facet.
+Cells whose four vertices are prescribed are not influenced at all.
 
 The energy tends to infinity when a cell becomes flat, and when a cell collapses if \f$\psi_0\f$ does.
 

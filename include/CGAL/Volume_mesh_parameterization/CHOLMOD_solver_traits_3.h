@@ -33,12 +33,12 @@ constexpr std::size_t number_of_entries_of_lower_triangle(const std::size_t numb
 \ingroup PkgVolumeMeshParameterizationSolvers
 
 Supernodal Cholesky factorization by CHOLMOD \cgalCite{cgal:cdhr-cholmod-08} (SuiteSparse), in double precision. The
-graph of the vertices is ordered and the pattern analyzed once; each Newton step refactorizes. Exact to rounding, but
-for \f$n\f$ vertices of the mesh of a volume, a factorization takes time in \f$O(n^2)\f$ and memory in
-\f$O(n^{4/3})\f$, with the ordering by nested dissection that is used if CHOLMOD has METIS.
+graph of the vertices is ordered and the pattern analyzed once; each Newton step refactorizes. The solution is exact to rounding.
+For \f$n\f$ vertices of the mesh of a volume, a factorization takes time in \f$O(n^2)\f$ and memory in \f$O(n^{4/3})\f$ with
+nested dissection, which needs METIS.
 
-It is not included by other headers of this package: include it where CHOLMOD is at hand, which the macro
-`CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD` tells, defined by the target `CGAL::Volume_mesh_parameterization`.
+Other headers of this package do not include this header. If CHOLMOD is available, the target
+`CGAL::Volume_mesh_parameterization` defines the macro `CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD`.
 
 Small supernodes want a single BLAS thread: with OpenBLAS, set `OPENBLAS_NUM_THREADS=1`.
 
@@ -69,8 +69,8 @@ public:
     cholmod_finish(&m_common);
   }
 
-  /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, or if the lower triangle of `A` has
-  /// \f$2^{31}\f$ entries or more, which CHOLMOD counts in `int` here, `factorize()` will fail.
+  /// orders the unknowns and analyzes the pattern of `A`. If memory does not suffice, `factorize()` will fail. It also fails if
+  /// the lower triangle of `A` has \f$2^{31}\f$ entries or more, because CHOLMOD counts them in `int`.
   void analyze_pattern(const Matrix& A)
   {
     cholmod_free_factor(&m_factor, &m_common);

@@ -19,16 +19,16 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
-Conjugate gradients, preconditioned by the inverses of the 3x3 diagonal blocks, for large matrices by those of aggregates
-of rows, too, and truncated where the matrix shows negative curvature \cgalCite{cgal:s-cgmtr-83}. Memory: five vectors and
-the diagonal blocks, and a twentieth of the matrix for aggregates. One iteration costs one product with the matrix, and for
-large matrices a tenth more, in time linear in the number of cells; the number of iterations grows with the distortion of
-the map, and slowly with the number of cells along a diameter of the mesh.
+Conjugate gradients with a preconditioner: the inverses of the 3x3 diagonal blocks, and for large matrices also those of
+aggregates of rows. If the matrix shows negative curvature, the iteration is truncated \cgalCite{cgal:s-cgmtr-83}. Memory: five
+vectors and the diagonal blocks, and a twentieth of the matrix for aggregates. One iteration costs one product with the matrix,
+and a tenth more for large matrices, in time linear in the number of cells. The number of iterations grows with the distortion of
+the map. It grows slowly with the number of cells along a diameter of the mesh.
 
 \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`; results do not depend on it, nor
         on the number of threads
-\tparam NT_ the number type of matrix and vectors, `float` or `double`; `float` halves the memory traffic, and suffices
-        because a Newton direction is needed to a few digits only
+\tparam NT_ the number type of matrix and vectors, `float` or `double`. A Newton direction needs a few digits only. Therefore,
+        `float` suffices, and halves the memory traffic
 
 \cgalModels{NewtonSolverTraits_3}
 */
@@ -49,20 +49,20 @@ public:
   /// reserves memory for vectors.
   void analyze_pattern(const Matrix& A) { m_solver.analyze_pattern(A); }
 
-  /// computes the preconditioner: the inverses of the diagonal blocks, and from 30,000 rows on those of sums of blocks over
-  /// aggregates of 32, 256, ... contiguous rows, which should be near each other. It does not notice whether `A` is
+  /// computes the preconditioner, the inverses of the diagonal blocks. From 30,000 rows on, it also inverts sums of blocks over
+  /// aggregates of 32, 256, ... contiguous rows. These rows should be near each other. It does not notice whether `A` is
   /// positive definite.
   ///
   /// \return `SUCCESS`
   Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }
 
   /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
-  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`. The function `may_continue`, if there is one, is asked every
-  /// few iterations; where it returns `false`, the iteration ends as at its limit.
+  /// preconditioner \f$M\f$, has fallen by the factor `tolerance`. The function `may_continue`, if there is one, is called every
+  /// few iterations. If it returns `false`, the iteration ends as at its limit.
   ///
-  /// \return `SUCCESS`; `ITERATION_LIMIT` where the limit of iterations was reached before; `TRUNCATED` or
-  ///         `NOT_POSITIVE_DEFINITE` where a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, later or at once;
-  ///         `FAILED` if a number is not finite
+  /// \return `SUCCESS`; `ITERATION_LIMIT` if the limit of iterations was reached before; `FAILED` if a number is not finite. If
+  ///         a direction \f$p\f$ with \f$p^T A p \le 0\f$ was met, `NOT_POSITIVE_DEFINITE` for the first direction, and
+  ///         `TRUNCATED` for a later one
   template <typename Vector>
   Linear_solver_status solve(const std::decay_t<Vector>& b, Vector& x, const double tolerance,
                              const std::function<bool()>& may_continue = nullptr)

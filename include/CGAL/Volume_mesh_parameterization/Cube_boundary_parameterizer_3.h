@@ -23,28 +23,29 @@ namespace CGAL::Volume_mesh_parameterization {
 
 maps the boundary of a complex that is a topological sphere onto the boundary of a cube, or of a box, around the origin.
 
-Eight vertices become the corners of the box, twelve disjoint paths along edges of the boundary its edges, and the six
-charts between the paths its faces. A coordinate that is constant on a face or an edge of the box has exactly the same bits
-in all images there. No triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
+Eight vertices become the corners of the box. Twelve disjoint paths along edges of the boundary become its edges, and the six
+charts between the paths become its faces. A coordinate that is constant on a face or an edge of the box has exactly the same
+bits in all images there. No triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
 
 The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are shortest paths on the
 sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the charts
-are mapped from the sphere, first harmonically and then by the untangling energy \cgalCite{cgal:gkkrs-ffm-21}. Finally
-the symmetric Dirichlet energy of the map from the boundary, scaled to the area of the box, is
-lowered: vertices move in their face or along their edge of the box, in at most 100 sweeps over all vertices.
+are mapped from the sphere, first harmonically and then by the untangling energy \cgalCite{cgal:gkkrs-ffm-21}. Finally the
+symmetric Dirichlet energy of the map from the boundary, scaled to the area of the box, is lowered. At most 100 sweeps over all
+vertices move vertices in their face or along their edge of the box.
 
 If the boundary has sharp edges (normals that differ by more than 60 degrees, or marked edges), a second map is made. Its paths
 prefer sharp edges: an edge there counts 0.3 times its length. The map with less distortion is returned.
 
-Unless corners are given, eight vertices are chosen such that the charts have areas in the ratio of the faces of the box,
-the map is turned like the scaling of the bounding box of the boundary to the box, and the vertices are close to the corners
-of the bounding box.
+Unless corners are given, eight vertices are chosen by three criteria. The charts have areas in the ratio of the faces of the
+box. The map is turned like the scaling of the bounding box of the boundary to the box. The vertices are close to the corners of
+the bounding box.
 
-`parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`, `ERROR_BOUNDARY_NOT_OF_GENUS_ZERO`,
-`ERROR_BOUNDARY_TOO_COARSE` if no disjoint paths between the corners were found, `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE` if
-rounding spoilt the map, or `ERROR_INTERRUPTED`. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ boundary vertices,
-if their degrees are bounded, plus the solution of at most 51 sparse linear systems for each face of the box.
+`parameterize()` returns `OK`. Otherwise, it writes nothing and returns one of these codes: `ERROR_EMPTY_COMPLEX`,
+`ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_SEVERAL_BOUNDARY_COMPONENTS`,
+`ERROR_BOUNDARY_NOT_OF_GENUS_ZERO` or `ERROR_INTERRUPTED`. If no disjoint paths between the corners were found, it returns
+`ERROR_BOUNDARY_TOO_COARSE`. If rounding makes the map invalid, it returns `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE`. For \f$ n \f$
+boundary vertices of bounded degree, the running time is in \f$ O(n \log n) \f$, plus at most 51 sparse linear systems for each
+face.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -82,14 +83,14 @@ public:
   /// writes the image of each vertex of the boundary of the complex, with the corners of the caller.
   ///
   /// \param c3t3 the complex
-  /// \param corners the vertices for the corners of the box: bit 0 of the index is set if x is positive at the corner,
-  ///        bit 1 if y is, and bit 2 if z is
+  /// \param corners the vertices for the corners of the box. Bit 0 of the index is set if x is positive at the corner, bit 1 for
+  ///        y, and bit 2 for z
   /// \param target receives the images
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`
   ///
-  /// \return what `parameterize()` returns without corners, `ERROR_INVALID_CORNERS` if the corners are not different vertices
-  ///         of the boundary, or `ERROR_MIRRORED_CORNERS` if disjoint paths were found only for the mirrored box
+  /// \return the codes without corners, and two others. `ERROR_INVALID_CORNERS`: the corners are not different vertices of the
+  ///         boundary. `ERROR_MIRRORED_CORNERS`: disjoint paths were found for the mirrored box only
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3, const std::array<typename C3t3::Vertex_handle, 8>& corners,
                           VertexPointMap target, const CGAL_NP_CLASS& np = parameters::default_values()) const

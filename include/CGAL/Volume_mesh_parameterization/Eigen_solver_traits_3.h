@@ -23,9 +23,9 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSolvers
 
-makes a solver for Newton's method of a sparse solver of Eigen: of `Eigen::SimplicialLLT`, `Eigen::CholmodDecomposition`,
-`Eigen::PardisoLLT`, `Eigen::ConjugateGradient` and the others that have `analyzePattern()`, `factorize()` and `solve()`.
-Both triangles of the matrix are copied for it. An iterative solver gets the tolerance of each step.
+makes a solver for Newton's method of a sparse solver of Eigen. Examples are `Eigen::SimplicialLLT`,
+`Eigen::CholmodDecomposition`, `Eigen::PardisoLLT` and `Eigen::ConjugateGradient`. The solver needs `analyzePattern()`,
+`factorize()` and `solve()`. Both triangles of the matrix are copied for it. An iterative solver gets the tolerance of each step.
 
 Pivots, of which `Eigen::SimplicialLDLT` tells, must be positive. Other solvers that do not notice indefinite matrices, such as
 `Eigen::SparseLU` and `Eigen::ConjugateGradient`, must find a direction of descent. The time and memory are those of the solver; a

@@ -132,8 +132,7 @@ inline const char* get_error_message(const Error_code code)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// The exception of the functions that read files, and of those that take arrays: `what()` is one sentence that says where
-/// the input is wrong and how.
+/// The exception of functions that read files or take arrays. `what()` is one sentence with the place and the kind of the fault.
 class Input_error : public std::runtime_error
 {
 public:

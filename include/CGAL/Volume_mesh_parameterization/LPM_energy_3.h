@@ -24,8 +24,8 @@ The energy of length preserving maps,
 in the form of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (6).
 
 Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
-to that of the target. It has no barrier, and a collapsed cell costs no more than 3: cells may collapse
-or invert, unless the step length or `Barrier_energy_3` forbids it.
+to that of the target. It has no barrier, and a collapsed cell has an energy of at most 3. Therefore, cells may collapse or
+invert, unless the step length or `Barrier_energy_3` forbids it.
 
 To be used where lengths must not grow: unlike `ARAP_energy_3` it grows with the fourth power.
 

@@ -52,11 +52,10 @@ enum class Refinement_mode
 \ingroup PkgVolumeMeshParameterizationResults
 
 The parameters of the map with soft boundary, after section 4 of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}.
-The mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$, where
-\f$P(u)\f$ collects the distances of the prescribed vertices to their targets and the residuals of further
-linear constraints. Lengths are measured on a copy of the problem in which the target has volume 1. (The
-authors take the sum over the cells, and units as they are; with mean and unit volume the parameters
-depend neither on the number of cells nor on units.)
+The mean of \f$\psi\f$ over the cells plus \f$w\,|P(u)|^2\f$ is minimized for growing weights \f$w\f$. The vector \f$P(u)\f$
+collects the distances of the prescribed vertices to their targets and the residuals of further linear constraints. Lengths are
+measured on a copy of the problem in which the target has volume 1. The authors take the sum over the cells, and units as they
+are. With mean and unit volume, the parameters depend neither on the number of cells nor on units.
 
 The minimization for one weight ends as soon as one of three criteria holds: the energy, the positions, or the gradient have
 become stationary. The weight is then raised unless the constraints are satisfied.
@@ -72,8 +71,8 @@ struct Soft_boundary_parameters
   /// the constraints are satisfied if \f$|P(u)|_2\f$ is at most this number, \f$\eta\f$, where the target has volume 1
   double residual_tolerance = 1e-6;
 
-  /// the minimization for a weight ends if the energy changes by less than this number times the diameter of the bounding
-  /// box of the source, \f$\varepsilon_f\f$
+  /// the minimization for a weight ends if the energy changes by less than \f$\varepsilon_f\f$ times the diameter of the
+  /// bounding box of the source
   double energy_tolerance = 1e-8;
   /// the minimization ends if the energy changes by less than this number times itself, both with the penalty; not in the paper
   double relative_energy_tolerance = 0;
@@ -85,12 +84,11 @@ struct Soft_boundary_parameters
   /// without inverting a cell. Without effect if there are further constraints.
   bool do_snap = true;
 
-  /// the number of Newton steps with the current positions as target that are taken in a row where the Hessian
-  /// is not positive definite or no step decreases both the energy and the norm of its gradient. With 0, a decrease
-  /// of the energy suffices.
+  /// the number of Newton steps in a row with the current positions as target. They are taken if the Hessian is not positive
+  /// definite, or if no step decreases both the energy and the norm of its gradient. With 0, a decrease of the energy suffices.
   std::size_t maximum_number_of_relaxations = 5;
-  /// whether each step has to use the full Hessian, as the authors do; otherwise, the Hessian of each cell loses
-  /// its negative eigenvalues far from the minimum
+  /// whether each step uses the full Hessian, as the authors do. Otherwise, the Hessian of each cell loses its negative
+  /// eigenvalues far from the minimum
   bool use_full_hessian = false;
 };
 
@@ -110,8 +108,8 @@ inline Soft_boundary_parameters single_weight_soft_boundary_parameters(const dou
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns parameters for a boundary that is to end exactly at its targets: a coarse minimization for each of many weights,
-until a minimization with fixed boundary can take over.
+returns parameters for a boundary that ends exactly at its targets. Many weights have a coarse minimization each, until a
+minimization with fixed boundary can take over.
 */
 inline Soft_boundary_parameters approaching_soft_boundary_parameters()
 {

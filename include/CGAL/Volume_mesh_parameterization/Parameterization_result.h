@@ -60,8 +60,8 @@ struct Cell_quality_3
 {
   double smallest_dihedral_angle = std::numeric_limits<double>::quiet_NaN(); ///< in degrees; 70.5 if all cells are regular
   double largest_dihedral_angle = std::numeric_limits<double>::quiet_NaN();  ///< in degrees; 70.5 if all cells are regular
-  /// \f$\sqrt{2}\f$ times the determinant of the three edges at a vertex by the product of their lengths, the least of all
-  /// vertices of all cells; 1 if all cells are regular, 0 if one is flat
+  /// \f$\sqrt{2}\f$ times the determinant of the three edges at a vertex, divided by the product of their lengths. The value is
+  /// the least of all vertices of all cells: 1 if all cells are regular, 0 if one is flat
   double minimum_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the longest edge of a cell by \f$2\sqrt{6}\f$ times the radius of its inscribed sphere; 1 if all cells are regular
   double largest_aspect_ratio = std::numeric_limits<double>::quiet_NaN();
@@ -104,7 +104,7 @@ struct Parameterization_result
 
   std::size_t number_of_linear_solver_iterations = 0; ///< iterations in all stages; 0 if the solver counts none
 
-  /// name of the method that has found the first map without inverted cells: the harmonic extension of the boundary alone,
+  /// name of the method that found the first map without inverted cells. This is the harmonic extension of the boundary alone,
   /// patches of cells, one of the settings of untangling, or the soft boundary
   std::string untangling_method;
 

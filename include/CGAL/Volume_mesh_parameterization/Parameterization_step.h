@@ -50,8 +50,8 @@ struct Parameterization_step
   Phase phase = Phase::START;               ///< the phase that the step belonged to
   Step_kind kind = Step_kind::NEWTON;       ///< the kind of the step; only `NEWTON` has energy, gradient, decrement and length
   std::string attempt;                      ///< the name of the stage or of the attempt to untangle, for a progress bar
-  /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft; while cells are
-  /// untangled, over those with a free vertex only. Values of different phases and stages are not comparable
+  /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft. While cells are untangled,
+  /// it is the mean over the cells with a free vertex. Values of different phases and stages are not comparable
   double energy = 0;
   std::size_t number_of_inverted_cells = 0; ///< inverted or flat cells after the step, by floating-point determinants
   /// the Newton decrement at the beginning of the step: half of its square is about what there is to gain

@@ -21,15 +21,15 @@ namespace CGAL::Volume_mesh_parameterization {
 
 A power of any energy that is not negative: \f$\psi = \psi_0^p\f$ with an integer \f$p \ge 2\f$.
 
-The sum over the cells is dominated by the worst cells: the larger \f$p\f$, the lower the largest
-\f$\psi_0\f$, at the price of a higher mean; for \f$p \to \infty\f$ the largest one is minimized. To lower
-the maximal distortion of angles, take the power of an energy that measures angles.
+The worst cells dominate the sum over the cells. A larger \f$p\f$ lowers the largest \f$\psi_0\f$, at the price of a higher mean.
+For \f$p \to \infty\f$ the largest one is minimized. To lower the maximal distortion of angles, take the power of an energy that
+measures angles.
 
 The Hessian is positive semi-definite where that of \f$\psi_0\f$ is. It is homogeneous of degree
 \f$d p\f$ if \f$\psi_0\f$ is so of degree \f$d\f$, and has its minima at the same singular values.
 
-The range of the values is that of \f$\psi_0\f$ to the power \f$p\f$, and so is, about, the condition of
-the linear systems: small exponents such as 2 to 5 do most of what can be done. Values above
+The range of the values is that of \f$\psi_0\f$ to the power \f$p\f$, and about that of the condition of the linear systems.
+Small exponents such as 2 to 5 have most of the effect. Values above
 \f$10^{308/p}\f$ overflow; solvers in single precision stand \f$10^{30/p}\f$.
 
 \tparam Energy a model of `DistortionEnergy_3` whose values are not negative

@@ -25,18 +25,19 @@ namespace CGAL::Volume_mesh_parameterization {
 
 maps the boundary of a complex onto a triangulated surface with the same connectivity.
 
-Two surfaces are given, for instance read from files: the boundary of the complex, as written by
-`CGAL::facets_in_complex_3_to_triangle_mesh()`, and the target, whose i-th vertex is the image of the i-th vertex of
-the first surface. The vertices of the complex are found by their coordinates, which must be exactly the same.
+Two surfaces are given, for instance read from files. The first one is the boundary of the complex, as
+`CGAL::facets_in_complex_3_to_triangle_mesh()` writes it. The second one is the target, whose i-th vertex is the image of the
+i-th vertex of the first surface. The vertices of the complex are found by their coordinates, which must be exactly the same.
 
 Whether the target intersects itself or is turned inside out is not checked here: see
 `CGAL::Polygon_mesh_processing::does_self_intersect()`.
 
 \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 
-`parameterize()` returns `OK`; or, with nothing written, `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`,
-`ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_OTHER_CONNECTIVITY` if a facet of the boundary is not a face of the surfaces, or
-`ERROR_INTERRUPTED`. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the surfaces.
+`parameterize()` returns `OK`. Otherwise, it writes nothing and returns one of these codes: `ERROR_EMPTY_COMPLEX`,
+`ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY` or `ERROR_INTERRUPTED`. If a facet of the boundary is not a face of
+the surfaces, it returns `ERROR_OTHER_CONNECTIVITY`. The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of the
+surfaces.
 
 \cgalModels{BoundaryParameterizer_3}
 

@@ -22,11 +22,11 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-What the image of a vertex may do: it is at its target, in the plane or on the line through its target with a given direction,
-or free. The value type of the named parameter `vertex_condition_map`.
+The condition of the image of a vertex. The image is at its target, free, or in a plane or on a line through the target with a
+given direction. The value type of the named parameter `vertex_condition_map`.
 
-A vertex at its target has its coordinates to the bit. A plane that is orthogonal to an axis, and a line along an axis, prescribe
-coordinates to the bit as well; other planes and lines are met within rounding.
+A vertex at its target has its coordinates to the bit. A plane orthogonal to an axis and a line along an axis prescribe
+coordinates to the bit, too. Other planes and lines are met within rounding.
 */
 class Vertex_condition_3
 {

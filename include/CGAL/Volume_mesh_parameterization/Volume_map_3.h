@@ -231,8 +231,8 @@ private:
 
 /// \ingroup PkgVolumeMeshParameterizationResults
 ///
-/// holds a map on a regular grid of its target. The x-coordinate of the points changes first, then y, then z: the point
-/// (i, j, k) has the index i + numbers[0] * (j + numbers[1] * k).
+/// holds a map on a regular grid of its target. The x-coordinate of the points changes first, then y, then z. The point (i, j,
+/// k) has the index i + numbers[0] * (j + numbers[1] * k).
 struct Map_on_grid_3
 {
   std::array<std::size_t, 3> numbers;               ///< number of points along each axis
@@ -243,8 +243,8 @@ struct Map_on_grid_3
 
 /// \ingroup PkgVolumeMeshParameterizationResults
 ///
-/// evaluates the inverse of a map on a regular grid in a box of its target, for instance to fit splines or to take a field to
-/// an image of voxels. The first and last points along each axis lie on the box. The time is O(m log n) for m points and n
+/// evaluates the inverse of a map on a regular grid in a box of its target. The result is for instance the data of a spline fit,
+/// or of an image of voxels. The first and last points along each axis lie on the box. The time is O(m log n) for m points and n
 /// cells.
 ///
 /// \tparam ConcurrencyTag enables parallel queries. Possible values are `Sequential_tag` (the default) and `Parallel_tag`.

@@ -33,8 +33,8 @@ std::vector<typename C3t3::Vertex_handle> handles_of(const Body_of_complex_3<C3t
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns the vertices of the boundary of a complex. These vertices need a target. A facet of the boundary has a cell of the complex on
-one side only.
+returns the vertices of the boundary of a complex. These vertices need a target. A facet of the boundary has a cell of the
+complex on one side only.
 
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
 
@@ -101,7 +101,8 @@ std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points
 \ingroup PkgVolumeMeshParameterizationFunctions
 
 returns the sharp edges of the boundary of a mesh that is given by arrays. Polycubes and hexahedra follow them. Marked edges of the
-boundary are sharp. If no edge of the boundary is marked, edges with more than 60 degrees between the normals on both sides are sharp.
+boundary are sharp. If no edge of the boundary is marked, edges with more than 60 degrees between the normals on both sides are
+sharp.
 
 \param points the points
 \param cells four indices of points for each cell, such that all cells are positive

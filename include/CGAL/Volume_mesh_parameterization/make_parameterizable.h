@@ -26,9 +26,9 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-A vertex that refinement has inserted into a complex, with the vertices of the edge, facet or cell
-it was inserted into. Up to rounding it lies at their centroid, so that the mean of values at these vertices
-is the value of the linear interpolation at the new one.
+A vertex that refinement has inserted into a complex, with the vertices of the edge, facet or cell it was inserted into. Up to
+rounding, it lies at their centroid. Therefore, the mean of values at these vertices is the value of the linear interpolation at
+the new vertex.
 
 \tparam VertexHandle `C3t3::Vertex_handle`
 */
@@ -102,18 +102,17 @@ refines a complex so that no interior edge, facet or cell has all its vertices o
 Where the boundary is mapped to something flat, such simplices become degenerate, whatever the images of the
 vertices inside the complex are. Meshes made by \ref PkgMesh3 "Mesh_3" have many of them.
 
-A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come
-first; among edges those that the boundary map degenerates, then the one that most of the simplices to be removed contain
-(each counted once for each cell around the edge), then the longest. Facets and cells get a vertex only if none of their
-edges can be split. Without a boundary map, all edges inside the complex that join two vertices of the boundary must be
-split, and the number of insertions is minimal; with a boundary map this rule is a heuristic for a small number.
+A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come first, and
+among edges those that the boundary map degenerates. The next criterion is the number of simplices to be removed that contain the
+edge, each counted once for each cell around the edge. The last criterion is the length. Facets and cells get a vertex only if
+none of their edges can be split. Without a boundary map, all interior edges between two boundary vertices must be split, and the
+number of insertions is minimal. With a boundary map, this rule is a heuristic for a small number.
 
 The boundary, that is the facets between cells of the complex and cells outside, does not change. The volume of each
-subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of
-their origins, and new vertices have the dimension and the index of the face of the complex they lie in. All
-new cells are positive, by exact predicates on the coordinates as they are stored: if the rounded midpoint does not allow
-this, another point near it is taken, and if there is none the simplex is left as it is, an extreme case for cells as thin as
-rounding errors.
+subdomain stays the same up to rounding. New cells, facets and feature edges belong to the complex with the index of their
+origins. New vertices have the dimension and the index of the face of the complex they lie in. All new cells are positive, by
+exact predicates on the stored coordinates. If the rounded midpoint does not allow this, another point near it is taken. If there
+is no such point, the simplex is not changed, an extreme case for cells as thin as rounding errors.
 
 The triangulation is no longer Delaunay or regular: use only its combinatorial structure afterwards.
 Handles to cells around inserted vertices become invalid, handles to vertices remain valid.
@@ -126,10 +125,10 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{boundary_map}
-    \cgalParamDescription{If given, only those simplices are removed that cannot be mapped well with these images of
-                          their vertices, by exact predicates: edges with coincident, facets with collinear, and cells
-                          with coplanar or negatively oriented images; and edges and facets that are mapped into the
-                          boundary, as an edge is that joins two vertices of a side of a cube.}
+    \cgalParamDescription{If given, only simplices that cannot be mapped well with these images are removed, by exact predicates.
+                          These are edges with coincident, facets with collinear, and cells with coplanar or negatively oriented
+                          images. Edges and facets that are mapped into the boundary are also removed, such as an edge between
+                          two vertices of a side of a cube.}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamDefault{not given: all simplices with all vertices on the boundary are removed}
@@ -159,7 +158,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
 
 \return the number of inserted vertices. If a limit ends the refinement, the complex is valid, and another call continues it.
 
-The time is O(n + m d (d + log m)) for n cells and m simplices to be removed, with at most d cells around an edge.
+The time is O(n + m d (d + log m)) for n cells, m removed simplices and at most d cells around an edge.
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`
 */

@@ -43,16 +43,16 @@ inline void turn_cells(const std::vector<std::size_t>& cells, Tetrahedron_soup_3
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// turns the negative cells of a soup, such that all are positive, as the functions for arrays want them. Where only some are
-/// negative, facets tell whether they are reversed, or inverted by vertices that are at a wrong place.
+/// turns the negative cells of a soup. Then all cells are positive, as the functions for arrays need them. If only some cells
+/// are negative, facets decide whether these are reversed, or inverted by vertices at a wrong place.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag` or `Parallel_if_available_tag`
 ///
 /// \return the number of cells that have been turned, by an exchange of their last two vertices
 ///
-/// \exception Input_error as `tetrahedron_soup_to_mesh_complex_3()`, but for facets, if all cells are oriented alike: the
-///            functions for arrays look at them; and if cells that are turned lie on the same side of a facet as others. The
-///            soup is then unchanged.
+/// \exception Input_error is thrown as by `tetrahedron_soup_to_mesh_complex_3()`, with one difference. If all cells are oriented
+///            alike, facets are not checked, because the functions for arrays check them. It is also thrown if turned cells lie
+///            on the same side of a facet as others. The soup is then unchanged.
 template <typename ConcurrencyTag = Sequential_tag>
 std::size_t orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 {
@@ -75,9 +75,9 @@ std::size_t orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// turns cells of a soup that may be tangled, such that two cells at a facet lie on different sides of it, and such that the
-/// cells that facets join have a positive volume in all. Cells that are negative or flat then are inverted by vertices at a wrong
-/// place. The time is O(n log n) for n cells.
+/// turns cells of a soup that may be tangled. Then two cells at a facet lie on different sides of it, and the cells that facets
+/// join have a positive total volume. Cells that are negative or flat then are inverted by vertices at a wrong place. The time
+/// is O(n log n) for n cells.
 ///
 /// \return the number of cells that have been turned, by an exchange of their last two vertices
 ///

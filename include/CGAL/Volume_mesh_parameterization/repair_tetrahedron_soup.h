@@ -160,8 +160,9 @@ std::vector<std::size_t> first_coinciding_cells(const std::vector<std::array<std
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// removes each cell with the vertices of an earlier one, and adds a note to the soup. If the references of such cells differ, the
-/// further ones become the cell data `reference_2`, `reference_3`, ... of the cell that stays, with 0 for none.
+/// removes each cell with the vertices of an earlier one, and adds a note to the soup. If the references of such cells differ,
+/// the other references become the cell data `reference_2`, `reference_3`, ... of the cell that stays. The value 0 stands for
+/// none.
 ///
 /// \return that of `first_coinciding_cells()` for the cells before
 ///
@@ -213,8 +214,8 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// gives a vertex where a body touches itself, or another one, as many vertices as there are fans of cells around it, which
-/// facets at the vertex join. The boundary is a manifold then, except where one fan touches itself. The time is linear in the
+/// separates parts of a body that touch each other at a vertex or an edge only. Each fan of cells that facets at the vertex join
+/// gets a vertex of its own. The boundary is a manifold then, except where one fan touches itself. The time is linear in the
 /// number of cells, but for those at such vertices.
 ///
 /// \param soup the mesh, whose cells are all positive or all negative. The first fan keeps its vertex; points at the same
@@ -260,8 +261,8 @@ inline std::vector<std::size_t> separate_pinched_vertices(Tetrahedron_soup_3& so
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// does this for a complex, which is built anew if there is such a vertex: handles are lost then, and marked facets are those of
-/// the boundary and between subdomains only.
+/// does this for a complex. If there is such a vertex, the complex is built anew. Then handles are invalid, and marked facets
+/// are those of the boundary and between subdomains only.
 ///
 /// \tparam C3t3 as for `tetrahedron_soup_to_mesh_complex_3()`
 ///

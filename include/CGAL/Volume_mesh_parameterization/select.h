@@ -17,9 +17,9 @@ namespace CGAL::Volume_mesh_parameterization {
 /// \ingroup PkgVolumeMeshParameterizationEnergies
 /// @{
 
-/// returns `b < a ? b : a`. For packs of cells, there are functions of the same name, found by argument-dependent lookup,
-/// which act in each cell: so an energy that says `using CGAL::Volume_mesh_parameterization::minimum;` can call
-/// `minimum(a, b)` for all number types of the concept `DistortionEnergy_3`, where a branch could not be compiled.
+/// returns `b < a ? b : a`. For packs of cells, there are functions of the same name, which act in each cell. Argument-dependent
+/// lookup finds them. An energy with `using CGAL::Volume_mesh_parameterization::minimum;` can call `minimum(a, b)` for all
+/// number types of the concept `DistortionEnergy_3`. A branch would not compile for packs.
 inline double minimum(const double a, const double b) { return b < a ? b : a; }
 
 /// returns `a < b ? b : a`; see `minimum()`.

@@ -250,12 +250,11 @@ private:
 /// builds a mesh complex from a tetrahedron soup.
 ///
 /// All cells are in the complex; their subdomain indices are the references of the soup.
-/// In the complex are also the facets of cells that the soup lists, with their references as patch indices,
-/// the other facets of the boundary, and the facets between different subdomains.
-/// So are the marked edges and corners, as features, if the complex is a model of
-/// `MeshComplexWithFeatures_3InTriangulation_3`; corners are numbered from 1.
-/// Since index 0 means outside the complex, cells, facets and edges with reference 0 and facets without reference
-/// get the smallest positive number that is not used as a reference.
+/// The complex also contains the facets of cells that the soup lists, with their references as patch indices. It contains the
+/// other facets of the boundary, and the facets between different subdomains. So are the marked edges and corners, as features,
+/// if the complex is a model of `MeshComplexWithFeatures_3InTriangulation_3`; corners are numbered from 1. Index 0 means outside
+/// the complex. Therefore, reference 0 of cells, facets and edges is replaced by the smallest positive number that is not used
+/// as a reference. Facets without reference get this number, too.
 ///
 /// The cells may have several connected components and a non-manifold boundary. They are oriented positively
 /// if all are negative in the soup. A point without a cell gets no vertex: it keeps its index in
@@ -270,11 +269,10 @@ private:
 /// \param vertices gets the vertex handle of each point, in the order of the soup
 /// \param cells gets the cell handle of each cell, in the order of the soup
 ///
-/// \exception Input_error if a coordinate is not finite, an index is out of range, a cell has a vertex twice or
-///            zero volume, some cells are oriented positively and others negatively (by exact predicates
-///            on the coordinates in the number type of the kernel),
-///            a facet has more than two cells, or two cells lie on the same side of their common facet;
-///            the other parameters are then unchanged.
+/// \exception Input_error is thrown for a coordinate that is not finite, an index out of range, or a cell with a vertex twice or
+///            with zero volume. A facet must not have more than two cells, or two cells on one side. It is also thrown if some
+///            cells are positive and others negative, by exact predicates on the coordinates in the number type of the kernel.
+///            The other parameters are then unchanged.
 template <typename C3t3>
 void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3t3,
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices,

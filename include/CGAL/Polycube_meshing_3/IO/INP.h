@@ -77,13 +77,13 @@ namespace IO {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
-/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`): nodes and elements, numbered from 1; the
-/// element sets `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ...; and for each reference of quadrangles but 0 the set `SURFACE_1`, ...
-/// of its nodes, for supports, and the surface of the same name, of faces of elements, for pressures; likewise for each face of
-/// the polycube `PATCH_1`, `PATCH_2`, ... For each interface of two subdomains, such as 1 and 2, these are `INTERFACE_1_2`, of
-/// faces of the elements in subdomain 1, and `INTERFACE_2_1`, the same faces of those in 2. The node set `NALL` has all nodes. A
-/// model includes it by `*INCLUDE, INPUT=...`. A subdomain or a reference of quadrangles whose group has a name is also a set of
-/// this name, with `_` for each character but letters and digits.
+/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`). Nodes and elements are numbered from 1. The
+/// element sets are `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ... Each reference of quadrangles but 0 has a set of its nodes,
+/// `SURFACE_1`, ..., for supports. A surface of the same name, of faces of elements, is for pressures. The faces of the polycube
+/// likewise have `PATCH_1`, `PATCH_2`, ... An interface of two subdomains, such as 1 and 2, has two surfaces. `INTERFACE_1_2`
+/// consists of faces of elements in subdomain 1, and `INTERFACE_2_1` of the same faces of elements in subdomain 2. The node set
+/// `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a reference of
+/// quadrangles has a name, there is also a set of this name. Characters other than letters and digits become `_`.
 ///
 /// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
 /// a negative exponent, fewer are written, but at least 13.

@@ -20,8 +20,8 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
-/// writes hexahedra in the format of Gmsh, by Gmsh, with the quadrangles of the boundary that have a reference, and those of
-/// interfaces, each with its group.
+/// writes hexahedra in the format of Gmsh, by Gmsh. Quadrangles of the boundary with a reference and quadrangles of interfaces
+/// are written with their groups.
 ///
 /// \param os the stream
 /// \param mesh the hexahedra

@@ -53,10 +53,10 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
 /// writes hexahedra, and the quadrangles of their boundary and of interfaces, as a VTK XML file (`.vtu`). The points have the
-/// vectors `uvw`, their images. The cells have the values `scaled_jacobian`, as in `Hexahedral_mesh_result`, `block`, `grid_index`
-/// (its place (i, j, k) in the block) and `subdomain`, those of a quadrangle as of its hexahedron, and `patch` and `surface`, the
-/// face of the polycube and the reference of a quadrangle, 0 for hexahedra. Where there are interfaces, `interface` has the two
-/// subdomains of a quadrangle there, 0 and 0 for all other cells.
+/// vectors `uvw`, their images. The cells have the values `scaled_jacobian` (as in `Hexahedral_mesh_result`), `block`,
+/// `grid_index` (the indices (i, j, k) in the block) and `subdomain`. A quadrangle has the values of its hexahedron. The values
+/// `patch` and `surface` are the face of the polycube and the reference of a quadrangle, and 0 for hexahedra. If there are
+/// interfaces, `interface` has the two subdomains of a quadrangle there, and 0 and 0 for all other cells.
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra

@@ -179,6 +179,9 @@ namespace CGAL {
 computes the map of a mesh that is given by arrays, without a complex. Vertices are indices of points, counted from 0.
 The result is bit for bit the one for a complex whose cells and vertices come in the same order.
 
+The last array is always the output. With four arrays, the third array prescribes the images of the boundary. With three arrays,
+the named parameter `boundary_parameterizer` finds them, by default on the unit sphere.
+
 \tparam PointRange a model of `RandomAccessContainer` with a `value_type` that has three coordinates by `operator[]` and can be
         constructed from `{x, y, z}`, as `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d` can. Points that are
         written are rounded to the type of their coordinates before the exact checks. What is not
@@ -201,9 +204,10 @@ The result is bit for bit the one for a complex whose cells and vertices come in
 
 \return the same as for a complex
 
-`Volume_mesh_parameterization::Input_error` is thrown if a cell has an index that does not exist or an index twice, or
-if a facet has more than two cells or two on the same side; `CGAL::Precondition_exception` if there are not as many
-targets as points.
+\exception Volume_mesh_parameterization::Input_error names a cell with an index that does not exist or occurs twice. Or it names
+           a facet with more than two cells, or with two cells on the same side.
+
+\pre There are as many targets as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 
 \sa `CGAL::Volume_mesh_parameterization::make_parameterizable()`
 \sa `CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3`
@@ -236,8 +240,9 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes a map of arrays to the boundary that the named parameter `boundary_parameterizer` finds, by default the unit sphere.
-Arrays that are not constant may be refined, unless `do_refine(false)` is passed.
+computes a map of arrays to the boundary that the named parameter `boundary_parameterizer` finds, by default the unit sphere. The
+array `images` is an output only: its previous values are no targets. To prescribe targets, pass four arrays. Arrays that are not
+constant are refined if this helps, unless `do_refine(false)` is passed.
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename PointRange, typename CellRange, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS
@@ -296,7 +301,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-computes a map of a soup to the boundary that a boundary parameterizer finds, as for arrays.
+computes a map of a soup to the boundary that a boundary parameterizer finds, as for arrays. The array `images` is an output only.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename Soup, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS
 #ifndef DOXYGEN_RUNNING

@@ -173,8 +173,8 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationDistributed
 ///
-/// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format": each process of
-/// `soup.communicator` its range of bytes; the slices of `soup` become equally long. All of them must call this function,
+/// reads a tetrahedral mesh from a file in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". Each process of
+/// `soup.communicator` reads its range of bytes. The slices of `soup` become equally long. All of them must call this function,
 /// and see the file, which must be a regular one. Each vertex, triangle and cell must have a line of its own; otherwise a file
 /// is read as by one process. Triangles are left out.
 ///
@@ -205,8 +205,8 @@ bool read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& sou
 
 /// \ingroup PkgVolumeMeshParameterizationDistributed
 ///
-/// reads target points, each process its range of bytes: from a file `*.mesh` the points of a mesh with the vertices and
-/// cells of `soup` (cells in any order), from any other file lines `vertex_index x y z`.
+/// reads target points, each process its range of bytes. A file `*.mesh` contains the points of a mesh with the vertices and
+/// cells of `soup`, with cells in any order. Any other file has lines `vertex_index x y z`.
 ///
 /// \param filename the name of the file, which all processes see
 /// \param soup the mesh whose boundary is to be mapped
@@ -239,8 +239,8 @@ inline std::string name_of_piece(const std::string& filename, const int rank)
 
 /// \ingroup PkgVolumeMeshParameterizationDistributed
 ///
-/// writes a distributed mesh with its parameterization for ParaView: a file `.vtu` for the cells of each process,
-/// as `write_VTU()` does, and one that names them. All files appear when all are complete.
+/// writes a distributed mesh with its parameterization for ParaView. Each process writes a file `.vtu` for its cells, as
+/// `write_VTU()` does. Another file names these files. All files appear when all are complete.
 ///
 /// \param filename the name of the file that names the others, `NAME.pvtu`; `name_of_piece()` returns those
 /// \param soup the mesh

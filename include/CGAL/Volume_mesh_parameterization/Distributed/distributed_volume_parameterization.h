@@ -67,13 +67,13 @@ computes the same map for a mesh that several processes share, by MPI and PETSc.
 call this function, after `PetscInitialize()`, with the same named parameters. A partition of the mesh is computed by
 PT-Scotch; so points and cells may come in any order. A process may have to do with at most \f$2^{31} - 1\f$ cells.
 
-The Newton systems are solved by PETSc: by default conjugate gradients that stop where the curvature is negative (`KSPSTCG`)
-with the inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for instance
-`-pc_type gamg`. The map differs from that of one process by rounding and by the tolerance of the solver; two runs of a
-program with the same number of processes give the same bits, if PT-Scotch runs without threads: with the environment
-variable `SCOTCH_PTHREAD_NUMBER=1`. All is tried that is tried for one process with fixed boundary, except to untangle small
-patches of the mesh, or to relax them, if there are more than a million cells around the inverted or flat ones. Connected
-components of the target are not looked at one by one: the volume of all must be positive.
+PETSc solves the Newton systems. The default is conjugate gradients that stop at negative curvature (`KSPSTCG`), with the
+inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for instance `-pc_type gamg`. The
+map differs from that of one process by rounding and by the tolerance of the solver. Two runs with the same number of processes
+give the same bits if PT-Scotch runs without threads. The environment variable `SCOTCH_PTHREAD_NUMBER=1` switches its threads
+off. The function makes the attempts of one process with fixed boundary, with one exception. If more than a million cells are
+around inverted or flat cells, it does not untangle or relax small patches. Connected components of the target are not looked at
+one by one: the volume of all must be positive.
 
 \param soup this process's slice of the mesh
 \param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The
@@ -82,15 +82,16 @@ components of the target are not looked at one by one: the volume of all must be
 \param images receives the image of each point of the slice if the map is valid, and is left alone otherwise. Points
        without a cell receive coordinates that are not numbers. May be the same array as `targets`.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among `energy`, `energy_tolerance`,
-       `use_volume_weights`, `vertex_is_constrained_map` (for indices of points in the whole mesh), `number_of_iterations`,
-       `maximum_running_time` (which is tested after each Newton step), `visitor` and `verbose` (of which rank 0 prints).
-       The boundary is fixed; the other parameters of the function for a complex are not compiled.
+       `use_volume_weights`, `vertex_is_constrained_map`, `number_of_iterations`, `maximum_running_time`, `visitor` and
+       `verbose`. Keys of `vertex_is_constrained_map` are indices of points in the whole mesh. The running time is tested after
+       each Newton step. Rank 0 prints. The boundary is fixed; the other parameters of the function for a complex are not
+       compiled.
 
 \return the same in all processes, but for times. If a visitor or a clock ends the computation in one process, then in all.
 
-What the function for arrays throws, or an energy or a visitor in one process, is thrown in all processes:
-`Volume_mesh_parameterization::Input_error` and `std::bad_alloc` as such, all else as `std::runtime_error` with the
-sentence of the first process. Errors within PETSc end all processes by `MPI_Abort()`.
+If a process throws an exception, all processes throw it, also if an energy or a visitor throws.
+`Volume_mesh_parameterization::Input_error` and `std::bad_alloc` keep their types. Other exceptions become `std::runtime_error`
+with the sentence of the first process. Errors within PETSc end all processes by `MPI_Abort()`.
 
 Each process needs memory linear in the number of cells around its own vertices. A Newton step has a number of messages
 proportional to the number of iterations of the linear solver.

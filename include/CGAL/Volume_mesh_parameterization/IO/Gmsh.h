@@ -18,10 +18,9 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a file by Gmsh, of which `gmsh.h` and the library are needed: its own format (`.msh`), I-deas
-/// (`.unv`) or Nastran (`.bdf`). References are physical groups, with their names, or entities if there are no groups in a
-/// dimension. A simplex in several groups comes once for each: `merge_coinciding_cells()` joins cells. The first steps of views
-/// are data.
+/// reads a tetrahedral mesh from a file of Gmsh (`.msh`), I-deas (`.unv`) or Nastran (`.bdf`), by Gmsh. The header `gmsh.h` and
+/// the library are needed. References are physical groups, with their names, or entities if there are no groups in a dimension.
+/// A simplex in several groups comes once for each: `merge_coinciding_cells()` joins cells. The first steps of views are data.
 ///
 /// \param filename the name of the file, which must be a regular one
 /// \param soup gets the mesh

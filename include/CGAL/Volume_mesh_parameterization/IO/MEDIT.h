@@ -59,15 +59,15 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a stream in the \ref IOStreamMedit "MEDIT file format", of the versions 1 to 4: as text
-/// (`.mesh`), with or without a byte order mark of UTF-8, or binary (`.meshb`), in both orders of bytes. The content tells
-/// which.
+/// reads a tetrahedral mesh from a stream in the \ref IOStreamMedit "MEDIT file format", versions 1 to 4. Text (`.mesh`) may
+/// have a byte order mark of UTF-8. Binary files (`.meshb`) may have either order of bytes. The content decides about the
+/// format.
 ///
 /// The sections `Vertices`, `Tetrahedra`, `Triangles`, `Edges` and `Corners` are read, in any order, and joined where there are
 /// several of a kind. Of second-order elements (`TetrahedraP2`, ...), the corners are read, and points that are no corners are
-/// left out, as a note of the soup tells. The references of vertices and the other sections are skipped, among them `Ridges`, as
-/// all `Edges` are marked; but volume elements other than tetrahedra are an error.
-/// The final keyword `End` may be missing. The time is linear in the size of the file.
+/// left out, as a note of the soup tells. The references of vertices and the other sections are skipped, among them `Ridges`,
+/// because all `Edges` are marked. Volume elements other than tetrahedra are an error. The final keyword `End` may be missing.
+/// The time is linear in the size of the file.
 ///
 /// \param is the stream
 /// \param soup gets the mesh

@@ -113,13 +113,12 @@ bool read_VTU(const std::string& filename, Tetrahedron_soup_3& soup, const Named
 /// writes a tetrahedral mesh with its parameterization as a VTK XML file (`.vtu`), for instance for ParaView.
 ///
 /// The points are those of the mesh and have the vectors `uvw`, their images. The cells have the values `reference`,
-/// `angle_distortion` (the ratio of the largest and the smallest stretch plus its inverse), `det_J` (the volume
-/// of the image relative to that of the cell) and `volume_distortion` (`det_J` plus its inverse, of the map scaled to the
-/// volume of the mesh, as in `Parameterization_result::distortion_at_source_volume`). Marked facets and edges are triangles
-/// and lines behind the cells, with their own references and the other values of a cell at them. The data of the soup with
-/// other names are written, too, and the names of groups, as `read_tetrahedron_soup()` reads them.
-/// The values are binary, in the appended form of the format (`encoding="raw"`), so bits are kept: 53 bytes a cell and 48
-/// a point.
+/// `angle_distortion`, `det_J` and `volume_distortion`. `angle_distortion` is the ratio of the largest and the smallest stretch
+/// plus its inverse. `det_J` is the volume of the image relative to that of the cell. `volume_distortion` is `det_J` plus its
+/// inverse, of the map scaled to the volume of the mesh (`Parameterization_result::distortion_at_source_volume`). Marked facets
+/// and edges are triangles and lines behind the cells, with their own references and the other values of a cell at them. The
+/// data of the soup with other names are written, too, and the names of groups, as `read_tetrahedron_soup()` reads them. The
+/// values are binary, in the appended form of the format (`encoding="raw"`), so bits are kept: 53 bytes a cell and 48 a point.
 ///
 /// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
 /// \param soup the mesh

@@ -175,8 +175,8 @@ bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// finds target points for the boundary of a mesh: the points of another mesh with its vertices and cells (cells in any order),
-/// or those of a surface, a soup without cells.
+/// finds target points for the boundary of a mesh. They are the points of another mesh with its vertices and cells, in any order
+/// of the cells. Or they are the points of a surface, a soup without cells.
 ///
 /// The facets of a surface are the boundary of `source`, or a part of it. If its vertices are those of `source`, or those of the
 /// boundary in the order of `source`, these are the vertices. Otherwise the facets identify them: of several ways, the one with
@@ -186,8 +186,8 @@ bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
 /// \param target the mesh, or the surface
 /// \param source the mesh whose boundary is to be mapped
 /// \param targets gets a point for each vertex of `source`; a vertex without one gets not-a-number coordinates
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `read_MEDIT()`, and `output_iterator`,
-///        an output iterator for `std::string` that gets a note if there are several ways
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": those of `read_MEDIT()`, and
+///        `output_iterator`. If there are several ways, this output iterator for `std::string` gets a note
 ///
 /// \return `false` if the time is over or the visitor ends the search; `targets` is then unchanged.
 ///
@@ -207,7 +207,7 @@ bool boundary_targets_of_mesh(const Tetrahedron_soup_3& target, const Tetrahedro
 ///
 /// reads target points from a file. The extension tells the format:
 /// - `.csv`: a table, for instance of ParaView, with the columns `Points:0` to `Points:2`, or `x`, `y` and `z`, and perhaps
-///   `Point ID`; without a line of names, the columns are the index and the coordinates, or the coordinates alone;
+///   `Point ID`. Without a line of names, the columns are the index and the coordinates, or the coordinates alone;
 /// - `.off`, `.stl`, `.ply`, `.obj`, `.vtp`: a surface, for `boundary_targets_of_mesh()`;
 /// - any other: a mesh, as `read_tetrahedron_soup()` reads it, or a MEDIT file of a surface, for `boundary_targets_of_mesh()`; or
 ///   lines `vertex_index x y z`.

@@ -27,19 +27,18 @@ namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a tetrahedral mesh from a file whose content tells the format: MEDIT, as `read_MEDIT()` reads it, or a VTK XML
-/// file (`.vtu`) of the type `UnstructuredGrid` in one piece, with arrays as text, or binary (`raw` or base64, in their
-/// place or appended), with or without compression: by zlib, lzma or lz4, if these libraries were found.
+/// reads a tetrahedral mesh from a file of MEDIT, as `read_MEDIT()` does, or a VTK XML file (`.vtu`). The content decides about
+/// the format. A VTK file has the type `UnstructuredGrid` in one piece. Its arrays are text or binary (`raw` or base64, in their
+/// place or appended). They may be compressed by zlib, lzma or lz4, if these libraries were found.
 ///
-/// Of a VTK file, triangles become marked facets and lines marked edges, other cells of lower dimension are skipped, and
-/// volume elements other than tetrahedra are an error. Of cells of a higher order the corners are read. References are
-/// the cell data `reference`, `medit:ref`, `gmsh:physical`, `material`, `attribute`, `mat_id`, `MaterialIDs`, `su2:tag`,
-/// `tetgen:ref`, `nastran:ref`, `netgen:index`, `avsucd:material`, `ugrid:ref`, `cell_tags`, `ModelRegionID`, `RegionId`,
-/// `CellEntityIds`, `elemTag`, `elset`, `block_id`, `region`, `subdomain`, `label`, `grain_id`, `part_id` or `gmsh:geometrical`,
-/// the first of these that are integers: capitals and signs between letters do not count, and `material_id`, `regions`,
-/// `subdomains` and `labels` are known, too. Otherwise, they are the sets that meshio has joined to one array, numbered from 1
-/// on and with their names; or else 0. Arrays of the section `FieldData` with two integers, a reference and a dimension from 1
-/// to 3, are names of groups.
+/// In a VTK file, triangles become marked facets, and lines become marked edges. Other cells of lower dimension are skipped.
+/// Volume elements other than tetrahedra are an error. Of cells of a higher order the corners are read. References are the first
+/// of the following cell data that are integers: `reference`, `medit:ref`, `gmsh:physical`, `material`, `attribute`, `mat_id`,
+/// `material_id`, `MaterialIDs`, `su2:tag`, `tetgen:ref`, `nastran:ref`, `netgen:index`, `avsucd:material`, `ugrid:ref`,
+/// `cell_tags`, `ModelRegionID`, `RegionId`, `CellEntityIds`, `elemTag`, `elset`, `block_id`, `region`, `regions`, `subdomain`,
+/// `subdomains`, `label`, `labels`, `grain_id`, `part_id`, `gmsh:geometrical`. Capitals and signs between letters do not matter.
+/// Otherwise, they are the sets that meshio has joined to one array, numbered from 1 on and with their names; or else 0. Arrays
+/// of the section `FieldData` with two integers, a reference and a dimension from 1 to 3, are names of groups.
 ///
 /// \param filename the name of the file, which may be a pipe
 /// \param soup gets the mesh

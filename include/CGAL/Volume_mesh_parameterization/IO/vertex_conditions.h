@@ -112,8 +112,8 @@ namespace IO {
 /// \param filename the name of the file
 /// \param soup the mesh
 /// \param conditions gets the condition of each vertex of a line; other elements stay, and new ones are those of free vertices
-/// \param targets gets a point that meets the conditions, for each vertex of a line: found from the target before, or if this
-///        is not a number, from the point of the mesh. It has an element for each vertex.
+/// \param targets gets a point that meets the conditions, for each vertex of a line. The search starts from the previous target
+///        or, if this is not a number, from the point of the mesh. It has an element for each vertex.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
 ///
 /// \return `false` if the time is over or the visitor ends the reading; nothing has changed then.
