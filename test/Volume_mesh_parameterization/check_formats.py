@@ -269,7 +269,7 @@ def check_abaqus(driver, folder):
     run(driver, "sets.vtu", "--to", "ball", "-o", "ball.vtu", folder=folder)
     assert meshio.read(folder / "sets.vtu").cell_data.keys() <= meshio.read(folder / "ball.vtu").cell_data.keys()
     sentence = refused(driver, "sets.vtu", "--to", "ball", "-o", "map.OTHER", folder=folder)
-    command, = advice(sentence.replace("OTHER", "vtk"), "made of both: ", "map.vtu")
+    command, = advice(sentence.replace("OTHER", "vtk"), "to other formats by: ", "map.vtu")
     run(driver, "sets.vtu", "--to", "ball", "-o", "map.vtu", folder=folder)
     run(*command, folder=folder)
     assert "uvw" in meshio.read(folder / "map.vtk").point_data

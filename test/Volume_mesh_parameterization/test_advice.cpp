@@ -1,11 +1,11 @@
 // The advice of each message is carried out, and leads where it says:
-// - "exchange two vertices of each cell", "scale it", "try another one" (a linear solver), "needs far less" (memory), "has no
-//   limit", "give those ... a copy", "refine it or choose others", "exchange opposite faces", "map the body to a box or a
-//   polycube", "a spacing of ... would do", "Make the spacing smaller", "vertices that slide, would help", "prescribe a boundary
-//   nearer to the source": here
+// - "Exchange two vertices of each cell", "Scale it", "Use another one" (a linear solver), "needs far less" (memory), "has no
+//   limit", "give each set of cells ... a vertex of its own", "Refine the boundary or choose another target", "Exchange opposite
+//   faces", "Map the body to a box or a polycube", "Use a spacing of ...", "Make the spacing smaller", "vertices that slide, would
+//   help", "prescribe a boundary nearer to the source": here
 // - "allow refinement": here for the sentence, in test_arrays.cpp for where it leads, and in test_driver.cpp for --refine
-// - "move a target of it off the line": in test_entry_function.cpp
-// - "make it smaller" (the spacing of a polycube): in test_polycube.cpp
+// - "Move one of its targets off the line": in test_entry_function.cpp
+// - "Make the spacing smaller" (the spacing of a polycube): in test_polycube.cpp
 // - the options of parameterize_mesh_file, its names and examples: in test_driver.cpp; commands of other programs: in
 //   check_formats.py and check_interchange.py; options of PETSc: in mpi_tests.cpp
 // - "take more processes", "take one with 64-bit indices" (a PETSc): in no test, which would need 2^31 cells
@@ -155,7 +155,7 @@ TEST_CASE("Where two vertices of each cell are exchanged, a source turned inside
   exchange();
   const VMP::Parameterization_result refused = identity(soup);
   CHECK(refused.status == VMP::ERROR_INVERTED_SOURCE_CELL);
-  CHECK(has(refused.message, "exchange two vertices of each cell"));
+  CHECK(has(refused.message, "Exchange two vertices of each cell"));
   exchange();
   CHECK(identity(soup).status == VMP::OK);
 }
@@ -172,7 +172,7 @@ TEST_CASE("What is too small or too large is mapped once it is scaled")
   };
   scale(size);
   CHECK(identity(soup).status == VMP::ERROR_SIZE_OUT_OF_RANGE);
-  CHECK(has(VMP::get_error_message(VMP::ERROR_SIZE_OUT_OF_RANGE), "scale it"));
+  CHECK(has(VMP::get_error_message(VMP::ERROR_SIZE_OUT_OF_RANGE), "Scale it"));
   scale(1 / size);
   CHECK(identity(soup).status == VMP::OK);
 }
@@ -185,7 +185,7 @@ TEST_CASE("Another linear solver does what one has failed to do")
   const VMP::Parameterization_result failed = CGAL::stretch_minimizing_volume_parameterization(
     soup, soup.points, images, params::solver_traits(Failing_solver(status)));
   CHECK(failed.status == VMP::ERROR_LINEAR_SOLVER_FAILED);
-  CHECK(has(failed.message, "try another one"));
+  CHECK(has(failed.message, "Use another one"));
   CHECK(has(failed.message, "Conjugate_gradient_solver_traits_3 needs far less")
         == (status == VMP::Linear_solver_status::OUT_OF_MEMORY));
   CHECK(CGAL::stretch_minimizing_volume_parameterization(
@@ -204,7 +204,7 @@ TEST_CASE("CHOLMOD comes to the minimum where conjugate gradients are cut at a l
   { return CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, params::solver_traits(solver)); };
   const VMP::Parameterization_result cut = map_by(VMP::Conjugate_gradient_solver_traits_3<>(1));
   INFO(cut.message);
-  CHECK(has(cut.message, "steps were the shorter for it; CHOLMOD_solver_traits_3 has no limit."));
+  CHECK(has(cut.message, "which shortened steps. CHOLMOD_solver_traits_3 has no limit."));
   const VMP::Parameterization_result direct = map_by(VMP::CHOLMOD_solver_traits_3());
   CHECK(direct.status == VMP::OK);
   CHECK(direct.message == VMP::get_error_message(VMP::OK));
@@ -220,7 +220,7 @@ TEST_CASE("A body that touches itself in an edge is mapped to a ball once cells 
   Points targets;
   const VMP::Ball_boundary_parameterizer_3 ball;
   REQUIRE(ball.parameterize(soup.points, soup.cells, targets) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
-  CHECK(has(VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY), "connected by facets around a vertex a copy of it"));
+  CHECK(has(VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY), "give each set of cells that facets connect a vertex of its own"));
   const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(soup.points, soup.cells);
   CHECK(vertices.size() == 2);
   for(const std::size_t v : vertices)
@@ -258,7 +258,7 @@ TEST_CASE("A boundary that is too coarse for corners is fine enough for others")
   const VMP::Cube_boundary_parameterizer_3 cube;
   Points targets;
   CHECK(cube.parameterize(soup.points, soup.cells, corners, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
-  CHECK(has(VMP::get_error_message(VMP::ERROR_BOUNDARY_TOO_COARSE), "refine it or choose others"));
+  CHECK(has(VMP::get_error_message(VMP::ERROR_BOUNDARY_TOO_COARSE), "Refine the boundary or choose another target"));
   CHECK(cube.parameterize(soup.points, soup.cells, corners_of_cube(soup, 3), targets) == VMP::OK);
 }
 
@@ -288,7 +288,7 @@ TEST_CASE("A body has hexahedra once it is mapped to a box or a polycube")
     p[2] += 0.1 * p[0] * p[0];
   VMP::Hexahedron_soup_3 hexahedra;
   CHECK(VMP::make_hexahedral_mesh_3(bent, soup.cells, bent, 1, hexahedra).status == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
-  CHECK(has(VMP::get_error_message(VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL), "map the body to a box or a polycube"));
+  CHECK(has(VMP::get_error_message(VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL), "Map the body to a box or a polycube"));
   const auto np = params::maximum_running_time(1e9);
   REQUIRE(VMP::Polycube_boundary_parameterizer_3(1).parameterize(bent, soup.cells, targets, np) == VMP::OK);
   REQUIRE(CGAL::stretch_minimizing_volume_parameterization(bent, soup.cells, targets, images).status == VMP::OK);
@@ -338,8 +338,8 @@ TEST_CASE("Where flat cells hold the energy, vertices that slide help, and so do
   const VMP::Parameterization_result fixed = map_with(false);
   INFO(fixed.message);
   CHECK(fixed.status == VMP::ERROR_NOT_CONVERGED);
-  CHECK(has(fixed.message, "most of it holds the cell at (1, 1, 0). A boundary with less distortion there, or vertices that "
-                           "slide, would help."));
+  CHECK(has(fixed.message, "The cell at (1, 1, 0) has the largest part. A boundary with less distortion there, or vertices "
+                           "that slide, would help."));
   CHECK(map_with(true).status == VMP::OK);
   CHECK(map_with(true).energy < 0.01 * fixed.energy);
   targets[vertex_at(soup, { 1, 1, 0 })] = { 1.2, 1.2, 0 };

@@ -1010,7 +1010,7 @@ TEST_CASE("Arrays are mapped as a complex is")
   for(std::array<std::size_t, 4>& cell : soup.cells)
     std::swap(cell[0], cell[1]);
   targets[124][1] = 0;
-  CHECK(call(params::verbose(false)).message.find("exchange two vertices") != std::string::npos);
+  CHECK(call(params::verbose(false)).message.find("Exchange two vertices") != std::string::npos);
   soup.cells[5][1] = 126;
   CHECK_THROWS_AS(call(params::verbose(false)), VMP::Input_error);
   targets.pop_back();

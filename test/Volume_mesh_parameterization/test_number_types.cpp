@@ -173,7 +173,7 @@ TEST_CASE("Where too few numbers are left for the vertices inside, the status an
   CHECK(!result.has_valid_map);
   CHECK(result.number_of_inverted_cells > 0);
   CHECK(result.message.find(VMP::get_error_message(result.status)) == 0);
-  CHECK(result.message.find("the source's vertex at (") != std::string::npos);
+  CHECK(result.message.find("the vertex of the source at (") != std::string::npos);
   CHECK(result.message.find(VMP::internal::sentence("spacing of ", spacing)) != std::string::npos);
   CHECK(rounded_images == Eigen::MatrixXf::Ones(1, 3));
 }

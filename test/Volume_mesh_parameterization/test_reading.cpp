@@ -88,7 +88,7 @@ TEST_CASE("Facets of a surface tell its vertices, by the way with the least disp
     CHECK(targets[v] == std::array{ soup.points[v][0] + 0.25, soup.points[v][1] + 0.125, soup.points[v][2] });
   CHECK(std::count_if(targets.begin(), targets.end(), [](const auto& p) { return std::isnan(p[0]); }) == 1);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].find("in several ways; the one with the least displacement is used") != std::string::npos);
+  CHECK(notes[0].find("in several ways. The match with the least displacement is used") != std::string::npos);
 
   Soup mesh = soup; // with the same cells, in another order
   std::reverse(mesh.cells.begin(), mesh.cells.end());

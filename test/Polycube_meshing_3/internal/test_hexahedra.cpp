@@ -864,7 +864,7 @@ TEST_CASE("A grid that memory has no room for is refused with a spacing that wou
   }
   const Hexahedral_mesh_result result = steps.mesh(1e9, mesh);
   CHECK(result.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
-  CHECK(result.message.find("alone make 1.24251e+08 boxes") != std::string::npos); // 499^3
+  CHECK(result.message.find("of the domain make 1.24251e+08 boxes") != std::string::npos); // 499^3
 }
 
 TEST_CASE("What is no box or polycube is named, and nothing is written")

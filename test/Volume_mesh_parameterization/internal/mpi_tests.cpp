@@ -308,7 +308,7 @@ TEST_CASE("a solver that ends at its limit of iterations is named")
     return end_of(problem.slice(), problem.slice_of_targets(), params::number_of_iterations(200));
   };
   const std::string end = end_with_limit("3");
-  CHECK(end.find("linear solver has reached its limit of iterations") != std::string::npos);
+  CHECK(end.find("linear solver reached its limit of iterations") != std::string::npos);
   CHECK(end.find("PETSc's option -ksp_max_it sets it.") != std::string::npos);
   CHECK(end_with_limit("1000").find("limit of iterations") == std::string::npos);
   PetscOptionsClearValue(nullptr, "-ksp_max_it");
