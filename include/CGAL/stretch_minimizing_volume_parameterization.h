@@ -31,8 +31,8 @@ distortion of angles and volumes is low. The map is linear on each cell and give
 
 The method is the stretch-minimizing parameterization of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}. With fixed boundary, a
 harmonic map is untangled \cgalCite{cgal:gkkrs-ffm-21} and a distortion energy minimized by Newton steps that never invert a
-cell. With soft boundary, the method of the paper, no cell is ever inverted, and the boundary may be missed. At the end,
-exact predicates on the coordinates that are written check that no cell is inverted.
+cell. With soft boundary, the method of the paper, no cell is ever inverted, and the boundary may be missed. At the end, exact
+predicates on the written coordinates check that no cell is inverted.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
         `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
@@ -84,8 +84,7 @@ exact predicates on the coordinates that are written check that no cell is inver
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{the vertices inside the complex that meet `boundary_map` as well, and those of the boundary that must
-                          not slide}
+    \cgalParamDescription{the interior vertices that meet `boundary_map`, too, and the boundary vertices that must not slide}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
     \cgalParamPrecondition{`boundary_map` is given as well.}
@@ -249,7 +248,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
   namespace VMP = Volume_mesh_parameterization;
 
   static_assert(VMP::internal::Is_complex<C3t3>::value,
-                "c3t3 must be a complex, which tells the cells that are meant; for arrays, pass points, cells and images.");
+                "c3t3 must be a complex. For arrays, pass points, cells and images.");
   using NamedParameters = CGAL_NP_CLASS;
   using Vertex_handle = typename C3t3::Vertex_handle;
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;

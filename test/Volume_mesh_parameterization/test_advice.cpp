@@ -220,7 +220,8 @@ TEST_CASE("A body that touches itself in an edge is mapped to a ball once cells 
   Points targets;
   const VMP::Ball_boundary_parameterizer_3 ball;
   REQUIRE(ball.parameterize(soup.points, soup.cells, targets) == VMP::ERROR_NON_MANIFOLD_BOUNDARY);
-  CHECK(has(VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY), "give each set of cells that facets connect a vertex of its own"));
+  CHECK(has(VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY),
+            "give each set of cells that facets connect a vertex of its own"));
   const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(soup.points, soup.cells);
   CHECK(vertices.size() == 2);
   for(const std::size_t v : vertices)

@@ -177,9 +177,7 @@ struct Shrinking_parameterizer_of_complexes
   VMP::Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
                                const NamedParameters& = params::default_values()) const
   {
-    std::vector<Vertex_handle> vertices;
-    VMP::boundary_vertices(c3t3, std::back_inserter(vertices));
-    for(const Vertex_handle v : vertices)
+    for(const Vertex_handle v : VMP::boundary_vertices(c3t3))
       put(target, v, Point_3(v->point().x() / 2, v->point().y() / 3, v->point().z() / 4));
     return VMP::OK;
   }

@@ -136,7 +136,7 @@ inline void separate(Source& source)
   if(!source.unmended)
     source.unmended = source.soup;
   source.origins = CGAL::Volume_mesh_parameterization::separate_pinched_vertices(source.soup);
-  source.notes.push_back(source.origins.empty() 
+  source.notes.push_back(source.origins.empty()
     ? "there are no parts to separate, because facets join the cells around each vertex"
     : std::to_string(source.origins.size()) + " vertices were added to separate parts of the body");
 }

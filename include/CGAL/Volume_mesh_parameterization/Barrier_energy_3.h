@@ -61,8 +61,8 @@ It is twice continuously differentiable. For \f$D \to 0\f$ it grows like \f$\bet
 meaningless for \f$D \le 0\f$.
 
 The defaults are the parameters of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, section 5, with \f$\beta = 0.01\f$. Let \f$V_D\f$
-and \f$V_M\f$ be the volumes of target and source. The barrier concerns a cell whose volume is below \f$V_D / V_M\f$ times that
-in the source. As both meshes are scaled to one volume before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
+and \f$V_M\f$ be the volumes of target and source. The barrier acts on cells with less than \f$V_D / V_M\f$ times their volume in
+the source. As both meshes are scaled to one volume before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
 
 If no cell shrinks, the values are those of \f$\psi_0\f$. Not homogeneous.
 

@@ -114,7 +114,7 @@ public:
   /// sets the values of a row to 0.
   void set_zero(const int row) { std::fill(values(row_begin(row)), values(row_end(row)), NT(0)); }
 
-  /// copies the upper triangle to that part of a row which is in the lower one, so that the matrix becomes symmetric.
+  /// copies the upper triangle to the part of a row in the lower triangle. Then the matrix is symmetric.
   void complete_row(const int row)
   {
     for(int k = row_begin(row); column(k) < row; ++k)

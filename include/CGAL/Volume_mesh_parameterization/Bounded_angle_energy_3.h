@@ -25,8 +25,8 @@ Any energy, plus a barrier that bounds the distortion of angles \f$k = \sigma_1/
     k_{ij} = \frac{\sigma_i}{\sigma_j} + \frac{\sigma_j}{\sigma_i}, \f]
 with the inverse spline \f$\varphi\f$ of `Barrier_energy_3`. The largest \f$k_{ij}\f$ is \f$k\f$, which has kinks at equal
 singular values. The sum over all pairs has no kinks: it is twice continuously differentiable. It is equal to \f$\psi_0\f$ where
-\f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. So the minimization, which accepts only steps that lower
-the energy, never exceeds the bound if it starts below it.
+\f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. The minimization accepts only steps that lower the energy.
+Therefore, it never exceeds the bound if it starts below it.
 
 For a start above the bound, \f$\varphi\f$ can be relaxed: below an argument \f$\varepsilon > 0\f$, the function is
 continued by the parabola that touches it there. Then the energy is finite, and the minimization leads from a map above the bound

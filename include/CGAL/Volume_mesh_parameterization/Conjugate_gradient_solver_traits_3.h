@@ -39,9 +39,9 @@ public:
   using NT = NT_;                           ///< the number type
   using Matrix = Block_sparse_matrix_3<NT>; ///< the type of the matrix
 
-  /// limits the number of iterations of each call of `solve()`, by default to 2,000; at the limit, it returns the last iterate. A
-  /// map then factorizes the matrix, as `Eigen_solver_traits_3` does, where that takes no more multiplications, and the
-  /// following ones as long as iterations take longer.
+  /// limits the number of iterations of each call of `solve()`, by default to 2,000; at the limit, it returns the last iterate.
+  /// If a factorization takes no more multiplications, a map then factorizes the matrix, as `Eigen_solver_traits_3` does. The
+  /// following matrices are factorized as long as iterations take longer.
   explicit Conjugate_gradient_solver_traits_3(const int maximum_number_of_iterations = internal::default_limit_of_iterations)
     : m_solver(internal::is_parallel<ConcurrencyTag>(), maximum_number_of_iterations)
   {}

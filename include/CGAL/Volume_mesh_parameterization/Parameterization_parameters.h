@@ -44,8 +44,10 @@ it lies on the edge up to rounding, and in exact arithmetic it may be off the ed
 enum class Refinement_mode
 {
   NEEDED, ///< only those without which the boundary is not reached
-  HELPFUL, ///< also those in bridges, simplices inside whose vertices are all prescribed, that make the map slow or distorted
-  BOUNDARY ///< also those on the boundary, at edges that `boundary_parameterizer` splits; only that for polycubes does so
+  /// also vertices in bridges that make the map slow or distorted; bridges are interior simplices with prescribed vertices only
+  HELPFUL,
+  /// also vertices on the boundary, at edges that `boundary_parameterizer` splits; only the parameterizer for polycubes does so
+  BOUNDARY
 };
 
 /*!
@@ -95,7 +97,7 @@ struct Soft_boundary_parameters
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns parameters with one large weight that is never raised, for targets that are easy to reach.
+returns parameters with one large weight that is never raised, for easy targets.
 */
 inline Soft_boundary_parameters single_weight_soft_boundary_parameters(const double weight = 1e8)
 {

@@ -35,7 +35,8 @@ enum class Step_kind
   NEWTON, ///< a Newton step over all vertices that move
   PATCH,  ///< inverted cells with the cells around them are untangled, as a problem of their own
   ROUND,  ///< a round of a loop over the boundary or over hexahedra begins, of which only name, number and time are told
-  SPLIT   ///< an attempt to untangle a patch with edges split, which finds the edges that must be
+  /// an attempt to untangle a patch with edges split, to find the necessary splits
+  SPLIT
 };
 
 /*!

@@ -23,9 +23,9 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-A property map from vertices to points over an associative container, for boundary maps and for images. Reading
-never changes the container: a vertex that is missing has a point whose coordinates are not numbers, which
-`CGAL::stretch_minimizing_volume_parameterization()` takes for a missing target. With
+A property map from vertices to points over an associative container, for boundary maps and for images. Reading never changes the
+container. A missing vertex has a point with coordinates that are not numbers.
+`CGAL::stretch_minimizing_volume_parameterization()` takes this point for a missing target. With
 `boost::associative_property_map` the vertex would get a point without values instead.
 
 \tparam Container a model of `UniqueAssociativeContainer` and `PairAssociativeContainer`, for instance

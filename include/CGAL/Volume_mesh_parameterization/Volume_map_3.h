@@ -38,7 +38,7 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
   {
-    static_assert(Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation does not tell which cells are meant.");
+    static_assert(Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
     static_assert(Is_map_of<VertexUVWMap, typename C3t3::Vertex_handle>::value,
                   "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
     std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;

@@ -91,7 +91,7 @@ std::vector<typename C3t3::Vertex_handle> non_manifold_boundary_vertices(const C
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-returns the points where the boundary of a mesh that is given by arrays is not a manifold, as indices.
+returns the points at which the boundary of a mesh in arrays is not a manifold, as indices.
 */
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points, const CellRange& cells)

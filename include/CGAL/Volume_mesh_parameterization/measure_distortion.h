@@ -36,7 +36,7 @@ measures the distortions of any map of a complex that is linear on its cells, as
 \param c3t3 the complex; its cells must be positive
 \param uvw_map the image of each vertex of a cell
 
-\return the means and maxima over the cells; infinite where a cell is so flat that rounding leaves no number. For inverted
+\return the means and maxima over the cells. If rounding leaves no number for a flat cell, a value is infinite. For inverted
         cells, distortions are not defined.
 
 The time is O(n log n) for n vertices, linear in the number of cells.

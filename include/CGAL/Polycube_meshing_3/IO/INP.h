@@ -85,8 +85,8 @@ namespace IO {
 /// `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a reference of
 /// quadrangles has a name, there is also a set of this name. Characters other than letters and digits become `_`.
 ///
-/// These programs read at most 20 characters of a number. Where the 17 digits that restore a coordinate need more, as with
-/// a negative exponent, fewer are written, but at least 13.
+/// These programs read at most 20 characters of a number. Coordinates have up to 17 digits, which restore them. If a number has
+/// no room for 17 digits, as with a negative exponent, it has at least 13.
 ///
 /// \param os the stream
 /// \param mesh the hexahedra

@@ -75,7 +75,7 @@ public:
         || std::filesystem::is_character_file(status);
   }
 
-  /// follows symbolic links to the file that is replaced, which need not exist.
+  /// follows symbolic links to the replaced file. This file need not exist.
   static std::string path(const std::string& name) { return internal::path_behind_links(name); }
 
   /// removes the temporary files of all objects. A handler of signals may call it before it ends the program.

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 

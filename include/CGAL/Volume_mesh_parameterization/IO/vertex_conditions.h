@@ -118,8 +118,8 @@ namespace IO {
 ///
 /// \return `false` if the time is over or the visitor ends the reading; nothing has changed then.
 ///
-/// \exception Input_error names the file and the line that is wrong, or the vertex whose conditions contradict each other;
-///            nothing has changed then.
+/// \exception Input_error names the file and the wrong line, or the vertex with contradictory conditions. Nothing has changed
+///            then.
 template <typename NamedParameters = parameters::Default_named_parameters>
 bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_3& soup,
                             std::vector<Vertex_condition_3>& conditions, std::vector<std::array<double, 3> >& targets,

@@ -106,7 +106,7 @@ inline Input_check_3 check_energy_3(const Cell_energy_3& energy)
   const bool grows = psi.back() < lowest_inside, shrinks = psi.front() < lowest_inside;
   if(!grows && !shrinks)
     return {};
-  return failed_check(ERROR_ENERGY_WITHOUT_MINIMUM, get_error_message(ERROR_ENERGY_WITHOUT_MINIMUM), 
+  return failed_check(ERROR_ENERGY_WITHOUT_MINIMUM, get_error_message(ERROR_ENERGY_WITHOUT_MINIMUM),
                       " The energy falls as the body ",
                       grows ? "grows" : "shrinks", ". Symmetric_Dirichlet_energy_3 has a minimum.");
 }

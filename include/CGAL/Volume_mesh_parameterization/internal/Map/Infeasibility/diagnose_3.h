@@ -149,9 +149,8 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const
     const auto& [a, b, c] = facets[facet];
     return describe(mesh.source.col(a)) + ", " + describe(mesh.source.col(b)) + ", " + describe(mesh.source.col(c));
   };
-  return sentence(" The ", name, " intersects itself. For instance, the images of two facets intersect: the facet of the source "
-                  "with the vertices at ", corners(found->first), ", and the facet with the vertices at ",
-                  corners(found->second));
+  return sentence(" The ", name, " intersects itself, for instance in the images of two facets. The vertices of the first facet "
+                  "are at ", corners(found->first), " in the source, and those of the second one at ", corners(found->second));
 }
 
 // Looks at the cells that are not positive in the best images that were found.
