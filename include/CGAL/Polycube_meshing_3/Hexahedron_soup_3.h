@@ -22,9 +22,9 @@ namespace CGAL::Volume_mesh_parameterization {
 ///
 /// A mesh of hexahedra as arrays, with its blocks. The planes of all faces of a polycube cut it into blocks. A block is a
 /// regular grid of hexahedra. The part of a layer of padding over a face of one block, or of another layer, is a block, too.
-/// Blocks and faces are numbered from 1. If hexahedra follow interfaces, their layers on each side of the hexahedra of a block
-/// are also blocks. Such a block may be incomplete: some triples of indices have no hexahedron. Two hexahedra of a block whose
-/// indices are neighbors share a quadrangle.
+/// Blocks and faces are numbered from 1. If hexahedra follow interfaces, layers of padding are also blocks: one on each side of
+/// each layer of hexahedra in a block. Such a block may be incomplete: some triples of indices have no hexahedron. Two hexahedra
+/// of a block whose indices are neighbors share a quadrangle.
 struct Hexahedron_soup_3
 {
   std::vector<std::array<double, 3> > points; ///< the coordinates of the vertices

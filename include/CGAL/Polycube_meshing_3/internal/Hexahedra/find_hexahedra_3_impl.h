@@ -177,7 +177,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Mapped_soup_3& soup, const Volume
       break;
     Hexahedron_soup_3 candidate = boxes;
     for(const Layer_3& layer : layers)
-      candidate = padded(candidate, layer);
+      candidate = Padding_3(candidate, quadrangles_along(candidate, layer), std::vector<int>(candidate.cells.size(), 0)).result();
     Interface_positions_3 positions;
     candidate = interfaces != nullptr
       ? fitted_to_interfaces(map, candidate, surface, *interfaces, is_parallel, budget, positions)

@@ -45,8 +45,7 @@ inline Hexahedron_soup_3 fitted_to_interfaces(const Volume_map_3& map, Hexahedro
   set_patches(body, interfaces, quadrangles);
   positions = interface_positions_3(body, quadrangles, freedoms_3(body, surface), interfaces);
   move_to_images_of_positions(map, positions, domain);
-  const Interface_layers_3 layers = interface_layers_3(domain, quadrangles);
-  domain = Interface_padding_3(domain, domain.cell_references, quadrangles, layers).result();
+  domain = Padding_3(domain, sides_with_layer_3(domain, quadrangles), domain.cell_references).result();
   std::vector<Interface_quadrangle_3> padded_quadrangles = interface_quadrangles_3(domain); // in the order of those before
   for(std::size_t i = 0; i < quadrangles.size(); ++i)
     padded_quadrangles[i].patch = quadrangles[i].patch;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Padding_3.h>
 
 #include <set>
 
@@ -40,16 +40,6 @@ inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedron_soup_3& 
         result.push_back({ begin->first, { begin->second, it->second }, end - begin == 2 });
   });
   return result;
-}
-
-// Returns the axis that a quadrangle of the boundary of the domain is orthogonal to.
-inline std::size_t axis_of_facet(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& facet)
-{
-  std::size_t axis = 0;
-  const auto is_in_plane = [&](const std::size_t v) { return points[v][axis] == points[facet[0]][axis]; };
-  while(!std::all_of(facet.begin(), facet.end(), is_in_plane))
-    ++axis;
-  return axis;
 }
 
 // Faces of the domain, by their numbers in `facet_patches`, that a layer of hexahedra is put along.
@@ -167,87 +157,13 @@ private:
   Disjoint_sets m_sets; // faces that belong to one layer
 };
 
-// Returns the points of the copies of vertices that the hexahedra under a layer get. Copies remain in the planes of the facets at
-// a vertex that have no layer.
-inline std::vector<Eigen::Vector3d> inner_points_3(const Hexahedron_soup_3& domain, const Layer_3& layer)
+// Returns the quadrangles of the boundary that a layer is put along, as sides of their hexahedra.
+inline std::vector<Quadrangle_of_hexahedron> quadrangles_along(const Hexahedron_soup_3& mesh, const Layer_3& layer)
 {
-  constexpr double depth = 0.5; // a guess; part of the way to the mean center of the hexahedra around the vertex
-  std::vector<Eigen::Vector3d> result(domain.points.size(), Eigen::Vector3d::Zero());
-  std::vector<int> number(domain.points.size(), 0);
-  for(const std::array<std::size_t, 8>& cell : domain.cells)
-  {
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    for(const std::size_t v : cell)
-      center += to_vector(domain.points[v]) / 8;
-    for(const std::size_t v : cell)
-    {
-      result[v] += center;
-      ++number[v];
-    }
-  }
-  for(std::size_t v = 0; v < result.size(); ++v)
-    result[v] = (1 - depth) * to_vector(domain.points[v]) + depth * result[v] / number[v];
-  for(std::size_t f = 0; f < domain.facets.size(); ++f)
-    for(const std::size_t v : domain.facets[f])
-      if(const std::size_t axis = axis_of_facet(domain.points, domain.facets[f]); layer.count(domain.facet_patches[f]) == 0)
-        result[v][axis] = domain.points[v][axis];
-  return result;
-}
-
-// Adds a layer: each vertex of the covered faces stays, and the hexahedra around the vertex get a copy further inside; a
-// hexahedron is put between each quadrangle and its copy. Where the layer ends, its sides are on the boundary, too; their
-// quadrangles follow all others in the arrays.
-inline Hexahedron_soup_3 padded(const Hexahedron_soup_3& mesh, const Layer_3& layer)
-{
-  const auto is_padded = [&](const std::size_t f) { return layer.count(mesh.facet_patches[f]) > 0; };
-  Hexahedron_soup_3 result = mesh;
-  const std::vector<Eigen::Vector3d> inner_points = inner_points_3(mesh, layer);
-  std::vector<std::size_t> inner(mesh.points.size());
-  std::vector<bool> is_covered(mesh.points.size(), false);
+  std::vector<Quadrangle_of_hexahedron> result;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    for(const std::size_t v : mesh.facets[f])
-      is_covered[v] = is_covered[v] || is_padded(f);
-  for(std::size_t v = 0; v < inner.size(); ++v)
-  {
-    inner[v] = is_covered[v] ? result.points.size() : v;
-    if(is_covered[v])
-      result.points.push_back(coordinates(inner_points[v]));
-  }
-  for(std::array<std::size_t, 8>& cell : result.cells)
-    for(std::size_t& v : cell)
-      v = inner[v];
-  std::map<std::array<std::size_t, 2>, std::size_t> blocks; // by block and face
-  const std::size_t number_of_blocks = *std::max_element(mesh.cell_blocks.begin(), mesh.cell_blocks.end());
-  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-  {
-    const auto& [a, b, c, d] = mesh.facets[f];
-    if(!is_padded(f))
-    {
-      result.facets[f] = { inner[a], inner[b], inner[c], inner[d] };
-      continue;
-    }
-    const std::size_t below = mesh.facet_cells[f];
-    const auto& axes = axes_of_quadrangle[side_of_facet(mesh, f)];
-    const auto& index = mesh.cell_indices[below];
-    result.facet_cells[f] = result.cells.size();
-    result.cells.push_back({ inner[a], inner[b], inner[c], inner[d], a, b, c, d });
-    result.cell_blocks.push_back(blocks.emplace(std::array<std::size_t, 2>{ mesh.cell_blocks[below], mesh.facet_patches[f] },
-                                                number_of_blocks + blocks.size() + 1).first->second);
-    result.cell_indices.push_back({ index[axes[0]], index[axes[1]], 0 });
-    result.cell_references.push_back(mesh.cell_references[below]);
-  }
-  for(const Edge_of_domain_3& edge : edges_of_domain_3(mesh))
-    for(const std::size_t side : { 0, 1 })
-      if(const std::size_t f = edge.facets[side], g = edge.facets[1 - side]; is_padded(f) && !is_padded(g))
-      {
-        const std::array<std::size_t, 4>& facet = mesh.facets[f];
-        std::size_t i = 0;
-        while(sorted(std::array<std::size_t, 2>{ facet[i], facet[(i + 1) % 4] }) != edge.vertices)
-          ++i;
-        result.facets.push_back(vertices_of(result, { result.facet_cells[f], 2 + i }));
-        result.facet_cells.push_back(result.facet_cells[f]);
-        result.facet_patches.push_back(mesh.facet_patches[g]);
-      }
+    if(layer.count(mesh.facet_patches[f]) > 0)
+      result.push_back({ mesh.facet_cells[f], side_of_facet(mesh, f) });
   return result;
 }
 
