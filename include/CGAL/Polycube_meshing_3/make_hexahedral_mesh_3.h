@@ -70,8 +70,11 @@ Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const do
   Limits<NamedParameters> limits(np);
   Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;
   Linear_solver_of<Conjugate_gradient_solver_traits_3<ConcurrencyTag> > linear_solver(solver);
-  return find_hexahedra_3(map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), limits.budget(), bound,
-                          parameter_or(np, internal_np::do_keep_interfaces, true), mesh);
+  Found_hexahedra_3 found = find_hexahedra_3({ map, spacing, linear_solver, is_parallel<ConcurrencyTag>(), bound,
+                                               parameter_or(np, internal_np::do_keep_interfaces, true) }, limits.budget());
+  if(found.result.has_valid_mesh)
+    mesh = std::move(found.mesh);
+  return found.result;
 }
 
 } // namespace internal

@@ -6,7 +6,7 @@
 #include "cube_complex.h"
 
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -28,12 +28,15 @@ using Eigen::Vector3d;
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VMP::Hexahedral_mesh_result;
 using VMP::Hexahedron_soup_3;
+using VMP::internal::Hexahedra_3;
 using VMP::Tetrahedron_soup_3;
 using Points = std::vector<std::array<double, 3> >;
 
-inline Vector3d vector(const std::array<double, 3>& p) { return Vector3d(p[0], p[1], p[2]); }
+template <typename Point>
+Vector3d vector(const Point& p) { return Vector3d(p[0], p[1], p[2]); }
 
-inline K::Triangle_3 triangle(const Points& points, const std::size_t i, const std::size_t j, const std::size_t k)
+template <typename PointRange>
+K::Triangle_3 triangle(const PointRange& points, const std::size_t i, const std::size_t j, const std::size_t k)
 {
   const auto point = [&](const std::size_t v) { return K::Point_3(points[v][0], points[v][1], points[v][2]); };
   return K::Triangle_3(point(i), point(j), point(k));
@@ -82,7 +85,8 @@ struct Body
   }
 };
 
-inline std::vector<K::Triangle_3> boundary_facets(const Hexahedron_soup_3& mesh)
+template <typename Hexahedra>
+std::vector<K::Triangle_3> boundary_facets(const Hexahedra& mesh)
 {
   std::vector<K::Triangle_3> result;
   for(const auto& f : mesh.facets)
@@ -123,7 +127,8 @@ inline double enclosed_volume(const Hexahedron_soup_3& mesh)
 }
 
 // The determinants of all corners, by the definition of VTK's order.
-inline double smallest_determinant(const Hexahedron_soup_3& mesh)
+template <typename Hexahedra>
+double smallest_determinant(const Hexahedra& mesh)
 {
   double smallest = std::numeric_limits<double>::infinity();
   for(const auto& cell : mesh.cells)

@@ -6,8 +6,9 @@
 #include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/pulled_back.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
@@ -187,26 +188,26 @@ struct Sliding_hexahedra
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver;
   VMP::internal::Budget budget;
   VMP::internal::Body_surface_3 surface;
-  Hexahedron_soup_3 start;
+  Hexahedra_3 start;
   std::vector<VMP::internal::Freedom_3> freedoms;
   VMP::internal::Sliding_hexahedra_3 hexahedra;
 
   explicit Sliding_hexahedra(const Body& body, const double spacing = 1) : Sliding_hexahedra(body, boxes(body, spacing)) {}
 
-  Sliding_hexahedra(const Body& body, const Hexahedron_soup_3& start)
+  Sliding_hexahedra(const Body& body, const Hexahedra_3& start)
     : linear_solver(solver), surface(VMP::internal::Mapped_soup_3(body.soup, body.images)), start(start),
       freedoms(VMP::internal::freedoms_3(start, surface)),
       hexahedra(start, freedoms, surface, linear_solver, false, budget)
   {}
 
-  static Hexahedron_soup_3 boxes(const Body& body, const double spacing)
+  static Hexahedra_3 boxes(const Body& body, const double spacing)
   {
-    const VMP::internal::Box_grid_3 grid(body.soup.cells, body.images, {}, spacing);
-    const VMP::Volume_map_3 map(body.soup.points, body.soup.cells, body.images);
+    const VMP::internal::Mapped_soup_3 soup(body.soup, body.images);
+    const VMP::internal::Body_with_domain_3 mapped(soup, false);
+    const VMP::internal::Box_grid_3 grid(soup.cells, mapped.images, {}, spacing);
     const VMP::internal::Budget budget;
-    return VMP::internal::pulled_back(map, grid.boxes([&](const Points& centers)
-                                           { return VMP::internal::preimages_3(map, centers, false, budget); }),
-                                      false, budget);
+    return VMP::internal::pulled_back(mapped, grid.boxes([&](const std::vector<Vector3d>& centers)
+                                              { return VMP::internal::preimages_3(mapped, centers, budget); }), budget);
   }
 
   std::ptrdiff_t number(const VMP::internal::Freedom_3 freedom) const
@@ -220,15 +221,14 @@ struct Sliding_hexahedra
 TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
 {
   const Body box(5, 0, same);
-  Hexahedron_soup_3 mesh;
-  REQUIRE(box.mesh(1, mesh).status == VMP::OK);
+  Hexahedra_3 mesh = Sliding_hexahedra::boxes(box, 1);
   const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
   std::mt19937 engine;
   std::uniform_real_distribution<double> noise(-1, 1);
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    for(double& x : mesh.points[v])
-      x += is_outer[v] ? 0 : noise(engine);
-  const Points before = mesh.points;
+    for(int axis = 0; axis < 3; ++axis)
+      mesh.points[v][axis] += is_outer[v] ? 0 : noise(engine);
+  const std::vector<Vector3d> before = mesh.points;
   REQUIRE(smallest_determinant(mesh) < 0);
   REQUIRE(VMP::internal::evaluated_hexahedra(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
 
@@ -294,7 +294,7 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
   const std::vector<K::Triangle_3> facets = ball.boundary_facets();
   for(std::size_t v = 0; v < sliding.start.points.size(); ++v)
     if(sliding.freedoms[v] != VMP::internal::Freedom_3::SPACE)
-      CHECK(distance(sliding.hexahedra.mesh().points[v], facets) < 1e-13);
+      CHECK(distance(VMP::internal::coordinates(sliding.hexahedra.mesh().points[v]), facets) < 1e-13);
 }
 
 TEST_CASE("Vertices are held by sharp edges of the body, and leave edges of the domain where the body is smooth")
@@ -533,17 +533,16 @@ TEST_CASE("Vertices that leave the surface come back to it, to its edges and its
   using VMP::internal::Freedom_3;
   for(const Body& body : { Body(6, 0, same), Body(8, 0, rounded) })
   {
-    Hexahedron_soup_3 mesh = Sliding_hexahedra(body, 2).start;
+    Hexahedra_3 mesh = Sliding_hexahedra(body, 2).start;
     const Sliding_hexahedra straight(body, mesh);
     std::mt19937 engine;
     std::uniform_real_distribution<double> noise(-1.2, 1.2);
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
-      Vector3d p = vector(mesh.points[v]);
+      Vector3d p = mesh.points[v];
       if(straight.freedoms[v] != Freedom_3::NONE)
         p += Vector3d(noise(engine), noise(engine), noise(engine));
-      p = straight.surface.nearest(p, straight.freedoms[v]);
-      mesh.points[v] = { p[0], p[1], p[2] };
+      mesh.points[v] = straight.surface.nearest(p, straight.freedoms[v]);
     }
     REQUIRE(VMP::internal::evaluated_hexahedra(mesh, false).number_of_inverted_corners > 0);
 
@@ -555,7 +554,7 @@ TEST_CASE("Vertices that leave the surface come back to it, to its edges and its
     CHECK(VMP::internal::evaluated_hexahedra(tangled.mesh(), false).number_of_inverted_corners == 0);
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
-      const Vector3d p = vector(tangled.mesh().points[v]);
+      const Vector3d p = tangled.mesh().points[v];
       CHECK((straight.surface.nearest(p, straight.freedoms[v]) - p).norm() < 1e-12);
       if(straight.freedoms[v] == Freedom_3::NONE)
         CHECK(tangled.mesh().points[v] == mesh.points[v]);
@@ -590,15 +589,15 @@ TEST_CASE("Vertices slide to where corners are best, however far that is from wh
 TEST_CASE("Worst angles are improved whatever lengths edges have, and thin layers stay thin")
 {
   const Body block(8, 0, same);
-  Hexahedron_soup_3 mesh = Sliding_hexahedra(block, 2).start;
+  Hexahedra_3 mesh = Sliding_hexahedra(block, 2).start;
   std::size_t number_moved = 0;
-  for(std::array<double, 3>& p : mesh.points)
+  for(Vector3d& p : mesh.points)
   {
-    const bool is_in_middle = p == std::array<double, 3>{ 4, 4, 4 };
+    const bool is_in_middle = p == Vector3d(4, 4, 4);
     p[0] = p[0] == 2 ? 0.4 : p[0]; // a rectilinear grid with a thin layer
     if(is_in_middle)
     {
-      p = { 3.4, 4.9, 4.7 };
+      p = Vector3d(3.4, 4.9, 4.7);
       ++number_moved;
     }
   }
@@ -636,7 +635,7 @@ TEST_CASE("Quadrangles that span a waist of the body, and their edges, come near
     return Vector3d(p[0], (p[1] - 4) * width, (p[2] - 4) * width);
   });
   const std::vector<K::Triangle_3> facets = body.boundary_facets();
-  const auto farthest = [&](const Hexahedron_soup_3& mesh)
+  const auto farthest = [&](const Hexahedra_3& mesh)
   {
     double result = 0;
     for(const K::Triangle_3& facet : boundary_facets(mesh))
@@ -677,7 +676,7 @@ TEST_CASE("The distance of boundaries is that of tips, of vertices and of middle
   }
   const Body box(2, 0, same);
   Sliding_hexahedra sliding(box, 1);
-  const auto dent = std::find(sliding.start.points.begin(), sliding.start.points.end(), std::array<double, 3>{ 1, 1, 2 });
+  const auto dent = std::find(sliding.start.points.begin(), sliding.start.points.end(), Vector3d(1, 1, 2));
   REQUIRE(dent != sliding.start.points.end());
   (*dent)[2] -= 0.3; // only the vertex itself is that far from the body
   CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(0.3));
@@ -1265,13 +1264,13 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
 TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted until surfaces between them are manifolds")
 {
   const Body cube(3, 0, same);
-  Hexahedron_soup_3 boxes = Sliding_hexahedra::boxes(cube, 1);
+  Hexahedra_3 boxes = Sliding_hexahedra::boxes(cube, 1);
   const auto set = [&](const std::set<std::array<int, 3> >& others)
   {
     boxes.cell_references.clear();
     for(const auto& cell : boxes.cells)
     {
-      const Vector3d p = vector(boxes.points[cell[0]]);
+      const Vector3d p = boxes.points[cell[0]];
       const std::array<int, 3> index = { static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2]) };
       boxes.cell_references.push_back(others.count(index) > 0 ? 2 : 1);
     }
@@ -1308,10 +1307,7 @@ TEST_CASE("what the boundary of hexahedra does not cover")
                0, 4, 0, 0, 4, 0,
                0, 0, 4, 0, 0, 4;
   const std::vector<Vector3d> points = { { 0.25, 1, 1 }, { 7, 1, 1 }, { 12, 1, 1 } };
-  std::vector<std::array<double, 3> > vertices;
-  for(const Vector3d& p : points)
-    vertices.push_back({ p[0], p[1], p[2] });
-  const VMP::internal::Body_surface_3 surface(vertices, { { 0, 1, 2 } }, {});
+  const VMP::internal::Body_surface_3 surface(points, { { 0, 1, 2 } }, {});
   const VMP::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 3, 4, 5 } }, 0 };
   std::vector<VMP::internal::Cover_of_vertex_3> covers(6);
   VMP::internal::add_covers_3(covered, positions, 100, covers);
@@ -1333,7 +1329,7 @@ TEST_CASE("what the boundary of hexahedra does not cover")
 TEST_CASE("the middle of an edge across a valley is far")
 {
   // Two slopes that meet in the line y = z = 0, two triangles that lead from one crest to the other over it, and a third one.
-  const std::vector<std::array<double, 3> > points
+  const std::vector<Vector3d> points
     = { { -9, -2, 2 }, { 9, -2, 2 }, { -9, 0, 0 }, { 9, 0, 0 }, { -9, 2, 2 }, { 9, 2, 2 } };
   const VMP::internal::Body_surface_3 surface(points, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 } }, {});
   Eigen::Matrix3Xd positions(3, 5);

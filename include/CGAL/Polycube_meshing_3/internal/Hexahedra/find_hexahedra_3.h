@@ -22,13 +22,27 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Finds hexahedra by a map to a domain whose boundary facets are orthogonal to the axes, with the layers that the mesh needs or
-// with one along the whole boundary; on request they keep the interfaces between subdomains. The mesh is written if and only if
-// no hexahedron is inverted.
+// Map of a body to a domain whose boundary facets are orthogonal to the axes, and what is wanted of its hexahedra.
+struct Hexahedra_problem_3
+{
+  const Mapped_soup_3& soup;
+  double spacing;                 // of the grid in the domain
+  Linear_solver_3& solver;
+  bool is_parallel;               // may threads share the work?
+  double minimum_scaled_jacobian; // below which a hexahedron is poor
+  bool do_keep_interfaces;        // do hexahedra follow the interfaces between subdomains?
+};
+
+// Hexahedra of the body, if none of those found is inverted.
+struct Found_hexahedra_3
+{
+  Hexahedral_mesh_result result;
+  Hexahedron_soup_3 mesh;
+};
+
+// Finds hexahedra, with the layers that they need or with one along the whole boundary.
 CGAL_POLYCUBE_MESHING_3_INLINE
-Hexahedral_mesh_result find_hexahedra_3(const Mapped_soup_3& soup, double spacing, Linear_solver_3& solver,
-                                        bool is_parallel, const Budget& budget, double minimum_scaled_jacobian,
-                                        bool do_keep_interfaces, Hexahedron_soup_3& mesh);
+Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

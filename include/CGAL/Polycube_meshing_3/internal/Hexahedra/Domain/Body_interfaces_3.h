@@ -32,7 +32,7 @@ public:
   using Pair = std::array<int, 2>; // subdomains, the smaller reference first
 
   Body_interfaces_3(const Tetrahedron_soup_3& soup, const Body_surface_3& boundary)
-    : m_points(soup.points)
+    : m_points(vectors_of(soup.points))
   {
     collect_facets(soup);
     number_patches();
@@ -132,7 +132,7 @@ private:
 
   void number_patches()
   {
-    const auto position = [this](const std::size_t v) { return to_vector(m_points[v]); };
+    const auto position = [this](const std::size_t v) { return m_points[v]; };
     Disjoint_sets sets(m_facets.size());
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
@@ -174,13 +174,13 @@ private:
       Patches_3 patches;
       for(const Patches_3& line : lines)
         patches.insert(line.begin(), line.end());
-      const Eigen::Vector3d p = to_vector(m_points[v]);
+      const Eigen::Vector3d& p = m_points[v];
       if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && boundary.is_on_line(p)))
         m_corners[patches].push_back(p);
     }
   }
 
-  const std::vector<std::array<double, 3> >& m_points;
+  const std::vector<Eigen::Vector3d> m_points;
   std::vector<std::array<std::size_t, 3> > m_facets; // their normals point out of the first subdomain
   std::vector<Pair> m_pairs;                         // of each facet
   std::vector<std::size_t> m_patches;                // of each facet

@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/AABB_trees_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
@@ -37,17 +38,17 @@ public:
   explicit Body_surface_3(const Mapped_soup_3& soup)
     : m_facets(boundary_facets_3(soup.cells))
   {
-    const auto sharp = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return to_vector(soup.points[v]); });
-    for(const auto& [v, w] : sharp)
+    const std::vector<Eigen::Vector3d> points = vectors_of(soup.points);
+    for(const auto& [v, w] : sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; }))
       if(leads_along_axis(to_vector(soup.images[v]), to_vector(soup.images[w])))
         m_edges_of_lines.push_back({ v, w });
-    build(soup.points, m_edges_of_lines);
-    find_ends(soup.points);
-    find_corners(soup);
+    build(points, m_edges_of_lines);
+    find_ends(points);
+    find_corners(soup.corners, points);
   }
 
   // Takes any facets, and edges as lines.
-  Body_surface_3(const std::vector<std::array<double, 3> >& points, std::vector<std::array<std::size_t, 3> > facets,
+  Body_surface_3(const std::vector<Eigen::Vector3d>& points, std::vector<std::array<std::size_t, 3> > facets,
                  const std::vector<std::array<std::size_t, 2> >& lines)
     : m_facets(std::move(facets))
   { build(points, lines); }
@@ -118,31 +119,31 @@ public:
 
 private:
   // Finds the points where lines end or turn, or more than two edges of them meet.
-  void find_ends(const std::vector<std::array<double, 3> >& points)
+  void find_ends(const std::vector<Eigen::Vector3d>& points)
   {
     std::map<std::size_t, std::vector<Eigen::Vector3d> > directions;
     for(const auto& [v, w] : m_edges_of_lines)
     {
-      const Eigen::Vector3d d = (to_vector(points[w]) - to_vector(points[v])).stableNormalized();
+      const Eigen::Vector3d d = (points[w] - points[v]).stableNormalized();
       directions[v].push_back(d);
       directions[w].push_back(-d);
     }
     for(const auto& [v, d] : directions)
       if(d.size() != 2 || -d[0].dot(d[1]) < cosine_of_smooth_turn())
-        m_ends.push_back(to_vector(points[v]));
+        m_ends.push_back(points[v]);
   }
 
-  void find_corners(const Tetrahedron_soup_3& soup)
+  void find_corners(const std::vector<std::size_t>& marked, const std::vector<Eigen::Vector3d>& points)
   {
-    const std::vector<bool> is_on_boundary = used_points(m_facets, soup.points.size());
-    for(const std::size_t v : soup.corners)
+    const std::vector<bool> is_on_boundary = used_points(m_facets, points.size());
+    for(const std::size_t v : marked)
       if(is_on_boundary[v] && m_corners.insert(v).second)
-        m_ends.push_back(to_vector(soup.points[v]));
+        m_ends.push_back(points[v]);
   }
 
   using Kernel = AABB_trees_3::Kernel;
 
-  void build(const std::vector<std::array<double, 3> >& points, const std::vector<std::array<std::size_t, 2> >& lines)
+  void build(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<std::size_t, 2> >& lines)
   {
     std::set<std::size_t> vertices;
     for(const std::array<std::size_t, 3>& facet : m_facets)
@@ -151,7 +152,7 @@ private:
       vertices.insert(facet.begin(), facet.end());
     }
     for(const std::size_t v : vertices)
-      m_vertices.push_back(to_vector(points[v]));
+      m_vertices.push_back(points[v]);
     for(const auto& [v, w] : lines)
       m_segments.emplace_back(exact_point(points[v]), exact_point(points[w]));
     m_surface.rebuild(m_triangles.begin(), m_triangles.end());
@@ -161,7 +162,7 @@ private:
     m_rounding = 1e-9 * std::hypot(box.x_span(), box.y_span(), box.z_span());
   }
 
-  static Kernel::Triangle_3 triangle(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 3>& facet)
+  static Kernel::Triangle_3 triangle(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 3>& facet)
   {
     const auto& [a, b, c] = facet;
     return Kernel::Triangle_3(exact_point(points[a]), exact_point(points[b]), exact_point(points[c]));

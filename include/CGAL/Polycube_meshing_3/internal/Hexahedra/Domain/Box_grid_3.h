@@ -12,12 +12,44 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 
+#include <limits>
+#include <map>
 #include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Collects the boundary of boxes in a domain. Two quadrangles are of one patch if they share an edge and are normal to the
+// same direction.
+inline void set_facets(Hexahedra_3& domain)
+{
+  std::vector<std::pair<std::array<std::size_t, 3>, std::size_t> > edges; // vertices and direction, quadrangle
+  for(const Quadrangle_of_hexahedron& quadrangle : boundary_quadrangles_3(domain))
+  {
+    const std::array<std::size_t, 4> v = vertices_of(domain, quadrangle);
+    const Eigen::Vector3d& p = domain.points[v[0]];
+    const Eigen::Vector3d normal = (domain.points[v[1]] - p).cross(domain.points[v[3]] - p);
+    Eigen::Index axis;
+    normal.cwiseAbs().maxCoeff(&axis);
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      const auto& [first, second] = edge_of_quadrangle(v, i);
+      edges.push_back({ { first, second, 2 * static_cast<std::size_t>(axis) + (normal[axis] > 0) }, domain.facets.size() });
+    }
+    domain.facets.push_back(v);
+    domain.facet_cells.push_back(quadrangle.cell);
+  }
+  Disjoint_sets patches(domain.facets.size());
+  for_each_group(edges.size(), [&](const std::size_t i) { return edges[i]; }, [&](const auto begin, const auto end)
+  {
+    if(end - begin == 2)
+      patches.unite(begin->second, (begin + 1)->second);
+  });
+  for(const std::size_t number : patches.numbers())
+    domain.facet_patches.push_back(1 + number);
+}
 
 // Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the
 // grid, those through lines along the axes are where there is room for them, and between two of them planes are put at equal
@@ -26,7 +58,7 @@ class Box_grid_3
 {
 public:
   // Finds the planes for the domain, the image of the cells, and for lines in its faces.
-  Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<std::array<double, 3> >& images,
+  Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<Eigen::Vector3d>& images,
              const std::vector<std::array<std::size_t, 2> >& lines, const double spacing)
   {
     for(const std::array<std::size_t, 3>& facet : boundary_facets_3(cells))
@@ -48,16 +80,16 @@ public:
   // Returns the boxes inside. `are_inside` takes all centers at once and returns a value for each, true inside, or no values
   // if it has been interrupted; then there are no boxes.
   template <typename Predicate>
-  Hexahedron_soup_3 boxes(const Predicate& are_inside) const
+  Hexahedra_3 boxes(const Predicate& are_inside) const
   {
-    std::vector<std::array<double, 3> > centers;
+    std::vector<Eigen::Vector3d> centers;
     for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
       for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
         for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
-          centers.push_back({ middle(0, x), middle(1, y), middle(2, z) });
+          centers.emplace_back(middle(0, x), middle(1, y), middle(2, z));
     const auto is_inside = are_inside(centers);
 
-    Hexahedron_soup_3 result;
+    Hexahedra_3 result;
     constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
     std::vector<std::size_t> number(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none);
     std::map<std::array<std::size_t, 3>, std::size_t> blocks;
@@ -77,7 +109,7 @@ public:
         if(n == none)
         {
           n = result.points.size();
-          result.points.push_back({ m_planes[0][x], m_planes[1][y], m_planes[2][z] });
+          result.points.emplace_back(m_planes[0][x], m_planes[1][y], m_planes[2][z]);
         }
         cell[k] = n;
       }
@@ -96,24 +128,22 @@ public:
   }
 
 private:
-  bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<std::array<double, 3> >& images)
+  bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<Eigen::Vector3d>& images)
   {
-    const auto& p = images[facet[0]];
-    const auto& q = images[facet[1]];
-    const auto& r = images[facet[2]];
+    const Eigen::Vector3d &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
     for(std::size_t axis = 0; axis < 3; ++axis)
       if(p[axis] == q[axis] && q[axis] == r[axis])
       {
         m_planes[axis].push_back(p[axis]);
         return true;
       }
-    m_check = failed_check(ERROR_DOMAIN_NOT_AXIS_PARALLEL, "The facet at ", describe(to_vector(p)), ", ",
-                           describe(to_vector(q)), ", ", describe(to_vector(r)), " is not orthogonal to an axis.");
+    m_check = failed_check(ERROR_DOMAIN_NOT_AXIS_PARALLEL, "The facet at ", describe(p), ", ", describe(q), ", ", describe(r),
+                           " is not orthogonal to an axis.");
     return false;
   }
 
   // Adds the planes across lines that leave room for a part of the spacing on both sides.
-  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<std::array<double, 3> >& images,
+  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<Eigen::Vector3d>& images,
                      const double spacing)
   {
     constexpr double smallest_part = 0.2; // a guess; less than lines of polycubes leave

@@ -12,9 +12,11 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
+#include <limits>
+#include <map>
 #include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -25,7 +27,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Subdomain_separation_3
 {
 public:
-  explicit Subdomain_separation_3(Hexahedron_soup_3& mesh)
+  explicit Subdomain_separation_3(Hexahedra_3& mesh)
     : m_mesh(mesh), m_cells_at(mesh.points.size()), m_neighbors(mesh.cells.size())
   {
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -174,7 +176,7 @@ private:
     return true;
   }
 
-  Hexahedron_soup_3& m_mesh;
+  Hexahedra_3& m_mesh;
   std::vector<std::vector<std::size_t> > m_cells_at;        // of each vertex
   std::vector<std::array<std::size_t, 6> > m_neighbors; // of each hexahedron, behind its quadrangles
 };

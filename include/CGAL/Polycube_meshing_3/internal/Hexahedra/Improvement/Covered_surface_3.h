@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/AABB_trees_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
@@ -135,15 +134,20 @@ inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, 
   return result;
 }
 
+inline Matrix3Xd columns_of(const std::vector<Eigen::Vector3d>& points)
+{
+  Matrix3Xd result(3, points.size());
+  for(std::size_t v = 0; v < points.size(); ++v)
+    result.col(v) = points[v];
+  return result;
+}
+
 // Returns the largest distance between the surface of a body and the boundary of hexahedra.
-inline Largest_distance_3 boundary_distance_3(const Body_surface_3& surface, const Hexahedron_soup_3& mesh)
+inline Largest_distance_3 boundary_distance_3(const Body_surface_3& surface, const Hexahedra_3& mesh)
 {
   std::vector<int> numbers(mesh.points.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  Matrix3Xd positions(3, mesh.points.size());
-  for(const int v : numbers)
-    positions.col(v) = to_vector(mesh.points[v]);
-  return distance_of_cover_3(covered_surface_3(surface, mesh.facets, numbers, 0), positions);
+  return distance_of_cover_3(covered_surface_3(surface, mesh.facets, numbers, 0), columns_of(mesh.points));
 }
 
 // Triangles around a vertex, the points that are nearest to one of the triangles, and edges of them whose middles are far away.

@@ -33,19 +33,17 @@ inline int exponent_for(const Corners_to_improve which)
 class Sliding_hexahedra_3
 {
 public:
-  Sliding_hexahedra_3(const Hexahedron_soup_3& mesh, const std::vector<Freedom_3>& freedom, const Body_surface_3& surface,
+  Sliding_hexahedra_3(const Hexahedra_3& mesh, const std::vector<Freedom_3>& freedom, const Body_surface_3& surface,
                       Linear_solver_3& solver, const bool is_parallel, const Budget& budget,
                       const Interface_positions_3& positions = {})
     : m_mesh(mesh), m_solver(solver), m_budget(budget)
   {
-    Matrix3Xd points(3, mesh.points.size());
     const std::vector<bool> is_outer = is_on_boundary(mesh);
     std::vector<Freedom_3> freedom_of_vertices = freedom;
     std::vector<const Body_surface_3*> surface_of_vertices(mesh.points.size(), &surface);
     std::vector<bool> is_fixed;
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
-      points.col(v) = to_vector(mesh.points[v]);
       if(v < positions.of_vertices.size() && positions.of_vertices[v].surface != nullptr)
       {
         freedom_of_vertices[v] = positions.of_vertices[v].freedom;
@@ -59,7 +57,7 @@ public:
       corners.emplace_back();
       std::copy(corner.begin(), corner.end(), corners.back().begin());
     });
-    std::tie(m_numbered, m_order) = ordered_mesh_3(corners, points, is_fixed, is_parallel);
+    std::tie(m_numbered, m_order) = ordered_mesh_3(corners, columns_of(mesh.points), is_fixed, is_parallel);
     m_numbered.target = m_numbered.source;
     for(const std::size_t v : m_order)
     {
@@ -79,7 +77,7 @@ public:
       m_covered.push_back(covered_surface_3(*interface, quadrangles, index, tolerance_of_interface));
   }
 
-  const Hexahedron_soup_3& mesh() const { return m_mesh; }
+  const Hexahedra_3& mesh() const { return m_mesh; }
 
   // Returns the largest distance between the boundaries of the body and of the hexahedra.
   double boundary_distance() const { return distance_of_cover_3(m_covered.front(), m_numbered.target).distance; }
@@ -282,10 +280,10 @@ private:
   void write_points()
   {
     for(std::size_t i = 0; i < m_order.size(); ++i)
-      m_mesh.points[m_order[i]] = coordinates(m_numbered.target.col(i));
+      m_mesh.points[m_order[i]] = m_numbered.target.col(i);
   }
 
-  Hexahedron_soup_3 m_mesh;
+  Hexahedra_3 m_mesh;
   Numbered_mesh_3 m_numbered; // corners as cells; the source has the first positions of vertices, the target the present ones
   std::vector<std::size_t> m_order;
   std::vector<std::array<int, 8> > m_hexahedra; // in the order of the mesh

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>

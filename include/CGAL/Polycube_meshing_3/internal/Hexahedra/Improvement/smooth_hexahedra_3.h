@@ -13,7 +13,8 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_surface_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
@@ -21,12 +22,6 @@
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
-// tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
-constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
-                 bad_scaled_jacobian = 0.05;
-constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
 
 using Corners_of_vertex = std::vector<std::array<int, 4> >;    // corners that have the vertex
 using Hexahedra_of_vertex = std::vector<std::array<int, 8> >; // hexahedra that have the vertex and are watched all over

@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_interfaces_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -27,11 +27,11 @@ struct Interface_quadrangle_3
 };
 
 // Returns the subdomains on both sides.
-inline Body_interfaces_3::Pair pair_of(const Hexahedron_soup_3& mesh, const Interface_quadrangle_3& q)
+inline Body_interfaces_3::Pair pair_of(const Hexahedra_3& mesh, const Interface_quadrangle_3& q)
 { return { mesh.cell_references[q.sides[0].cell], mesh.cell_references[q.sides[1].cell] }; }
 
 // Returns the quadrangles between parts of the hexahedra, in the order of their sorted vertices.
-inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedron_soup_3& mesh, const std::vector<int>& parts)
+inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedra_3& mesh, const std::vector<int>& parts)
 {
   std::vector<Interface_quadrangle_3> result;
   for_each_quadrangle(mesh, [&](const auto begin, const auto end)
@@ -47,11 +47,11 @@ inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedro
   return result;
 }
 
-inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedron_soup_3& mesh)
+inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedra_3& mesh)
 { return quadrangles_between_3(mesh, mesh.cell_references); }
 
 // Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
-inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interfaces,
+inline void set_patches(const Hexahedra_3& mesh, Body_interfaces_3& interfaces,
                         std::vector<Interface_quadrangle_3>& quadrangles)
 {
   constexpr int number_of_rounds = 3; // a guess
@@ -59,13 +59,11 @@ inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interf
   std::map<std::array<std::size_t, 2>, std::vector<std::size_t> > at_edges;
   for(Interface_quadrangle_3& q : quadrangles)
   {
-    const auto point = [&](const std::size_t i) { return to_vector(mesh.points[q.vertices[i]]); };
-    const Eigen::Vector3d center = (point(0) + point(1) + point(2) + point(3)) / 4;
     const Eigen::Vector3d area = area_vector(mesh.points, q.vertices);
     for(std::size_t i = 0; i < 4; ++i)
-      at_edges[sorted(std::array<std::size_t, 2>{ q.vertices[i], q.vertices[(i + 1) % 4] })].push_back(pairs.size());
+      at_edges[edge_of_quadrangle(q.vertices, i)].push_back(pairs.size());
     pairs.push_back(pair_of(mesh, q));
-    q.patch = interfaces.patch_of_quadrangle(center, area.stableNormalized(), std::sqrt(area.norm()), pairs.back());
+    q.patch = interfaces.patch_of_quadrangle(center_of(mesh.points, q.vertices), area.stableNormalized(), std::sqrt(area.norm()), pairs.back());
   }
   for(int round = 0; round < number_of_rounds; ++round)
   {
@@ -80,6 +78,20 @@ inline void set_patches(const Hexahedron_soup_3& mesh, Body_interfaces_3& interf
         if(number > 2)
           quadrangles[i].patch = patch;
   }
+}
+
+// Returns the corner of each vertex that gets one: of the nearest pair, then of the nearest one of others, and so on. Takes the
+// distance, vertex and corner of all pairs.
+template <typename Corner>
+std::map<std::size_t, Corner> nearest_pairs(std::vector<std::tuple<double, std::size_t, Corner> > pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  std::map<std::size_t, Corner> result;
+  std::set<Corner> taken;
+  for(const auto& [distance, v, corner] : pairs)
+    if(result.count(v) == 0 && taken.insert(corner).second)
+      result.emplace(v, corner);
+  return result;
 }
 
 // Where the vertices on interfaces are put, and where they may move.
@@ -101,7 +113,7 @@ struct Interface_positions_3
 // the body as well; or in a corner that has them, each of which is given to the vertex nearest to it. Vertices on the boundary
 // are on lines there, or have no position if none of their interfaces ends near them. `freedom` is that of vertices without
 // interfaces: where a line of the boundary holds them, an interface crosses the line in a corner.
-inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh,
+inline Interface_positions_3 interface_positions_3(const Hexahedra_3& mesh,
                                                    const std::vector<Interface_quadrangle_3>& quadrangles,
                                                    const std::vector<Freedom_3>& freedom, Body_interfaces_3& interfaces)
 {
@@ -124,7 +136,8 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
     result.covered.emplace_back(&interfaces.surface({ patch }), of_patch);
 
   result.of_vertices.resize(mesh.points.size());
-  std::vector<std::tuple<double, std::size_t, std::size_t> > ways; // squared distance, vertex, corner of those with its patches
+  using Corner = std::pair<Patches_3, std::size_t>; // number of a corner where these patches meet
+  std::vector<std::tuple<double, std::size_t, Corner> > ways; // squared distance, vertex, corner
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     if(patches[v].empty())
@@ -133,7 +146,7 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
     if(is_outer)
       patches[v].insert(0);
     const Body_surface_3& surface = interfaces.surface(patches[v]);
-    const Eigen::Vector3d p = to_vector(mesh.points[v]);
+    const Eigen::Vector3d& p = mesh.points[v];
     if(is_outer && (!surface.has_lines() || (surface.nearest(p, Freedom_3::LINE) - p).norm() > largest_move * width[v]))
       continue; // a line of the same patches elsewhere would take the vertex away
     Interface_positions_3::Position& position = result.of_vertices[v];
@@ -143,17 +156,13 @@ inline Interface_positions_3 interface_positions_3(const Hexahedron_soup_3& mesh
     const bool is_on_line_of_boundary = freedom[v] == Freedom_3::LINE || freedom[v] == Freedom_3::NONE;
     if(patches[v].size() > 1 && (is_on_line_of_boundary || !interfaces.has_line(patches[v])))
       for(std::size_t c = 0; c < interfaces.corners(patches[v]).size(); ++c)
-        ways.emplace_back((p - interfaces.corners(patches[v])[c]).squaredNorm(), v, c);
+        ways.emplace_back((p - interfaces.corners(patches[v])[c]).squaredNorm(), v, Corner(patches[v], c));
   }
-  std::sort(ways.begin(), ways.end());
-  std::set<std::pair<Patches_3, std::size_t> > taken;
-  for(const auto& [squared_distance, v, c] : ways)
-    if(Interface_positions_3::Position& position = result.of_vertices[v];
-       position.freedom != Freedom_3::NONE && taken.emplace(patches[v], c).second)
-    {
-      position.freedom = Freedom_3::NONE;
-      position.point = interfaces.corners(patches[v])[c];
-    }
+  for(const auto& [v, corner] : nearest_pairs(std::move(ways)))
+  {
+    result.of_vertices[v].freedom = Freedom_3::NONE;
+    result.of_vertices[v].point = interfaces.corners(corner.first)[corner.second];
+  }
   return result;
 }
 

@@ -13,13 +13,14 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Moves vertices inside of curved patches off the interface, towards the outside of their curvature, such that quadrangles are
 // on both sides of the interface alike: with all vertices on a sphere its volume would be lost to the chords. No hexahedron
 // around them gets worse by more than a part of its scaled Jacobian.
-inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedron_soup_3& mesh)
+inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedra_3& mesh)
 {
   constexpr double part = 2. / 3; // mean distance of a bilinear quadrangle, whose vertices are on a sphere, by that of its center
   constexpr double largest_loss = 0.1; // a guess
@@ -32,7 +33,7 @@ inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedron_soup_
   {
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for(const std::size_t v : q.vertices)
-      center += to_vector(mesh.points[v]) / 4;
+      center += mesh.points[v] / 4;
     for(const std::size_t v : q.vertices)
     {
       patches[v].insert(q.patch);
@@ -42,11 +43,11 @@ inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedron_soup_
     }
   }
   const std::vector<bool> is_outer = is_on_boundary(mesh);
-  const std::vector<std::array<double, 3> > before = mesh.points;
+  const std::vector<Eigen::Vector3d> before = mesh.points;
   const std::vector<double> quality = scaled_jacobians(mesh);
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     if(patches[v].size() == 1 && !is_outer[v])
-      mesh.points[v] = coordinates(Eigen::Vector3d(to_vector(before[v]) + part / number[v] * way[v]));
+      mesh.points[v] += part / number[v] * way[v];
   for(bool is_final = false; !is_final; )
   {
     is_final = true;

@@ -20,7 +20,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Returns the sides of quadrangles of interfaces that get a layer of hexahedra, such that no hexahedron has two quadrangles in one
 // patch, which is smooth: a layer covers all interfaces of a subdomain that vertices join.
 inline std::vector<Quadrangle_of_hexahedron>
-sides_with_layer_3(const Hexahedron_soup_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles)
+sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles)
 {
   Disjoint_sets sets(2 * quadrangles.size()); // of sides
   std::map<std::pair<std::size_t, int>, std::size_t> side_at;      // by vertex and subdomain
@@ -50,8 +50,7 @@ inline Patches_3 patches_with_straight_corners(const std::vector<Interface_quadr
                                                const Interface_positions_3& positions)
 {
   std::map<std::array<std::size_t, 2>, Patches_3> patches_at; // edges
-  const auto edge = [](const Interface_quadrangle_3& q, const std::size_t i)
-  { return sorted(std::array<std::size_t, 2>{ q.vertices[i % 4], q.vertices[(i + 1) % 4] }); };
+  const auto edge = [](const Interface_quadrangle_3& q, const std::size_t i) { return edge_of_quadrangle(q.vertices, i); };
   for(const Interface_quadrangle_3& q : quadrangles)
     for(std::size_t i = 0; i < 4; ++i)
       patches_at[edge(q, i)].insert(q.patch);
@@ -66,7 +65,7 @@ inline Patches_3 patches_with_straight_corners(const std::vector<Interface_quadr
 
 // Puts a layer around the hexahedra on both sides of each of these patches, so that in the patch quadrangles have one edge each
 // on its lines, and updates the quadrangles of interfaces. Returns the mesh as it is if a hexahedron is at two of the patches.
-inline Hexahedron_soup_3 with_enclosed_patches(const Hexahedron_soup_3& mesh, const Patches_3& patches,
+inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_3& patches,
                                                std::vector<Interface_quadrangle_3>& quadrangles)
 {
   std::vector<int> parts(mesh.cells.size(), 0);
@@ -86,7 +85,7 @@ inline Hexahedron_soup_3 with_enclosed_patches(const Hexahedron_soup_3& mesh, co
   for(const Interface_quadrangle_3& q : quadrangles_between_3(mesh, parts))
     std::copy_if(q.sides.begin(), q.sides.end(), std::back_inserter(covered),
                  [&](const Quadrangle_of_hexahedron& side) { return parts[side.cell] != 0; });
-  const Hexahedron_soup_3 result = Padding_3(mesh, covered, parts).result();
+  const Hexahedra_3 result = Padding_3(mesh, covered, parts).result();
   for(const Quadrangle_of_hexahedron& side : covered)
     parts.push_back(parts[side.cell]);
   quadrangles = interface_quadrangles_3(result);

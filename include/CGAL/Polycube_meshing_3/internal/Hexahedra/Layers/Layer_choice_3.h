@@ -25,13 +25,13 @@ struct Edge_of_domain_3
   bool is_manifold; // whether no more quadrangles have the edge
 };
 
-inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedron_soup_3& domain)
+inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedra_3& domain)
 {
   std::vector<Edge_of_domain_3> result;
   for_each_group(4 * domain.facets.size(), [&](const std::size_t i)
   {
     const std::array<std::size_t, 4>& facet = domain.facets[i / 4];
-    return std::make_pair(sorted(std::array<std::size_t, 2>{ facet[i % 4], facet[(i + 1) % 4] }), i / 4);
+    return std::make_pair(edge_of_quadrangle(facet, i % 4), i / 4);
   },
   [&](const auto begin, const auto end)
   {
@@ -45,7 +45,7 @@ inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedron_soup_3& 
 // Faces of the domain, by their numbers in `facet_patches`, that a layer of hexahedra is put along.
 using Layer_3 = std::set<std::size_t>;
 
-inline Layer_3 layer_along_boundary(const Hexahedron_soup_3& domain)
+inline Layer_3 layer_along_boundary(const Hexahedra_3& domain)
 {
   return Layer_3(domain.facet_patches.begin(), domain.facet_patches.end());
 }
@@ -59,7 +59,7 @@ class Layer_choice_3
 {
 public:
   // Takes the hexahedra of the body, with their images in the domain.
-  explicit Layer_choice_3(const Hexahedron_soup_3& mesh)
+  explicit Layer_choice_3(const Hexahedra_3& mesh)
     : m_mesh(mesh), m_edges(edges_of_domain_3(mesh)), m_patches(layer_along_boundary(mesh)), m_sets(m_patches.size() + 1)
   {
     for(std::size_t e = 0; e < m_edges.size(); ++e)
@@ -90,12 +90,7 @@ private:
     return m_mesh.facet_patches[m_edges[e].facets[side]];
   }
 
-  static Eigen::Vector3d point(const std::vector<std::array<double, 3> >& points, const std::size_t v)
-  {
-    return to_vector(points[v]);
-  }
-
-  static Eigen::Vector3d normal(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& f)
+  static Eigen::Vector3d normal(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 4>& f)
   {
     return area_vector(points, f).stableNormalized();
   }
@@ -104,7 +99,7 @@ private:
   {
     const std::array<std::size_t, 4>&f = m_mesh.facets[edge.facets[0]], &g = m_mesh.facets[edge.facets[1]];
     const auto& images = m_mesh.images;
-    return normal(images, f).dot(point(images, g[0]) + point(images, g[2]) - 2 * point(images, f[0])) > 0;
+    return normal(images, f).dot(images[g[0]] + images[g[2]] - 2 * images[f[0]]) > 0;
   }
 
   bool needs_layer(const Edge_of_domain_3& edge) const
@@ -151,14 +146,14 @@ private:
     return has_changed;
   }
 
-  const Hexahedron_soup_3& m_mesh;
+  const Hexahedra_3& m_mesh;
   const std::vector<Edge_of_domain_3> m_edges;
   const Layer_3 m_patches; // all faces, numbered from 1
   Disjoint_sets m_sets; // faces that belong to one layer
 };
 
 // Returns the quadrangles of the boundary that a layer is put along, as sides of their hexahedra.
-inline std::vector<Quadrangle_of_hexahedron> quadrangles_along(const Hexahedron_soup_3& mesh, const Layer_3& layer)
+inline std::vector<Quadrangle_of_hexahedron> quadrangles_along(const Hexahedra_3& mesh, const Layer_3& layer)
 {
   std::vector<Quadrangle_of_hexahedron> result;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)

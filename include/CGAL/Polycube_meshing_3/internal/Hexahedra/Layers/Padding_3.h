@@ -12,14 +12,17 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/hexahedron_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
+
+#include <limits>
+#include <map>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns the axis that a quadrangle of the boundary of the domain is orthogonal to.
-inline std::size_t axis_of_facet(const std::vector<std::array<double, 3> >& points, const std::array<std::size_t, 4>& facet)
+inline int axis_of_facet(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 4>& facet)
 {
-  std::size_t axis = 0;
+  int axis = 0;
   const auto is_in_plane = [&](const std::size_t v) { return points[v][axis] == points[facet[0]][axis]; };
   while(!std::all_of(facet.begin(), facet.end(), is_in_plane))
     ++axis;
@@ -36,7 +39,7 @@ public:
   using Quadrangles = std::vector<Quadrangle_of_hexahedron>;
 
   // Takes the quadrangles that get a layer, as sides of the hexahedra under it, and the part of each hexahedron.
-  Padding_3(const Hexahedron_soup_3& domain, const Quadrangles& covered, const std::vector<int>& parts)
+  Padding_3(const Hexahedra_3& domain, const Quadrangles& covered, const std::vector<int>& parts)
     : m_domain(domain), m_covered(covered), m_parts(parts), m_result(domain)
   {
     std::map<Quadrangle_of_hexahedron, std::size_t> numbers;
@@ -54,7 +57,7 @@ public:
   }
 
   // Returns the hexahedra: those of the domain, and one for each covered quadrangle.
-  const Hexahedron_soup_3& result() const { return m_result; }
+  const Hexahedra_3& result() const { return m_result; }
 
 private:
   using Vertex_in_part = std::pair<std::size_t, int>;
@@ -70,7 +73,7 @@ private:
 
   // Returns the i-th edge of a quadrangle of a hexahedron.
   Edge_in_part edge(const std::array<std::size_t, 4>& quadrangle, const std::size_t i, const std::size_t cell) const
-  { return { sorted(std::array<std::size_t, 2>{ quadrangle[i], quadrangle[(i + 1) % 4] }), m_parts[cell] }; }
+  { return { edge_of_quadrangle(quadrangle, i), m_parts[cell] }; }
 
   void make_copies()
   {
@@ -83,7 +86,7 @@ private:
     {
       Eigen::Vector3d center = Eigen::Vector3d::Zero();
       for(const std::size_t v : m_domain.cells[c])
-        center += to_vector(m_domain.points[v]) / 8;
+        center += m_domain.points[v] / 8;
       for(const std::size_t v : m_domain.cells[c])
         if(const auto found = centers.find({ v, m_parts[c] }); found != centers.end())
         {
@@ -95,14 +98,13 @@ private:
     {
       const auto& [sum, number] = sum_and_number;
       m_copies.emplace(vertex, m_result.points.size());
-      const Eigen::Vector3d p = (1 - depth) * to_vector(m_domain.points[vertex.first]) + depth * sum / number;
-      m_result.points.push_back(coordinates(p));
+      m_result.points.push_back((1 - depth) * m_domain.points[vertex.first] + depth * sum / number);
     }
     for(std::size_t f = 0; f < m_domain.facets.size(); ++f)
       for(const std::size_t v : m_domain.facets[f])
         if(const auto found = m_copies.find({ v, m_parts[m_domain.facet_cells[f]] }); found != m_copies.end() && !is_covered(f))
         {
-          const std::size_t axis = axis_of_facet(m_domain.points, m_domain.facets[f]);
+          const int axis = axis_of_facet(m_domain.points, m_domain.facets[f]);
           m_result.points[found->second][axis] = m_domain.points[v][axis];
         }
   }
@@ -162,10 +164,10 @@ private:
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  const Hexahedron_soup_3& m_domain;
+  const Hexahedra_3& m_domain;
   const Quadrangles& m_covered;
   const std::vector<int>& m_parts;
-  Hexahedron_soup_3 m_result;
+  Hexahedra_3 m_result;
   std::vector<std::size_t> m_cell_over_facet; // of the result; `none` if a facet is not covered
   std::map<Vertex_in_part, std::size_t> m_copies;
 };

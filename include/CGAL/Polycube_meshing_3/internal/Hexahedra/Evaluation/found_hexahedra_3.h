@@ -1,0 +1,213 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_EVALUATION_FOUND_HEXAHEDRA_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_EVALUATION_FOUND_HEXAHEDRA_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Evaluation/volumes_of_subdomains.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/interface_distance_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/move_to_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Whether interfaces are staircases: no, as asked, or since hexahedra that follow the interfaces are worse.
+enum class Staircases { NONE, ASKED, BETTER };
+
+// Distances of interfaces, relative to the edges of hexahedra: the largest one that is not told, a guess, and of rounding.
+constexpr double tolerance_of_interfaces = 0.1, rounding_of_interfaces = 1e-6;
+
+// The best hexahedra, and how they are along interfaces.
+struct Chosen_hexahedra_3
+{
+  Best_hexahedra_3 best;
+  Staircases staircases = Staircases::NONE;
+  bool is_cut = false; // were hexahedra that follow the interfaces ended by their limit of time?
+};
+
+// Gives quadrangles the references of the facets of the body nearest to their centers: those of the boundary, and those of
+// interfaces, which it collects.
+inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces_3& interfaces, const Hexahedra_3& mesh,
+                                 Hexahedron_soup_3& soup)
+{
+  std::map<std::array<std::size_t, 3>, int> references;
+  for(std::size_t f = 0; f < body.soup.facets.size(); ++f)
+    references.emplace(sorted(body.soup.facets[f]), body.soup.facet_references[f]);
+  const auto reference = [&](const std::array<std::size_t, 4>& q, const Body_surface_3& surface)
+  {
+    const auto found = references.find(sorted(surface.nearest_facet(center_of(mesh.points, q))));
+    return found == references.end() ? 0 : found->second;
+  };
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    soup.facet_references.push_back(reference(q, body.surface));
+  for(const Interface_quadrangle_3& q : interface_quadrangles_3(mesh))
+  {
+    soup.interface_facets.push_back(q.vertices);
+    soup.interface_cells.push_back({ q.sides[0].cell, q.sides[1].cell });
+    soup.interface_references.push_back(reference(q.vertices, interfaces.surface_of_pair(pair_of(mesh, q))));
+  }
+}
+
+// Tells how well interfaces are kept, in numbers, and in sentences if they are not.
+inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::array<std::size_t, 4> >& quadrangles,
+                                Body_interfaces_3& interfaces, const Staircases staircases, Hexahedral_mesh_result& result)
+{
+  const Largest_distance_3 farthest = interface_distance_3(mesh, interfaces);
+  result.interface_distance = farthest.distance;
+  double area = 0;
+  for(const std::array<std::size_t, 4>& q : quadrangles)
+    area += area_vector(mesh.points, q).norm();
+  const double edge = std::sqrt(area / static_cast<double>(quadrangles.size()));
+  if(staircases == Staircases::ASKED || !(farthest.distance > tolerance_of_interfaces * edge))
+    return;
+  if(staircases == Staircases::BETTER)
+    result.message += " Interfaces between subdomains are staircases, because hexahedra that follow them would be inverted or "
+      "of lower quality.";
+  result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
+                             " of the edges there. The distance is largest at ", describe(farthest.point), ".");
+}
+
+// Names the place if a part of the body is left out: a subdomain, or what is farther from the hexahedra than their edges are long.
+inline void check_completeness(const Body_with_domain_3& body, const Largest_distance_3& farthest, const double edge,
+                               Hexahedral_mesh_result& result)
+{
+  std::string missing;
+  if(farthest.distance > edge)
+    missing = sentence(" The boundaries of hexahedra and body are ", farthest.distance, " apart at ", describe(farthest.point),
+                       ", where an edge of a hexahedron is about ", edge, " long.");
+  for(const Subdomain_volumes& volumes : result.volumes)
+    if(volumes.of_hexahedra == 0)
+    {
+      const std::vector<int>& references = body.soup.cell_references;
+      const auto first = std::find(references.begin(), references.end(), volumes.reference) - references.begin();
+      missing += sentence(" Subdomain ", volumes.reference, " at ", describe(body.points[body.soup.cells[first][0]]),
+                          ", has no hexahedron.");
+    }
+  if(missing.empty())
+    return;
+  result.message = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA) + missing
+                   + (result.status == OK ? "" : " " + result.message);
+  result.status = ERROR_INCOMPLETE_HEXAHEDRA;
+}
+
+// Returns the area, center and normal of the quadrangles with each reference.
+inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, const std::vector<int>& facet_references)
+{
+  struct Sums
+  {
+    Hexahedral_mesh_patch patch;
+    Eigen::Vector3d center = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+  };
+  std::map<int, Sums> sums;
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    Sums& sum = sums[facet_references[f]];
+    const auto& [a, b, c, d] = mesh.facets[f];
+    for(const std::array<std::size_t, 3>& triangle : { std::array<std::size_t, 3>{ a, b, c }, { a, c, d } })
+    {
+      const Small_matrix<3, 2> X = edges_of_facet(triangle, [&](const std::size_t v) { return mesh.points[v]; });
+      sum.center += area_of_facet(X) * (mesh.points[triangle[0]] + X.rowwise().sum() / 3);
+      sum.normal += X.col(0).cross(X.col(1)) / 2;
+      sum.patch.area += area_of_facet(X);
+    }
+    ++sum.patch.number_of_quadrangles;
+  }
+  std::vector<Hexahedral_mesh_patch> result;
+  for(auto& [reference, sum] : sums)
+  {
+    sum.patch.reference = reference;
+    sum.patch.center = coordinates(sum.center / sum.patch.area);
+    sum.patch.normal = coordinates(sum.normal.stableNormalized());
+    result.push_back(sum.patch);
+  }
+  return result;
+}
+
+// Advises what makes the hexahedron with the least scaled Jacobian better: a finer grid, or, where the map distorts angles much,
+// another map.
+inline std::string advice_3(const Body_with_domain_3& body, const Hexahedra_3& mesh)
+{
+  constexpr double large_distortion = 10; // a guess
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for(const std::size_t v : worst_hexahedron(mesh, scaled_jacobians(mesh)))
+    center += mesh.points[v] / 8;
+  const std::array<std::size_t, 4>& cell = body.soup.cells[body.map.nearest_image(exact_point(center))->cell];
+  const Eigen::Vector3d s = signed_singular_values_3(edge_matrix(body.images, cell) * edge_matrix(body.points, cell).inverse());
+  const double distortion = angle_distortion(s[0], s[2]);
+  return distortion < large_distortion ? " Make the spacing smaller."
+    : sentence(" The map distorts angles by a factor of ", distortion, " at the worst one. To lower the distortion, refine the "
+               "source, allow refinement, or choose another domain.");
+}
+
+// Names the hexahedron of the least scaled Jacobian if this is below a bound.
+inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedral_mesh_result& result)
+{
+  if(result.minimum_scaled_jacobian >= bound)
+    return;
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  const auto number = std::count_if(quality.begin(), quality.end(), [&](const double q) { return q < bound; });
+  result.status = ERROR_POOR_HEXAHEDRON;
+  result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number,
+                            number == 1 ? " hexahedron is" : " hexahedra are", " below ", bound, "; the worst one, of ",
+                            result.minimum_scaled_jacobian, ", has a vertex at ", describe(mesh.points[worst_hexahedron(mesh, quality)[0]]), ".");
+}
+
+// Completes the result for a valid mesh, and the mesh.
+inline void complete(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
+                     Chosen_hexahedra_3 chosen, Found_hexahedra_3& found)
+{
+  Hexahedra_3& mesh = chosen.best.mesh;
+  Hexahedral_mesh_result& result = found.result;
+  set_images(body, mesh);
+  found.mesh = hexahedron_soup_of(mesh);
+  set_facet_references(body, interfaces, mesh, found.mesh);
+  const Largest_distance_3 farthest = boundary_distance_3(body.surface, mesh);
+  result.boundary_distance = farthest.distance;
+  result.patches = patches_of(mesh, found.mesh.facet_references);
+  result.volumes = volumes_of_subdomains(body, mesh);
+  check_quality(mesh, problem.minimum_scaled_jacobian, result);
+  if(result.status != OK)
+    result.message += advice_3(body, mesh);
+  check_completeness(body, farthest, chosen.best.edge, result);
+  evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, chosen.staircases, result);
+  result.corners_given_up = corners_given_up_3(body, mesh);
+  if(!result.corners_given_up.empty())
+    result.message += sentence(" Of ", body.surface.corners().size(), " marked corners, ", result.corners_given_up.size(),
+                               " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
+}
+
+// Returns the chosen hexahedra, with what is to be said of them.
+inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
+                                           Body_interfaces_3& interfaces, const Chosen_hexahedra_3& chosen, const Budget& budget)
+{
+  const Best_hexahedra_3& best = chosen.best;
+  Found_hexahedra_3 found;
+  Hexahedral_mesh_result& result = found.result;
+  result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
+  result.is_interrupted = budget.is_exhausted() || chosen.is_cut;
+  if(result.has_valid_mesh)
+    complete(problem, body, interfaces, chosen, found);
+  else if(result.is_interrupted)
+    result.status = ERROR_INTERRUPTED;
+  else
+    result.message += advice_3(body, best.mesh);
+  if(result.is_interrupted)
+    result.message = get_error_message(ERROR_INTERRUPTED)
+      + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."
+                                          : " There are no valid hexahedra yet.");
+  return found;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_EVALUATION_FOUND_HEXAHEDRA_3_H
