@@ -459,13 +459,10 @@ TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too
   const Numbered_surface_3 surface = surface_of(body);
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
-  const Eigen::AlignedBox3d box = bounding_box(mesh);
-  set_points(mesh, unit_points(mesh));
-  std::vector<Eigen::Vector3d> images;
-  const VMP::Error_code status = map_to_box_with_holes_3(mesh, are_among(mesh, surface.sharp_edges), box, 0, *surface.cells,
-                                                         surface.vertices, images, Budget());
-  CHECK((status == VMP::OK || status == VMP::ERROR_BOUNDARY_TOO_COARSE));
-  CHECK(images.size() == (status == VMP::OK ? surface.points.size() : 0));
+  const Turned_surface_3 turned(surface, mesh, Eigen::Matrix3d::Identity());
+  const Surface_map_3 map = map_to_box_with_holes_3(turned, *surface.cells, surface.vertices, Budget());
+  CHECK((map.status == VMP::OK || map.status == VMP::ERROR_BOUNDARY_TOO_COARSE));
+  CHECK(map.images.size() == (map.status == VMP::OK ? surface.points.size() : 0));
 }
 
 TEST_CASE("bodies whose polycubes would touch are mapped side by side")
@@ -1350,9 +1347,11 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
 {
   using namespace VMP::internal;
   const Soup_surface straight(bricks(size, is_stair, in_place)), surface(bricks(size, is_stair, bend));
-  Boundary_mesh_3 mesh;
+  Unit_surface_3 unit;
+  Boundary_mesh_3& mesh = unit.mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   set_points(mesh, unit_points(mesh));
+  unit.box = bounding_box(mesh);
   std::vector<std::size_t> labels;
   for(const std::array<std::size_t, 3>& facet : straight.facets)
   {
@@ -1362,8 +1361,8 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
     labels.push_back(direction(triangle));
   }
   const Budget budget;
-  Polycube_map_3 map(mesh, bounding_box(mesh), labels, 0, false);
-  REQUIRE(map.start(budget) == VMP::OK);
+  Polycube_map_3 map(unit, labels);
+  REQUIRE(map.start_close_to_surface(budget) == VMP::OK);
   const std::optional<Polycube_map_3> best = map.with_lengths_of_surface(budget);
   REQUIRE(best);
 
@@ -1385,7 +1384,7 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
       for(std::size_t chart = 0; chart < groups.size(); ++chart)
         moved[chart] += groups[chart] == group ? step : 0;
       Polycube_map_3 other = *best;
-      REQUIRE(other.start(moved, budget) == VMP::OK);
+      REQUIRE(other.start_at(moved, budget) == VMP::OK);
       CHECK(other.distortion() >= best->distortion());
     }
 }

@@ -253,22 +253,19 @@ private:
     for(const std::size_t label : label_of_facet)
       internal::require(label < 6, "labels of facets of the boundary must be 0 to 5.");
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
-    std::vector<Eigen::Vector3d> images;
-    Eigen::Matrix3d rotation;
-    internal::Map_of_split_surface_3 of_split;
-    const Error_code status = internal::map_to_polycube_3(surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND,
-                                                          images, rotation, budget, may_refine ? &of_split : nullptr);
+    const internal::Found_polycube_3 found
+      = internal::map_to_polycube_3({ surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND, may_refine }, budget);
     if(budget.is_exhausted()) // then the status does not matter
       return ERROR_INTERRUPTED;
-    if(status != OK)
-      return status;
-    if(!of_split.images.empty())
-      boundaries.push_back(this->mapped_boundary(body, surface, of_split.splits, of_split.images));
-    if(!images.empty())
-      boundaries.push_back(this->mapped_boundary(body, surface, {}, images));
+    if(found.status != OK)
+      return found.status;
+    if(!found.images_with_splits.empty())
+      boundaries.push_back(this->mapped_boundary(body, surface, found.splits, found.images_with_splits));
+    if(!found.images.empty())
+      boundaries.push_back(this->mapped_boundary(body, surface, {}, found.images));
     for(internal::Mapped_boundary_3& boundary : boundaries)
       for(int i = 0; i < 3; ++i)
-        boundary.rotation[i] = internal::coordinates(rotation.row(i));
+        boundary.rotation[i] = internal::coordinates(found.rotation.row(i));
     return OK;
   }
 

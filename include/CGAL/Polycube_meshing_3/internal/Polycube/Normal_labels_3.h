@@ -117,7 +117,6 @@ public:
 
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
 
-  const std::vector<bool>& are_sharp() const { return m_is_sharp; }
   bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const { return m_is_sharp[m_mesh.edge(h)]; }
 
   // Returns all other labels of all charts, the cheapest one first.

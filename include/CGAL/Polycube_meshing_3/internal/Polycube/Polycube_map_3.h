@@ -15,6 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Lines_of_charts_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_coordinates_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_lengths_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -24,26 +25,22 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a labelled surface onto the polycube whose faces have the directions of the labels. The surface is scaled such that
-// the longest side of its bounding box is 1; the polycube has the size of the box before scaling.
+// Maps a labelled surface onto the polycube whose faces have the directions of the labels.
 class Polycube_map_3
 {
 public:
   using Face = Boundary_mesh_3::Face_index;
 
-  // Takes the spacing that coordinates of faces are multiples of, or 0 for any coordinates, and whether the polycube may be moved
-  // from where the surface is to be close to it.
-  Polycube_map_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box, const std::vector<std::size_t>& labels,
-                 const double spacing, const bool may_move)
-    : m_mesh(mesh), m_box(box), m_spacing(spacing), m_charts(mesh, labels), m_groups(mesh, m_charts),
-      m_images(mesh.number_of_vertices(), Eigen::Vector3d::Zero()), m_relaxations(m_charts.number_of_charts())
+  Polycube_map_3(const Unit_surface_3& surface, const std::vector<std::size_t>& labels)
+    : m_surface(surface), m_mesh(surface.mesh), m_charts(m_mesh, labels), m_groups(m_mesh, m_charts),
+      m_images(m_mesh.number_of_vertices(), Eigen::Vector3d::Zero()), m_relaxations(m_charts.number_of_charts())
   {
-    const double size = box.sizes().maxCoeff();
-    m_planes = { -box.center() / size, spacing / size, may_move };
+    const double size = surface.box.sizes().maxCoeff();
+    m_planes = { -surface.box.center() / size, surface.spacing / size, surface.may_move };
   }
 
   // Finds the polycube that is closest to the surface, and maps the charts harmonically.
-  Error_code start(const Budget& budget)
+  Error_code start_close_to_surface(const Budget& budget)
   {
     if(m_charts.number_of_defects() > 0)
       return ERROR_NO_POLYCUBE;
@@ -61,7 +58,7 @@ public:
   }
 
   // Maps the charts harmonically to faces with the coordinates along their axes.
-  Error_code start(const std::vector<double>& coordinates, const Budget& budget)
+  Error_code start_at(const std::vector<double>& coordinates, const Budget& budget)
   {
     for(const auto v : m_charts.corners())
       for(const auto h : CGAL::halfedges_around_target(v, m_mesh))
@@ -77,16 +74,16 @@ public:
   }
 
   // Lowers the distortion, and checks the map. Sharp edges inside charts become lines where that leaves room for all faces.
-  Error_code finish(const std::vector<bool>& is_sharp, const Budget& budget)
+  Error_code finish(const Budget& budget)
   {
     relax(budget);
     if(m_flipped_faces.empty())
-      straighten(is_sharp, budget);
+      straighten(budget);
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
     for(Eigen::Vector3d& image : m_images)
       image = in_space(image);
-    if(m_spacing > 0)
+    if(m_surface.spacing > 0)
       move_to_multiples();
     const auto faces = m_mesh.faces();
     if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
@@ -128,7 +125,7 @@ private:
     if(!coordinates.run(coordinates_of_charts))
       return ERROR_NO_POLYCUBE;
     m_planes = coordinates.planes();
-    return start(coordinates.of_charts(), budget);
+    return start_at(coordinates.of_charts(), budget);
   }
 
   // Maps the lines between charts, by arc length between the vertices whose coordinate is held, and holds all their vertices.
@@ -167,10 +164,10 @@ private:
   }
 
   // Makes lines of sharp edges inside charts as far as that leaves room for all faces.
-  void straighten(const std::vector<bool>& is_sharp, const Budget& budget)
+  void straighten(const Budget& budget)
   {
     const std::vector<Eigen::Vector3d> images = m_images;
-    for(Lines_of_charts_3 lines(m_mesh, m_charts, is_sharp, m_planes, images); !lines.are_empty(); )
+    for(Lines_of_charts_3 lines(m_mesh, m_charts, m_surface.is_sharp, m_planes, images); !lines.are_empty(); )
     {
       map_with(lines, images, budget);
       relax(budget);
@@ -237,29 +234,30 @@ private:
     return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }
 
-  Eigen::Vector3d in_space(const Eigen::Vector3d& p) const { return m_box.center() + m_box.sizes().maxCoeff() * p; }
+  Eigen::Vector3d in_space(const Eigen::Vector3d& p) const
+  { return m_surface.box.center() + m_surface.box.sizes().maxCoeff() * p; }
 
   // Makes the coordinates of faces multiples of the spacing, and those of lines multiples of a part of it.
   void move_to_multiples()
   {
+    const double spacing = m_surface.spacing;
     if(m_planes.may_move)
     {
       const Eigen::Array3d origin = in_space(m_planes.origin);
       for(Eigen::Vector3d& image : m_images)
-        image.array() += m_spacing * (origin / m_spacing).round() - origin;
+        image.array() += spacing * (origin / spacing).round() - origin;
     }
     const auto round = [](double& x, const double unit) { x = unit * std::round(x / unit); };
     for(const auto h : m_mesh.halfedges())
-      round(m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))], m_spacing);
+      round(m_images[m_mesh.target(h)][m_charts.axis(m_charts.chart(h))], spacing);
     for(std::size_t v = 0; v < m_images.size(); ++v)
       for(int axis = 0; axis < 3; ++axis)
         if(m_is_on_line[v][axis])
-          round(m_images[v][axis], Lines_of_charts_3::smallest_part_of_spacing * m_spacing);
+          round(m_images[v][axis], Lines_of_charts_3::smallest_part_of_spacing * spacing);
   }
 
-  const Boundary_mesh_3& m_mesh;
-  const Eigen::AlignedBox3d m_box;
-  const double m_spacing;
+  const Unit_surface_3& m_surface;
+  const Boundary_mesh_3& m_mesh; // of the surface
   const Polycube_charts_3 m_charts;
   const Polycube_groups_3 m_groups;
   Grid_planes_3 m_planes;
@@ -272,15 +270,12 @@ private:
 };
 
 // Lowers the distortion of a map, and checks it; with the lengths of the surface, if that leads to a map.
-inline Error_code finish(Polycube_map_3& map, const std::vector<bool>& is_sharp, std::vector<Eigen::Vector3d>& images,
-                         const Budget& budget)
+inline Surface_map_3 finished_map_3(Polycube_map_3& map, const Budget& budget)
 {
-  std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget);
-  Polycube_map_3& best = other && other->finish(is_sharp, budget) == OK ? *other : map;
-  const Error_code status = &best == &map ? map.finish(is_sharp, budget) : OK;
-  if(status == OK)
-    images = best.images();
-  return status;
+  if(std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget); other && other->finish(budget) == OK)
+    return { OK, other->images() };
+  const Error_code status = map.finish(budget);
+  return { status, map.images() };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -32,25 +32,21 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Search_for_polycube_3
 {
 public:
-  // Takes a surface whose longest side is 1, whether each of its edges is sharp, its bounding box before it was scaled, the
-  // spacing that coordinates of faces are multiples of, or 0, whether the polycube may be moved, and the factor from one weight of
-  // the lengths of edges to the next.
-  Search_for_polycube_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Eigen::AlignedBox3d& box,
-                        const double spacing, const bool may_move, const double factor, const Budget& budget)
-    : m_mesh(mesh), m_is_sharp(is_sharp), m_box(box), m_spacing(spacing), m_may_move(may_move), m_factor(factor), m_budget(budget)
+  // Takes the factor from one weight of the lengths of edges to the next.
+  Search_for_polycube_3(const Unit_surface_3& surface, const double factor, const Budget& budget)
+    : m_surface(surface), m_mesh(surface.mesh), m_factor(factor), m_budget(budget)
   {}
 
-  // Returns the images of the best polycube.
-  Error_code run(std::vector<Eigen::Vector3d>& images)
+  // Returns the map to the best polycube.
+  Surface_map_3 run()
   {
-    Normal_labels_3 costs(m_mesh, m_is_sharp, m_budget);
+    Normal_labels_3 costs(m_mesh, m_surface.is_sharp, m_budget);
     Polycube best = proposed(costs);
-    if(best.status == OK && costs.decide_ties(best.labels))
-      if(Polycube other = proposed(costs); other.status == OK && distortion(other) < distortion(best)
+    if(best.map.status == OK && costs.decide_ties(best.labels))
+      if(Polycube other = proposed(costs); other.map.status == OK && distortion(other) < distortion(best)
                                            && length_given_up(other) <= length_given_up(best))
         best = std::move(other);
-    images = std::move(best.images);
-    return best.status;
+    return std::move(best.map);
   }
 
 private:
@@ -58,8 +54,7 @@ private:
 
   struct Polycube
   {
-    Error_code status = ERROR_NO_POLYCUBE;
-    std::vector<Eigen::Vector3d> images;
+    Surface_map_3 map;
     Labels labels;
   };
 
@@ -78,10 +73,10 @@ private:
       {
         if(!repair_labels_3(m_mesh, costs, smoothing, labels, m_budget) || !m_tried.insert(labels).second)
           break;
-        Polycube_map_3 map(m_mesh, m_box, labels, m_spacing, m_may_move);
-        const Error_code status = map.start(m_budget);
-        if(result.status == ERROR_NO_POLYCUBE)
-          result.status = status;
+        Polycube_map_3 map(m_surface, labels);
+        const Error_code status = map.start_close_to_surface(m_budget);
+        if(result.map.status == ERROR_NO_POLYCUBE)
+          result.map.status = status;
         const bool has_changed = give_away_faces(m_mesh, map.flipped_faces(), costs, labels)
           || unfold_chain(m_mesh, map.charts(), costs, labels);
         if(status == OK)
@@ -92,8 +87,8 @@ private:
     }
     for(auto& [distortion, map] : maps)
     {
-      result.status = finish(map, m_is_sharp, result.images, m_budget);
-      if(result.status != OK)
+      result.map = finished_map_3(map, m_budget);
+      if(result.map.status != OK)
         continue;
       for(const std::size_t chart : map.charts().chart_of_face())
         result.labels.push_back(map.charts().labels()[chart]);
@@ -108,7 +103,7 @@ private:
     for(const auto f : m_mesh.faces())
       facets.push_back(vertices_of_face(m_mesh, f));
     return facet_distortion_3(facets, [this](const auto v) { return eigen_point(m_mesh, v); },
-                              [&](const auto v) { return polycube.images[v]; });
+                              [&](const auto v) { return polycube.map.images[v]; });
   }
 
   // Returns the length of the sharp edges whose images lead along no axis.
@@ -118,17 +113,14 @@ private:
     for(const auto e : m_mesh.edges())
     {
       const auto v = m_mesh.source(m_mesh.halfedge(e)), w = m_mesh.target(m_mesh.halfedge(e));
-      if(m_is_sharp[e] && !leads_along_axis(polycube.images[v], polycube.images[w]))
+      if(m_surface.is_sharp[e] && !leads_along_axis(polycube.map.images[v], polycube.map.images[w]))
         result += (eigen_point(m_mesh, w) - eigen_point(m_mesh, v)).norm();
     }
     return result;
   }
 
-  const Boundary_mesh_3& m_mesh;
-  const std::vector<bool>& m_is_sharp;
-  const Eigen::AlignedBox3d& m_box;
-  const double m_spacing;
-  const bool m_may_move;
+  const Unit_surface_3& m_surface;
+  const Boundary_mesh_3& m_mesh; // of the surface
   const double m_factor;
   const Budget& m_budget;
   std::set<Labels> m_proposed, m_tried; // before and after repair

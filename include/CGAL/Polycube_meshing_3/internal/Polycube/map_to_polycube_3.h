@@ -20,24 +20,31 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Map of a surface whose edges are split for it, one after the other: each gets a new point at its midpoint, which comes behind
-// all others.
-struct Map_of_split_surface_3
+// Surface that is to be mapped to a polycube, and how.
+struct Polycube_problem_3
 {
-  std::vector<std::array<std::size_t, 2> > splits;
-  std::vector<Eigen::Vector3d> images; // also of the new points; none if there is no map
+  Numbered_surface_3 surface;
+  std::vector<std::size_t> labels = {}; // axis directions that images of facets are normal to; none if they are to be proposed
+  double spacing = 0;                   // that coordinates of faces are multiples of, or 0 for any coordinates
+  bool do_find_axes = false; // may the surface be turned, if it has no labels, and the polycube be moved to be close to it?
+  bool may_split = false;    // may edges of the surface be split for a better map?
 };
 
-// Maps a surface onto a polycube. Labels are the axis directions that the images of facets are normal to; without labels,
-// those that keep as many details as possible are proposed. The coordinates of the faces are multiples of the spacing, or
-// any if the spacing is 0. If axes are to be found, a surface without labels is turned about the center of its bounding box
-// by the rotation, and its images are those of the turned one; with a spacing, they are moved to be close to it.
-//
-// If the surface may be split, another map may be found, which is the better one; there may be no other then, and no images.
+// Map of a surface to a polycube, and perhaps a better one of the surface with split edges; then there may be no other. The surface
+// is turned about the center of its bounding box. Edges are split one after the other: each gets a new point at its midpoint, which
+// comes behind all others.
+struct Found_polycube_3
+{
+  Error_code status = ERROR_NO_POLYCUBE;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  std::vector<Eigen::Vector3d> images = {};
+  std::vector<std::array<std::size_t, 2> > splits = {};
+  std::vector<Eigen::Vector3d> images_with_splits = {}; // also of the new points
+};
+
+// Maps a surface onto a polycube. Without labels, those that keep as many details as possible are proposed.
 CGAL_POLYCUBE_MESHING_3_INLINE
-Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels, double spacing,
-                             bool do_find_axes, std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation,
-                             const Budget& budget, Map_of_split_surface_3* of_split_surface = nullptr);
+Found_polycube_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

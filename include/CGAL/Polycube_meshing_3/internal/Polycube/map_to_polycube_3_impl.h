@@ -15,6 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Order_of_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_polycube_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Turned_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/map_to_voxels_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/frames_of_normals_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
@@ -82,21 +83,20 @@ inline void move_along_x(const double distance, const double spacing, std::vecto
 
 // Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
 // a ring linked with another one must be. A body with cavities is refused.
-inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing,
-                                     std::vector<Eigen::Vector3d>& images, const Budget& budget)
+inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing, const Budget& budget)
 {
   std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
   if(bodies.size() == 1)
-    return ERROR_SEVERAL_BOUNDARY_COMPONENTS;
-  std::vector<Eigen::Vector3d> result(whole.points.size());
+    return { ERROR_SEVERAL_BOUNDARY_COMPONENTS };
+  Surface_map_3 result = { OK, std::vector<Eigen::Vector3d>(whole.points.size()) };
   std::vector<Eigen::AlignedBox3d> boxes;
   for(Separate_body_3& body : bodies)
   {
     body.surface.cells = &body.cells;
-    std::vector<Eigen::Vector3d> part;
-    Eigen::Matrix3d none;
-    if(const Error_code status = map_to_polycube_3(body.surface, {}, spacing, false, part, none, budget); status != OK)
-      return status;
+    Found_polycube_3 found = map_to_polycube_3({ body.surface, {}, spacing }, budget);
+    if(found.status != OK)
+      return { found.status };
+    std::vector<Eigen::Vector3d>& part = found.images;
     Eigen::AlignedBox3d box, other_boxes;
     for(const Eigen::Vector3d& p : part)
       box.extend(p);
@@ -112,38 +112,10 @@ inline Error_code map_bodies_apart_3(const Numbered_surface_3& whole, const doub
     }
     boxes.push_back(box);
     for(std::size_t v = 0; v < part.size(); ++v)
-      result[body.vertices[v]] = part[v];
+      result.images[body.vertices[v]] = part[v];
   }
-  images = result;
-  return OK;
+  return result;
 }
-
-// Surface that is turned about the center of its bounding box, and the same as a mesh in the unit box.
-struct Turned_surface_3
-{
-  Eigen::Matrix3d rotation;
-  Numbered_surface_3 surface;
-  Boundary_mesh_3 mesh;
-  std::vector<bool> is_sharp; // of the edges of the mesh
-  Eigen::AlignedBox3d box;    // of the surface
-
-  Turned_surface_3(const Numbered_surface_3& s, const Boundary_mesh_3& m, const Eigen::Matrix3d& r)
-    : rotation(r), surface(s), mesh(m), is_sharp(are_among(m, s.sharp_edges))
-  {
-    if(rotation != Eigen::Matrix3d::Identity()) // which would round
-      turn(bounding_box(mesh).center());
-    box = bounding_box(mesh);
-    set_points(mesh, unit_points(mesh));
-  }
-
-private:
-  void turn(const Eigen::Vector3d& center)
-  {
-    for(Eigen::Vector3d& p : surface.points)
-      p = center + rotation * (p - center);
-    set_points(mesh, surface.points);
-  }
-};
 
 template <typename Facets>
 double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vector3d>& points,
@@ -155,30 +127,32 @@ double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vec
 
 // Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
 // be far less distorted than a box with holes.
-inline Error_code map_to_box_or_voxels_3(const Turned_surface_3& turned, const double spacing,
-                                         Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images,
-                                         const Budget& budget)
+inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
 {
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
-  const Error_code status = map_to_box_with_holes_3(turned.mesh, turned.is_sharp, turned.box, spacing, *turned.surface.cells,
-                                                    turned.surface.vertices, images, budget);
-  const double maximum_distortion = status != OK ? (std::numeric_limits<double>::infinity)()
-    : enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, images);
-  if(status != OK)
-    images.clear();
-  if(of_split == nullptr || maximum_distortion < usual)
-    return status;
-  Map_to_voxels_3 map = map_to_voxels_3(turned.surface, turned.mesh, turned.box, spacing, budget);
+  const Surface_map_3 box = map_to_box_with_holes_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
+  Found_polycube_3 found = { box.status, turned.rotation };
+  double maximum_distortion = (std::numeric_limits<double>::infinity)();
+  if(box.status == OK)
+  {
+    found.images = box.images;
+    maximum_distortion = enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, box.images);
+  }
+  if(!may_split || maximum_distortion < usual)
+    return found;
+  Map_to_voxels_3 map = map_to_voxels_3(turned, budget);
   if(map.images.empty() || map.distortion > maximum_distortion)
-    return status;
-  *of_split = { std::move(map.splits), std::move(map.images) };
-  return OK;
+    return found;
+  found.status = OK;
+  found.splits = std::move(map.splits);
+  found.images_with_splits = std::move(map.images);
+  return found;
 }
 
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
-inline Error_code map_to_bounding_box_3(const Turned_surface_3& turned, const double spacing,
-                                        std::vector<Eigen::Vector3d>& images, const Budget& budget)
+inline Surface_map_3 map_to_bounding_box_3(const Turned_surface_3& turned, const Budget& budget)
 {
+  const double spacing = turned.spacing;
   Eigen::Vector3d lower = (turned.box.min)(), upper = (turned.box.max)();
   if(spacing > 0)
   {
@@ -192,118 +166,115 @@ inline Error_code map_to_bounding_box_3(const Turned_surface_3& turned, const do
   unit_surface.sharp_edges.clear();
   for(std::size_t v = 0; v < unit_surface.points.size(); ++v)
     unit_surface.points[v] = eigen_point(turned.mesh, vertex_index(v));
-  const Error_code status = map_to_box_3(unit_surface, half_lengths, std::nullopt, images, budget);
-  if(status != OK)
-    return status;
-  for(Eigen::Vector3d& image : images)
+  Surface_map_3 result;
+  result.status = map_to_box_3(unit_surface, half_lengths, std::nullopt, result.images, budget);
+  if(result.status != OK)
+    return result;
+  for(Eigen::Vector3d& image : result.images)
     for(int axis = 0; axis < 3; ++axis)
       image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
         : (lower[axis] + upper[axis]) / 2 + size * image[axis];
   Boundary_mesh_3 image = turned.mesh;
-  set_points(image, images);
-  return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_BOUNDARY_MAP_NOT_BIJECTIVE : OK;
+  set_points(image, result.images);
+  if(Polygon_mesh_processing::does_self_intersect(image))
+    result.status = ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+  return result;
 }
 
-// Maps a surface for which no labels of a polycube are found.
-inline Error_code map_to_any_box_3(const Turned_surface_3& turned, const double spacing, Map_of_split_surface_3* const of_split,
-                                   std::vector<Eigen::Vector3d>& images, const Budget& budget)
+// Maps a surface for which no labels of a polycube are found. The polycube is not moved.
+inline Found_polycube_3 map_to_any_box_3(Turned_surface_3 turned, const bool may_split, const Budget& budget)
 {
+  turned.may_move = false;
   const Error_code kind = check_sphere(turned.mesh);
-  if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
-    return map_bodies_apart_3(turned.surface, spacing, images, budget);
-  return kind == OK ? map_to_bounding_box_3(turned, spacing, images, budget)
-                    : map_to_box_or_voxels_3(turned, spacing, of_split, images, budget);
+  if(kind != OK && kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+    return map_to_box_or_voxels_3(turned, may_split, budget);
+  Surface_map_3 map = kind == OK ? map_to_bounding_box_3(turned, budget) : map_bodies_apart_3(turned.surface, turned.spacing, budget);
+  return { map.status, turned.rotation, std::move(map.images) };
 }
 
-inline Error_code map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
-                                             const double spacing, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+inline Found_polycube_3 map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
+                                                   const Budget& budget)
 {
-  Polycube_map_3 map(turned.mesh, turned.box, labels, spacing, false);
-  const Error_code status = map.start(budget);
-  return status == OK ? finish(map, turned.is_sharp, images, budget) : status;
+  Polycube_map_3 map(turned, labels);
+  if(const Error_code status = map.start_close_to_surface(budget); status != OK)
+    return { status };
+  Surface_map_3 finished = finished_map_3(map, budget);
+  return { finished.status, turned.rotation, std::move(finished.images) };
 }
 
 // Takes the frame with the least distortion; if there is no polycube in any, the first one.
-inline Error_code map_in_frames_3(const std::vector<Turned_surface_3>& frames, const double spacing, const bool may_move,
-                                  Map_of_split_surface_3* const of_split, std::vector<Eigen::Vector3d>& images,
-                                  Eigen::Matrix3d& rotation, const Budget& budget)
+inline Found_polycube_3 map_in_frames_3(const std::vector<Turned_surface_3>& frames, const bool may_split, const Budget& budget)
 {
   const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
   double least_distortion = (std::numeric_limits<double>::infinity)();
-  bool has_polycube = false;
+  Found_polycube_3 best;
   for(const Turned_surface_3& turned : frames)
   {
-    std::vector<Eigen::Vector3d> candidate;
-    if(Search_for_polycube_3(turned.mesh, turned.is_sharp, turned.box, spacing, may_move, factor, budget).run(candidate) != OK)
+    Surface_map_3 map = Search_for_polycube_3(turned, factor, budget).run();
+    if(map.status != OK)
       continue;
-    const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, candidate);
-    if(has_polycube && !(distortion < least_distortion))
+    const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, map.images);
+    if(best.status == OK && !(distortion < least_distortion))
       continue;
-    has_polycube = true;
     least_distortion = distortion;
-    images = candidate;
-    rotation = turned.rotation;
+    best = { OK, turned.rotation, std::move(map.images) };
   }
-  if(has_polycube)
-    return OK;
-  rotation = frames.front().rotation;
-  return budget.is_exhausted() ? ERROR_NO_POLYCUBE : map_to_any_box_3(frames.front(), spacing, of_split, images, budget);
+  return best.status == OK || budget.is_exhausted() ? best : map_to_any_box_3(frames.front(), may_split, budget);
 }
 
 // Maps a surface in the order in which it is searched.
-inline Error_code map_ordered_surface_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
-                                        const double spacing, const bool do_find_axes, Map_of_split_surface_3* const of_split,
-                                        std::vector<Eigen::Vector3d>& images, Eigen::Matrix3d& rotation, const Budget& budget)
+inline Found_polycube_3 map_ordered_surface_3(const Polycube_problem_3& problem, const Budget& budget)
 {
   constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
-  if(spacing > largest_spacing)
-    return ERROR_SPACING_TOO_COARSE;
+  if(problem.spacing > largest_spacing)
+    return { ERROR_SPACING_TOO_COARSE };
   Boundary_mesh_3 mesh;
-  if(const Error_code status = build_boundary_mesh_3(surface, mesh); status != OK)
-    return status;
-  rotation.setIdentity();
-  std::vector<Turned_surface_3> frames(1, Turned_surface_3(surface, mesh, rotation));
-  if(do_find_axes && labels.empty())
+  if(const Error_code status = build_boundary_mesh_3(problem.surface, mesh); status != OK)
+    return { status };
+  const bool do_find_axes = problem.do_find_axes && problem.labels.empty();
+  std::vector<Turned_surface_3> frames(1, Turned_surface_3(problem.surface, mesh, Eigen::Matrix3d::Identity()));
+  if(do_find_axes)
   {
     const std::vector<Eigen::Matrix3d> rotations = frames_of_normals_3(frames.front().mesh);
     frames.clear();
-    for(const Eigen::Matrix3d& r : rotations)
-      frames.emplace_back(surface, mesh, r);
+    for(const Eigen::Matrix3d& rotation : rotations)
+      frames.emplace_back(problem.surface, mesh, rotation);
   }
-  const auto map = [&](const double of_grid, Map_of_split_surface_3* const split, std::vector<Eigen::Vector3d>& result)
+  const auto map = [&](const double spacing, const bool may_split)
   {
-    return labels.empty() ? map_in_frames_3(frames, of_grid, do_find_axes, split, result, rotation, budget)
-                          : map_to_labelled_polycube_3(frames.front(), labels, of_grid, result, budget);
+    for(Turned_surface_3& turned : frames)
+    {
+      turned.spacing = spacing;
+      turned.may_move = do_find_axes;
+    }
+    return problem.labels.empty() ? map_in_frames_3(frames, may_split, budget)
+                                  : map_to_labelled_polycube_3(frames.front(), problem.labels, budget);
   };
-  const Error_code status = map(spacing, of_split, images);
-  std::vector<Eigen::Vector3d> any;
-  return status != OK && spacing > 0 && map(0, nullptr, any) == OK ? ERROR_SPACING_TOO_COARSE : status;
+  Found_polycube_3 found = map(problem.spacing, problem.may_split);
+  if(found.status != OK && problem.spacing > 0 && map(0, false).status == OK)
+    found.status = ERROR_SPACING_TOO_COARSE;
+  return found;
 }
 
 CGAL_POLYCUBE_MESHING_3_INLINE
-Error_code map_to_polycube_3(const Numbered_surface_3& surface, const std::vector<std::size_t>& labels,
-                             const double spacing, const bool do_find_axes, std::vector<Eigen::Vector3d>& images,
-                             Eigen::Matrix3d& rotation, const Budget& budget, Map_of_split_surface_3* const of_split_surface)
+Found_polycube_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budget& budget)
 {
-  const Order_of_surface_3 order(surface);
-  std::vector<Eigen::Vector3d> ordered_images;
-  const Error_code status = map_ordered_surface_3(order.surface(), order.of_facets(labels), spacing, do_find_axes,
-                                                  of_split_surface, ordered_images, rotation, budget);
-  if(status != OK)
-    return status;
-  images = order.back(ordered_images);
-  if(of_split_surface != nullptr)
+  const Order_of_surface_3 order(problem.surface);
+  Polycube_problem_3 ordered = problem;
+  ordered.surface = order.surface();
+  ordered.labels = order.of_facets(problem.labels);
+  Found_polycube_3 found = map_ordered_surface_3(ordered, budget);
+  if(found.status != OK)
+    return { found.status };
+  found.images = order.back(found.images);
+  found.images_with_splits = order.back(found.images_with_splits);
+  for(auto& [v, w] : found.splits)
   {
-    of_split_surface->images = order.back(of_split_surface->images);
-    for(auto& [v, w] : of_split_surface->splits)
-    {
-      v = order.point(v);
-      w = order.point(w);
-    }
+    v = order.point(v);
+    w = order.point(w);
   }
-  return OK;
+  return found;
 }
-
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H

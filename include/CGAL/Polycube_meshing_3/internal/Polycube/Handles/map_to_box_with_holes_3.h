@@ -45,32 +45,32 @@ struct Map_to_box_with_holes_3
 };
 
 // Maps a surface to the box with holes between lines. Faces without room between the edges are given to neighboring charts.
-inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
-                                                          const double spacing, const Lines_of_box_3& lines,
+inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
                                                           const std::vector<int>& turns, const bool may_be_long,
                                                           const Normal_labels_3& costs, const Budget& budget)
 {
   constexpr int maximum_number_of_attempts = 10; // a guess
-  const double size = box.sizes().maxCoeff();
+  const Boundary_mesh_3& mesh = surface.mesh;
+  const double size = surface.box.sizes().maxCoeff();
   Map_to_box_with_holes_3 result;
   Box_with_holes_3 box_with_holes(mesh, lines);
   if(!box_with_holes.run(turns))
     return result;
   const std::vector<std::size_t> labels_of_box = box_with_holes.labels();
   const std::vector<double> coordinates_of_box
-    = box_with_holes.coordinates(may_be_long, { -box.center() / size, spacing / size });
+    = box_with_holes.coordinates(may_be_long, { -surface.box.center() / size, surface.spacing / size });
   std::vector<std::size_t> labels = labels_of_box;
   for(int attempt = 0;
       attempt < maximum_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with holes"); ++attempt)
   {
     if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
       continue;
-    Polycube_map_3 map(mesh, box, labels, spacing, false);
+    Polycube_map_3 map(surface, labels);
     const std::vector<double> coordinates
       = coordinates_of_charts(map.charts(), box_with_holes.piece_of_face(), labels_of_box, coordinates_of_box);
     if(coordinates.empty())
       return result;
-    const Error_code status = map.start(coordinates, budget);
+    const Error_code status = map.start_at(coordinates, budget);
     if(result.has_flipped_face.empty())
     {
       result.number_of_flipped_faces = map.flipped_faces().size();
@@ -81,7 +81,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
             result.has_flipped_face[k] = result.has_flipped_face[k] || box_with_holes.is_at_hole(v, k);
     }
     const double distortion = status == OK ? map.distortion() : result.distortion; // before the images get their size
-    if(status == OK && map.finish(costs.are_sharp(), budget) == OK)
+    if(status == OK && map.finish(budget) == OK)
     {
       result.images = map.images();
       result.distortion = distortion;
@@ -95,13 +95,11 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Boundary_mesh_3&
 
 // Maps a surface to a box whose holes are turned as long as fewer faces are flipped: where the surface is narrow, sides of a
 // hole may not face the sides of the box or of another hole that they have edges with.
-inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, const Eigen::AlignedBox3d& box,
-                                                   const double spacing, const Lines_of_box_3& lines,
-                                                   const bool may_be_long, const Normal_labels_3& costs,
-                                                   const Budget& budget)
+inline Map_to_box_with_holes_3 map_to_turned_box_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
+                                                   const bool may_be_long, const Normal_labels_3& costs, const Budget& budget)
 {
   std::vector<int> turns(lines.number_of_holes(), 0);
-  Map_to_box_with_holes_3 best = map_to_box_between_lines_3(mesh, box, spacing, lines, turns, may_be_long, costs, budget);
+  Map_to_box_with_holes_3 best = map_to_box_between_lines_3(surface, lines, turns, may_be_long, costs, budget);
   for(bool is_better = true; is_better && best.images.empty(); )
   {
     is_better = false;
@@ -111,8 +109,7 @@ inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, 
         {
           std::vector<int> candidate = turns;
           candidate[k] += turn;
-          Map_to_box_with_holes_3 map
-            = map_to_box_between_lines_3(mesh, box, spacing, lines, candidate, may_be_long, costs, budget);
+          Map_to_box_with_holes_3 map = map_to_box_between_lines_3(surface, lines, candidate, may_be_long, costs, budget);
           if(map.images.empty() && map.number_of_flipped_faces >= best.number_of_flipped_faces)
             continue;
           best = std::move(map);
@@ -127,19 +124,17 @@ inline Map_to_box_with_holes_3 map_to_turned_box_3(const Boundary_mesh_3& mesh, 
 // Maps the surface of a body with handles onto that of a box with as many holes, if the body can be cut into a ball along
 // discs and the mesh is fine enough. Among several cuts, the one of the least distortion is taken. Vertices of cells are
 // numbers of points; `points` has the number of the point of each vertex of the surface.
-inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp,
-                                          const Eigen::AlignedBox3d& box, const double spacing,
-                                          const std::vector<std::array<std::size_t, 4> >& cells,
-                                          const std::vector<std::size_t>& points, std::vector<Eigen::Vector3d>& images,
-                                          const Budget& budget)
+inline Surface_map_3 map_to_box_with_holes_3(const Unit_surface_3& surface, const std::vector<std::array<std::size_t, 4> >& cells,
+                                             const std::vector<std::size_t>& points, const Budget& budget)
 {
   constexpr std::size_t maximum_number_of_cuts = 16, maximum_number_of_maps = 3; // guesses
+  const Boundary_mesh_3& mesh = surface.mesh;
   const std::size_t number_of_handles
     = (2 + mesh.number_of_edges() - mesh.number_of_vertices() - mesh.number_of_faces()) / 2;
   std::unordered_map<std::size_t, std::size_t> vertex_of_point;
   for(std::size_t v = 0; v < points.size(); ++v)
     vertex_of_point.emplace(points[v], v);
-  const Normal_labels_3 costs(mesh, is_sharp, budget);
+  const Normal_labels_3 costs(mesh, surface.is_sharp, budget);
   Meridians_3 meridians(cells);
   bool has_meridians = false;
   Map_to_box_with_holes_3 best;
@@ -156,15 +151,14 @@ inline Error_code map_to_box_with_holes_3(const Boundary_mesh_3& mesh, const std
     Lines_of_box_3 lines(mesh, loops);
     if(!lines.run(budget))
       continue;
-    Map_to_box_with_holes_3 map = map_to_turned_box_3(mesh, box, spacing, lines, false, costs, budget);
+    Map_to_box_with_holes_3 map = map_to_turned_box_3(surface, lines, false, costs, budget);
     if(map.images.empty())
-      map = map_to_turned_box_3(mesh, box, spacing, lines, true, costs, budget);
+      map = map_to_turned_box_3(surface, lines, true, costs, budget);
     number_of_maps += !map.images.empty();
     if(map.distortion < best.distortion)
       best = std::move(map);
   }
-  images = best.images;
-  return !images.empty() ? OK : has_meridians ? ERROR_BOUNDARY_TOO_COARSE : ERROR_NO_POLYCUBE;
+  return { !best.images.empty() ? OK : has_meridians ? ERROR_BOUNDARY_TOO_COARSE : ERROR_NO_POLYCUBE, best.images };
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

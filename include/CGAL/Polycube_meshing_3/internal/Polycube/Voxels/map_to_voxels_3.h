@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Turned_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Length_of_edges_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
@@ -122,9 +123,9 @@ inline void split_between_borders(const Boundary_mesh_3& mesh, Drawn_polycube_3&
   drawn.chart_of_facet = charts;
 }
 
-// Maps the surface with the charts that are drawn on it. It has the size 1, its polycube that of the box.
+// Maps the surface with the charts that are drawn on it, a surface whose edges have been split.
 inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn,
-                                            const Eigen::AlignedBox3d& box, const double spacing, const Budget& budget)
+                                            const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
   {
@@ -134,44 +135,47 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
     relax_charts_3(mesh, functional, polycube.label_of_chart, drawn.chart_of_facet);
     split_between_borders(mesh, drawn);
   }
-  Boundary_mesh_3 mesh;
-  build_boundary_mesh_3(drawn.surface, mesh);
+  Unit_surface_3 split = { {}, {}, surface.box, surface.spacing };
+  build_boundary_mesh_3(drawn.surface, split.mesh);
+  split.is_sharp = are_among(split.mesh, drawn.surface.sharp_edges);
   std::vector<std::size_t> labels;
   for(const std::size_t c : drawn.chart_of_facet)
     labels.push_back(polycube.label_of_chart[c]);
-  const double size = box.sizes().maxCoeff();
+  const double size = surface.box.sizes().maxCoeff();
   const std::vector<double> coordinates
     = coordinates_of_voxel_charts_3(Facets_3(drawn.surface), drawn.chart_of_facet, polycube.label_of_chart,
-                                    polycube.plane_of_chart, gap * polycube.size_of_voxels, -box.center() / size, spacing / size);
-  Map_to_voxels_3 result;
-  Polycube_map_3 map(mesh, box, labels, spacing, false);
+                                    polycube.plane_of_chart, gap * polycube.size_of_voxels, -surface.box.center() / size,
+                                    surface.spacing / size);
+  Polycube_map_3 map(split, labels);
   std::vector<double> of_charts(map.charts().number_of_charts());
   if(of_charts.size() != coordinates.size())
-    return result;
+    return {};
   for(std::size_t f = 0; f < labels.size(); ++f)
     of_charts[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
-  if(map.start(of_charts, budget) != OK
-     || finish(map, are_among(mesh, drawn.surface.sharp_edges), result.images, budget) != OK)
+  if(map.start_at(of_charts, budget) != OK)
     return {};
-  result.splits = drawn.surface.splits;
+  Surface_map_3 finished = finished_map_3(map, budget);
+  if(finished.status != OK)
+    return {};
+  Map_to_voxels_3 result = { std::move(drawn.surface.splits), std::move(finished.images) };
   const auto point = [&](const std::size_t v) { return Eigen::Vector3d(size * drawn.surface.points[v]); };
   result.distortion = facet_distortion_3(drawn.surface.facets, point, [&](const std::size_t v) { return result.images[v]; });
   return result;
 }
 
-// Maps a surface, of the size 1, to the best of some polycubes of voxels: finer and finer ones, at several places.
-inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const Boundary_mesh_3& mesh,
-                                       const Eigen::AlignedBox3d& box, const double spacing, const Budget& budget)
+// Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places.
+inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
   constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
+  const Boundary_mesh_3& mesh = turned.mesh;
   const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
                            - static_cast<int>(mesh.number_of_edges());
-  Split_surface_3 unit_surface = { unit_points(mesh), surface.facets };
-  for(const auto& [v, w] : surface.sharp_edges)
-    unit_surface.sharp_edges.insert((std::minmax)(v, w));
+  Split_surface_3 unsplit = { unit_points(mesh), turned.surface.facets };
+  for(const auto& [v, w] : turned.surface.sharp_edges)
+    unsplit.sharp_edges.insert((std::minmax)(v, w));
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
   Map_to_voxels_3 best;
@@ -186,18 +190,18 @@ inline Map_to_voxels_3 map_to_voxels_3(const Numbered_surface_3& surface, const 
       const double size_of_voxels = 1. / number, x = shift(), y = shift(), z = shift();
       const Eigen::Vector3d offset = attempt == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(x, y, z);
       Voxels_3 voxels
-        = voxels_of_surface_3(unit_surface.points, unit_surface.facets, size_of_voxels, offset, least_parts[attempt]);
+        = voxels_of_surface_3(unsplit.points, unsplit.facets, size_of_voxels, offset, least_parts[attempt]);
       if(!make_surface_of_characteristic(voxels, least_parts[attempt], characteristic))
         continue;
-      Split_surface_3 split_surface = unit_surface;
-      split_surface.split_edges_longer_than(size_of_voxels);
-      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, split_surface, budget);
+      Split_surface_3 fine = unsplit;
+      fine.split_edges_longer_than(size_of_voxels);
+      const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, budget);
       for(const double length : lengths_of_edges)
       {
-        Drawn_polycube_3 drawn = draw_polycube_3(polycube, unit_surface, length * size_of_voxels, budget);
+        Drawn_polycube_3 drawn = draw_polycube_3(polycube, unsplit, length * size_of_voxels, budget);
         if(drawn.chart_of_facet.empty())
           continue;
-        Map_to_voxels_3 map = map_drawn_polycube_3(polycube, std::move(drawn), box, spacing, budget);
+        Map_to_voxels_3 map = map_drawn_polycube_3(polycube, std::move(drawn), turned, budget);
         if(map.images.empty())
           continue;
         ++number_of_maps;

@@ -1,0 +1,43 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_UNIT_SURFACE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_UNIT_SURFACE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+
+#include <Eigen/Geometry>
+
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Surface of longest side 1 that is mapped to a polycube, and where this is to be.
+struct Unit_surface_3
+{
+  Boundary_mesh_3 mesh;
+  std::vector<bool> is_sharp; // of its edges
+  Eigen::AlignedBox3d box;    // of the surface before it was scaled, which gives the size of the polycube
+  double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
+  bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
+};
+
+// Map of a surface: the images of its vertices if the status is OK.
+struct Surface_map_3
+{
+  Error_code status = ERROR_NO_POLYCUBE;
+  std::vector<Eigen::Vector3d> images = {};
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_UNIT_SURFACE_3_H
