@@ -12,6 +12,7 @@
 #include <CGAL/Volume_mesh_parameterization/Surface_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -658,21 +659,21 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
   // a block with a notch in front, above: its top and its front meet on both sides of the notch
   const Voxels_3 voxels = voxels_of({3, 2, 2}, [](const int x, const int y, const int z) { return x != 1 || y != 0 || z != 1; });
   const Voxel_faces_3 faces(voxels);
-  std::vector<std::size_t> face_of_cell = faces.faces;
-  CHECK(have_cells_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
-  CHECK(have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
+  std::vector<std::size_t> face_of_piece = faces.faces;
+  CHECK(have_pieces_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(have_pieces_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
   // on the left, the side, the front, the wall of the notch and the top now meet at one point, each with the same neighbors
   const auto give = [&](const int x, const int y, const std::size_t direction)
   {
     const std::size_t voxel = voxels.index(Eigen::Vector3i(3 + x, 3 + y, 6)); // behind three free layers
-    const auto cell = std::find(faces.faces.begin(), faces.faces.end(), 6 * voxel + 4) - faces.faces.begin();
-    face_of_cell.at(static_cast<std::size_t>(cell)) = 6 * voxel + direction;
+    const auto piece = std::find(faces.faces.begin(), faces.faces.end(), 6 * voxel + 4) - faces.faces.begin();
+    face_of_piece.at(static_cast<std::size_t>(piece)) = 6 * voxel + direction;
   };
   give(0, 1, 1);
   give(0, 0, 3);
   give(1, 0, 0);
-  CHECK(have_cells_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
-  CHECK(!have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_cell));
+  CHECK(have_pieces_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(!have_pieces_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
 }
 
 TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")
@@ -1376,13 +1377,13 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
     volume += best->images()[a].cross(best->images()[b]).dot(best->images()[c]) / 6;
   }
   CHECK(volume > (1 - 1e-9) * CGAL::Polygon_mesh_processing::volume(mesh));
-  const Polycube_groups_3 groups(mesh, best->charts());
-  for(std::size_t group = 0; group < groups.size(); ++group)
+  const Polycube_planes_3 planes(mesh, best->charts());
+  for(std::size_t plane = 0; plane < planes.size(); ++plane)
     for(const double step : { -0.02, 0.02 })
     {
       std::vector<double> moved = coordinates;
-      for(std::size_t chart = 0; chart < groups.size(); ++chart)
-        moved[chart] += groups[chart] == group ? step : 0;
+      for(std::size_t chart = 0; chart < planes.size(); ++chart)
+        moved[chart] += planes[chart] == plane ? step : 0;
       Polycube_map_3 other = *best;
       REQUIRE(other.start_at(moved, budget) == VMP::OK);
       CHECK(other.distortion() >= best->distortion());
@@ -1397,16 +1398,16 @@ TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the fa
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   const Budget budget;
   const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest());
-  const Grid_planes_3 any_planes;
-  const Polycube_groups_3 groups(mesh, charts);
-  Polycube_coordinates_3 inside(mesh, charts, groups, any_planes, budget);
-  CHECK(inside.run(mean_coordinates_3(mesh, charts, groups)));
+  const Plane_grid_3 any;
+  const Polycube_planes_3 planes(mesh, charts);
+  Polycube_coordinates_3 inside(mesh, charts, planes, any, budget);
+  CHECK(inside.run(mean_coordinates_3(mesh, charts, planes)));
   for(Eigen::Vector3d& p : surface.points)
     if((p - Eigen::Vector3d(5, 5, 0)).head<2>().lpNorm<Eigen::Infinity>() <= 1)
       p[0] += 20;
   set_points(mesh, surface.points);
-  Polycube_coordinates_3 beside(mesh, charts, groups, any_planes, budget);
-  REQUIRE(beside.run(mean_coordinates_3(mesh, charts, groups)));
+  Polycube_coordinates_3 beside(mesh, charts, planes, any, budget);
+  REQUIRE(beside.run(mean_coordinates_3(mesh, charts, planes)));
   const std::vector<double> coordinates = beside.of_charts();
   for(const auto f : mesh.faces())
   {
@@ -1455,12 +1456,12 @@ TEST_CASE("a polycube that has a hole beside a face, in a notch of it, is refuse
   REQUIRE(build_boundary_mesh_3(Soup_surface(bricks({9, 9, 3}, is_solid, in_place)), mesh) == VMP::OK);
   const Budget budget;
   const Polycube_charts_3 charts(mesh, Normal_labels_3(mesh, std::vector<bool>(mesh.number_of_edges(), false), budget).closest());
-  const Polycube_groups_3 groups(mesh, charts);
-  std::vector<double> wanted = mean_coordinates_3(mesh, charts, groups);
-  CHECK(Polycube_coordinates_3(mesh, charts, groups, Grid_planes_3(), budget).run(wanted));
+  const Polycube_planes_3 planes(mesh, charts);
+  std::vector<double> wanted = mean_coordinates_3(mesh, charts, planes);
+  CHECK(Polycube_coordinates_3(mesh, charts, planes, Plane_grid_3(), budget).run(wanted));
   for(double& x : wanted)
     x += x > 0.5 && x < 2.5 ? 5 : 0; // of the walls of the hole, across the two walls of the notch
-  CHECK(!Polycube_coordinates_3(mesh, charts, groups, Grid_planes_3(), budget).run(wanted));
+  CHECK(!Polycube_coordinates_3(mesh, charts, planes, Plane_grid_3(), budget).run(wanted));
 }
 
 TEST_CASE("a facet between two lines of the same edge is named")

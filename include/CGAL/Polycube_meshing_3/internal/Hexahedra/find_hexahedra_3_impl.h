@@ -31,7 +31,7 @@ inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
   return result;
 }
 
-// Returns the boxes of a grid in the domain, with the subdomains that their centers are mapped to; none once the budget is exhausted.
+// Returns the boxes of a grid in the domain, with the subdomains of their centers; none once the budget is exhausted.
 inline Hexahedra_3 boxes_in_domain(const Body_with_domain_3& body, const Box_grid_3& grid, const Budget& budget)
 {
   Locations_3 locations;
@@ -53,15 +53,16 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
     volume += volume_of_tetrahedron(body, c);
   Best_hexahedra_3 best = { std::cbrt(volume / static_cast<double>(boxes.cells.size())),
                             refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
-  const std::vector<Layer_3> chosen = Layer_choice_3(pulled_back(body, boxes, budget)).layers();
-  const std::vector<Layer_3> one = { layer_along_boundary(boxes) }, other = chosen == one ? std::vector<Layer_3>() : one;
-  for(const std::vector<Layer_3>& layers : { chosen, other })
+  const std::vector<Covered_faces_3> chosen = Layer_choice_3(pulled_back(body, boxes, budget)).layers();
+  const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes) },
+                                     other = chosen == one ? std::vector<Covered_faces_3>() : one;
+  for(const std::vector<Covered_faces_3>& layers : { chosen, other })
   {
     if(budget.is_exhausted() || is_at_least(best.result, poor_scaled_jacobian))
       break;
     Hexahedra_3 padded = boxes;
-    for(const Layer_3& layer : layers)
-      padded = Padding_3(padded, quadrangles_along(padded, layer), std::vector<int>(padded.cells.size(), 0)).result();
+    for(const Covered_faces_3& faces : layers)
+      padded = Padding_3(padded, quadrangles_in(padded, faces), std::vector<int>(padded.cells.size(), 0)).result();
     Fitted_hexahedra_3 start = interfaces != nullptr ? fitted_to_interfaces(body, padded, *interfaces, budget)
                                                      : Fitted_hexahedra_3{ pulled_back(body, padded, budget), {} };
     put_on_boundary(body.surface, start.mesh);

@@ -51,10 +51,10 @@ inline Eigen::Vector3i direction_of_edge(const std::size_t label, const std::siz
   return result;
 }
 
-// Lines between charts, from corner to corner, without the surface that the lines are on.
+// Chains between charts, from corner to corner, without the surface that they are on.
 struct Chart_borders_3
 {
-  // Side of a line, part of the border of a chart. Side 2 i + 1 leads back along side 2 i.
+  // Side of a chain, part of the border of a chart. Side 2 i + 1 leads back along side 2 i.
   struct Side
   {
     std::size_t chart, next;  // next: the side that follows on the border of the chart
@@ -64,7 +64,7 @@ struct Chart_borders_3
   std::vector<Side> sides;
   std::vector<Eigen::Vector3d> corners;
   std::vector<std::vector<std::size_t> > sides_to_corner;  // in their order around the corner
-  std::vector<std::array<std::size_t, 2> > closed_lines;   // charts on both sides of lines without a corner
+  std::vector<std::array<std::size_t, 2> > closed_chains;   // charts on both sides of chains without a corner
   std::vector<int> inner_characteristic;                   // Euler characteristics of charts without their borders
 };
 
@@ -84,7 +84,7 @@ public:
     std::iota(m_union.begin(), m_union.end(), 0);
     for(std::size_t s = 0; s < m_sides.size(); s += 2)
       unite(m_sides[s].chart, m_sides[s + 1].chart);
-    for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
+    for(const std::array<std::size_t, 2>& charts : m_borders.closed_chains)
       unite(charts[0], charts[1]);
     for(const Chart_borders_3::Side& side : m_sides)
     {
@@ -96,10 +96,10 @@ public:
   // Returns the defects of each chart. Charts that are one have them all at one chart.
   std::vector<int> count()
   {
-    for(const std::array<std::size_t, 2>& charts : m_borders.closed_lines)
+    for(const std::array<std::size_t, 2>& charts : m_borders.closed_chains)
       if(m_labels[charts[0]] != m_labels[charts[1]])
         for(const std::size_t c : charts)
-          add_closed_line(m_union[c]);
+          add_closed_chain(m_union[c]);
     find_characteristics();
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
       visit_corner(sides);
@@ -112,7 +112,7 @@ public:
         follow_border(s, is_visited);
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(separates(s) && !m_is_followed[s])
-        follow_closed_line(s);
+        follow_closed_chain(s);
     for(std::size_t c = 0; c < m_defects.size(); ++c)
       if(m_union[c] == c)
         m_defects[c] += distance_from_polygon(m_turnings[c], m_characteristic[c]);
@@ -214,15 +214,15 @@ private:
     m_turnings[chart(side)].add(turning);
   }
 
-  void follow_closed_line(const std::size_t side)
+  void follow_closed_chain(const std::size_t side)
   {
-    add_closed_line(chart(side));
+    add_closed_chain(chart(side));
     for(std::size_t s = side; !m_is_followed[s]; s = next(s))
       m_is_followed[s] = true;
   }
 
   // Counts a border without a corner, which is a defect and has no turns.
-  void add_closed_line(const std::size_t chart)
+  void add_closed_chain(const std::size_t chart)
   {
     ++m_defects[chart];
     m_turnings[chart].add(0);

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_groups_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_planes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Harmonic_extension_2.h>
 
 #include <map>
@@ -20,19 +20,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Chart with the functions of which its harmonic map is a sum: one for each group of faces at its corners, times the coordinate
-// of the group.
+// Chart with the functions of which its harmonic map is a sum: one for each plane at its corners, times its coordinate.
 struct Harmonic_chart_2 : Chart_triangles_2
 {
   struct Function
   {
-    int group;       // number of the coordinate
+    int plane;       // number of the coordinate
     int row;         // 0 for the first coordinate in the plane, 1 for the second one
     VectorXd values; // at the vertices
   };
 
   std::vector<Function> functions;
-  int group = 0; // of the face that the chart is mapped to
+  int plane = 0; // of the face that the chart is mapped to
   int sign = 0;  // of the direction along its axis in which that faces
 
   using Chart_triangles_2::Chart_triangles_2;
@@ -56,27 +55,27 @@ struct Harmonic_chart_2 : Chart_triangles_2
   {
     Small_matrix<2, 2> J = Small_matrix<2, 2>::Zero();
     for(std::size_t i = 0; i < functions.size(); ++i)
-      J.row(functions[i].row) += coordinates[functions[i].group] * gradients.row(i);
+      J.row(functions[i].row) += coordinates[functions[i].plane] * gradients.row(i);
     return J;
   }
 };
 
-// Harmonic map of a surface to a polycube, chart by chart, as a linear function of the coordinates of the groups of faces.
+// Harmonic map of a surface to a polycube, chart by chart, as a linear function of the coordinates of the planes.
 class Harmonic_polycube_map_3
 {
 public:
-  Harmonic_polycube_map_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups)
-    : m_mesh(mesh), m_groups(groups)
+  Harmonic_polycube_map_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_planes_3& planes)
+    : m_mesh(mesh), m_planes(planes)
   {
-    number_groups(charts);
-    std::vector<std::vector<Boundary_mesh_3::Face_index> > faces(groups.size());
+    number_planes(charts);
+    std::vector<std::vector<Boundary_mesh_3::Face_index> > faces(planes.size());
     for(const auto f : mesh.faces())
       faces[charts.chart_of_face()[f]].push_back(f);
     const Edge_positions positions = positions_on_edges(charts);
     for(std::size_t c = 0; c < faces.size(); ++c)
     {
       m_charts.emplace_back(mesh, faces[c]);
-      m_charts.back().group = number(c);
+      m_charts.back().plane = number(c);
       m_charts.back().sign = sign_of_direction(charts.labels()[c]);
       add_functions(charts.plane_axes(c), positions, m_charts.back());
     }
@@ -84,23 +83,23 @@ public:
 
   const std::vector<Harmonic_chart_2>& charts() const { return m_charts; }
 
-  // Return the areas of the faces of the groups on the surface, and the axes along which their coordinates are.
+  // Return the areas of the charts of each plane, and the axes along which the coordinates of planes are.
   const VectorXd& areas() const { return m_areas; }
   const std::vector<int>& axes() const { return m_axes; }
 
-  // Return coordinates of charts as those of their groups, and the reverse.
-  VectorXd of_groups(const std::vector<double>& of_charts) const
+  // Return coordinates of charts as those of their planes, and the reverse.
+  VectorXd of_planes(const std::vector<double>& of_charts) const
   {
     VectorXd result(m_areas.size());
     for(std::size_t c = 0; c < of_charts.size(); ++c)
       result[number(c)] = of_charts[c];
     return result;
   }
-  std::vector<double> of_charts(const VectorXd& of_groups) const
+  std::vector<double> of_charts(const VectorXd& of_planes) const
   {
     std::vector<double> result;
-    for(std::size_t c = 0; c < m_groups.size(); ++c)
-      result.push_back(of_groups[number(c)]);
+    for(std::size_t c = 0; c < m_planes.size(); ++c)
+      result.push_back(of_planes[number(c)]);
     return result;
   }
 
@@ -110,36 +109,36 @@ public:
     double result = 0;
     for(const Harmonic_chart_2& chart : m_charts)
       for(const Chart_triangles_2::Triangle& t : chart.triangles)
-        result += coordinates[chart.group] * chart.sign * t.area
+        result += coordinates[chart.plane] * chart.sign * t.area
                   * chart.jacobian(chart.gradients(t), coordinates).determinant() / 3;
     return result;
   }
 
 private:
-  // Image of a vertex of an edge of the polycube, by axis: in the faces of two groups, or between them.
+  // Image of a vertex of an edge of the polycube, by axis: in two planes, or between them.
   struct Edge_position
   {
-    std::array<int, 3> first, second; // numbers of groups
+    std::array<int, 3> first, second; // planes
     std::array<double, 3> part;       // of the second one
   };
   using Edge_positions = std::map<int, Edge_position>; // by vertex
 
-  void number_groups(const Polycube_charts_3& charts)
+  void number_planes(const Polycube_charts_3& charts)
   {
-    m_number.assign(m_groups.size(), -1);
-    for(std::size_t g = 0; g < m_groups.size(); ++g)
-      if(m_groups[g] == g)
+    m_number.assign(m_planes.size(), -1);
+    for(std::size_t g = 0; g < m_planes.size(); ++g)
+      if(m_planes[g] == g)
       {
         m_number[g] = static_cast<int>(m_axes.size());
         m_axes.push_back(charts.axis(g));
       }
     m_areas.resize(m_axes.size());
-    for(std::size_t g = 0; g < m_groups.size(); ++g)
-      if(m_groups[g] == g)
-        m_areas[m_number[g]] = m_groups.areas()[g];
+    for(std::size_t g = 0; g < m_planes.size(); ++g)
+      if(m_planes[g] == g)
+        m_areas[m_number[g]] = m_planes.areas()[g];
   }
 
-  int number(const std::size_t chart) const { return m_number[m_groups[chart]]; }
+  int number(const std::size_t chart) const { return m_number[m_planes[chart]]; }
 
   // Returns the positions of the vertices of edges, by arc length between the corners.
   Edge_positions positions_on_edges(const Polycube_charts_3& charts) const
@@ -161,7 +160,7 @@ private:
 
   std::array<int, 3> numbers_at(const Polycube_charts_3::Vertex corner) const
   {
-    const auto [a, b, c] = m_groups.at(corner);
+    const auto [a, b, c] = m_planes.at(corner);
     return { number(a), number(b), number(c) };
   }
 
@@ -173,9 +172,9 @@ private:
     const Harmonic_extension_2 extension(chart, is_held);
     for(const int row : { 0, 1 })
     {
-      std::map<int, VectorXd> values_of_group;
-      const auto add = [&](const int group, const std::size_t v, const double part)
-      { values_of_group.emplace(group, VectorXd::Zero(chart.vertices.size())).first->second[v] += part; };
+      std::map<int, VectorXd> values_in_plane;
+      const auto add = [&](const int plane, const std::size_t v, const double part)
+      { values_in_plane.emplace(plane, VectorXd::Zero(chart.vertices.size())).first->second[v] += part; };
       for(std::size_t v = 0; v < is_held.size(); ++v)
         if(is_held[v])
         {
@@ -183,17 +182,17 @@ private:
           add(first[axes[row]], v, 1 - part[axes[row]]);
           add(second[axes[row]], v, part[axes[row]]);
         }
-      for(auto& [group, values] : values_of_group)
+      for(auto& [plane, values] : values_in_plane)
       {
         extension.apply(values);
-        chart.functions.push_back({ group, row, std::move(values) });
+        chart.functions.push_back({ plane, row, std::move(values) });
       }
     }
   }
 
   const Boundary_mesh_3& m_mesh;
-  const Polycube_groups_3& m_groups;
-  std::vector<int> m_number; // of a group, in the order of the coordinates
+  const Polycube_planes_3& m_planes;
+  std::vector<int> m_number; // of a plane, in the order of the coordinates
   std::vector<int> m_axes;
   VectorXd m_areas;
   std::vector<Harmonic_chart_2> m_charts;

@@ -38,9 +38,9 @@ public:
 
   // Takes the images of a map without lines, and whether each edge of the mesh is sharp.
   Lines_of_charts_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::vector<bool>& is_sharp,
-                    const Grid_planes_3& planes, const std::vector<Eigen::Vector3d>& images)
-    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_images(images),
-      m_is_bound(images.size(), { false, false, false }), m_sites(charts.number_of_charts() + charts.chains().size())
+                    const Plane_grid_3& grid, const std::vector<Eigen::Vector3d>& images)
+    : m_mesh(mesh), m_charts(charts), m_grid(grid), m_images(images),
+      m_is_bound(images.size(), { false, false, false }), m_positions(charts.number_of_charts() + charts.chains().size())
   {
     add_edges_of_polycube();
     join_lines(Search_for_lines_3(mesh, charts, is_sharp, images).lines());
@@ -90,13 +90,12 @@ private:
     std::optional<double> value;
   };
 
-  // Edge of the polycube, line, or end of a line, in a chart or on an edge of the polycube: where others may be only on the
-  // side of its value on which they were.
-  struct Site
+  // Position of an edge of the polycube, a line, or an end of a line, in a chart or on an edge of the polycube.
+  struct Position
   {
     int axis;
     double low, high; // along the other axis
-    double before, value;
+    double old_value, new_value;
   };
 
   template <typename Predicate>
@@ -122,12 +121,12 @@ private:
       {
         const int axis = other_axis(m_charts, c, chain.axis);
         const auto [low, high] = std::minmax(first[chain.axis], last[chain.axis]);
-        m_sites[c].push_back({ axis, low, high, first[axis], first[axis] });
+        m_positions[c].push_back({ axis, low, high, first[axis], first[axis] });
         for(const Vertex v : path)
           m_is_bound[v][axis] = true;
       }
       for(const Eigen::Vector3d& p : { first, last })
-        m_sites[m_charts.number_of_charts() + i].push_back({ chain.axis, 0, 1, p[chain.axis], p[chain.axis] });
+        m_positions[m_charts.number_of_charts() + i].push_back({ chain.axis, 0, 1, p[chain.axis], p[chain.axis] });
       for(std::size_t k = 1; k + 1 < path.size(); ++k)
         m_chain_of_vertex[path[k]] = static_cast<int>(i);
     }
@@ -203,16 +202,17 @@ private:
   {
     for(Group& group : m_groups)
     {
-      if(group.length < m_planes.spacing)
+      if(group.length < m_grid.spacing)
         break; // the longest ones come first
       for(const double value : values(group))
       {
-        const auto sites = sites_of(group, value);
-        if(!std::all_of(sites.begin(), sites.end(), [this](const auto& site) { return fits(site.first, site.second); }))
+        const auto positions = positions_of(group, value);
+        const auto keeps = [this](const auto& position) { return keeps_order(position.first, position.second); };
+        if(!std::all_of(positions.begin(), positions.end(), keeps))
           continue;
         group.value = value;
-        for(const auto& [owner, site] : sites)
-          m_sites[owner].push_back(site);
+        for(const auto& [index, position] : positions)
+          m_positions[index].push_back(position);
         break;
       }
     }
@@ -229,21 +229,21 @@ private:
           bound.insert(m_images[v][group.axis]);
     if(!bound.empty())
       return bound.size() == 1 ? std::vector<double>(1, *bound.begin()) : std::vector<double>();
-    if(!(m_planes.spacing > 0))
+    if(!(m_grid.spacing > 0))
       return { group.mean };
     constexpr double least_gain = 0.1; // a guess; part of the spacing by which a plane that divides boxes must be nearer
     std::set<std::pair<double, double> > by_distance;
     double handicap = 0;
     for(const double part : { 1., 0.5, smallest_part_of_spacing })
     {
-      const double distance = part * m_planes.spacing, k = (group.mean - m_planes.origin[group.axis]) / distance;
+      const double distance = part * m_grid.spacing, k = (group.mean - m_grid.origin[group.axis]) / distance;
       const double nearest = std::round(k);
       for(const double n : { nearest, nearest < k ? nearest + 1 : nearest - 1 })
       {
-        const double value = m_planes.origin[group.axis] + n * distance;
+        const double value = m_grid.origin[group.axis] + n * distance;
         by_distance.emplace(std::abs(value - group.mean) + handicap, value);
       }
-      handicap += least_gain * m_planes.spacing;
+      handicap += least_gain * m_grid.spacing;
     }
     std::vector<double> result;
     for(const auto& [distance, value] : by_distance)
@@ -252,9 +252,9 @@ private:
   }
 
   // Returns the lines of a group in their charts, and their ends on edges of the polycube along the axis across.
-  std::vector<std::pair<std::size_t, Site> > sites_of(const Group& group, const double value) const
+  std::vector<std::pair<std::size_t, Position> > positions_of(const Group& group, const double value) const
   {
-    std::vector<std::pair<std::size_t, Site> > result;
+    std::vector<std::pair<std::size_t, Position> > result;
     for(const Line_of_chart_3& line : group.lines)
     {
       const int along = other_axis(m_charts, line.chart, line.axis);
@@ -268,23 +268,24 @@ private:
     return result;
   }
 
-  // Tells whether a site is on the same sides of all others with its owner as before. Ends of lines at one vertex are one.
-  bool fits(const std::size_t owner, const Site& site) const
+  // Tells whether a position in a chart, or on an edge of the polycube, has the same order with all others there as before. Ends
+  // of lines at one vertex have one position.
+  bool keeps_order(const std::size_t index, const Position& position) const
   {
-    return std::all_of(m_sites[owner].begin(), m_sites[owner].end(), [&](const Site& other)
+    return std::all_of(m_positions[index].begin(), m_positions[index].end(), [&](const Position& other)
     {
-      return other.axis != site.axis || !(other.low < site.high && site.low < other.high)
-        || (site.value - other.value) * (site.before - other.before) > 0;
+      return other.axis != position.axis || !(other.low < position.high && position.low < other.high)
+        || (position.new_value - other.new_value) * (position.old_value - other.old_value) > 0;
     });
   }
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
-  const Grid_planes_3 m_planes;
+  const Plane_grid_3 m_grid;
   const std::vector<Eigen::Vector3d> m_images;
   Held_coordinates m_is_bound;        // at edges of the polycube: coordinates that are those of faces
   std::vector<int> m_chain_of_vertex; // -1 for vertices of none, and corners
-  std::vector<std::vector<Site> > m_sites; // in each chart, and on each edge of the polycube
+  std::vector<std::vector<Position> > m_positions; // in each chart, and on each edge of the polycube
   std::vector<Group> m_groups;
 };
 

@@ -38,7 +38,7 @@ inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const
   return { std::move(charts), n };
 }
 
-// Line between two charts, from corner to corner: the preimage of an edge of the polycube.
+// Chain of edges of the surface between two charts, from corner to corner: the preimage of an edge of the polycube.
 struct Polycube_chain_3
 {
   std::vector<Boundary_mesh_3::Halfedge_index> halfedges; // counterclockwise around the first chart
@@ -104,7 +104,7 @@ public:
     {
       return (charts[0] == chart && m_labels[charts[1]] == label) || (charts[1] == chart && m_labels[charts[0]] == label);
     };
-    return std::any_of(m_borders.closed_lines.begin(), m_borders.closed_lines.end(), is_between)
+    return std::any_of(m_borders.closed_chains.begin(), m_borders.closed_chains.end(), is_between)
       || std::any_of(m_chains.begin(), m_chains.end(), [&](const auto& chain) { return is_between(chain.charts); });
   }
 
@@ -179,10 +179,10 @@ private:
       for(const Halfedge h : CGAL::halfedges_around_source(v, m_mesh))
         if(separates(h) && chart(h) < chart(m_mesh.opposite(h)))
           add_chain(h, is_corner, is_in_chain);
-    for(const Halfedge h : m_mesh.halfedges()) // closed lines without a corner
+    for(const Halfedge h : m_mesh.halfedges()) // closed chains, without a corner
       if(separates(h) && !is_in_chain[h])
       {
-        m_borders.closed_lines.push_back({ chart(h), chart(m_mesh.opposite(h)) });
+        m_borders.closed_chains.push_back({ chart(h), chart(m_mesh.opposite(h)) });
         for(Halfedge k = h; !is_in_chain[k]; k = next_on_border(k))
           is_in_chain[k] = is_in_chain[m_mesh.opposite(k)] = true;
       }

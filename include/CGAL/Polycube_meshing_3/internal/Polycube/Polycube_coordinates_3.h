@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_groups_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_planes_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/are_nested.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
@@ -25,18 +25,18 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Finds the coordinates of the groups of faces of a polycube, along their axes, that minimize
-//   sum over groups g of area(g) (x(g) - wanted coordinate of g)^2
+// Finds the coordinates of the planes of a polycube, along their axes, that minimize
+//   sum over planes p of area(p) (x(p) - wanted coordinate of p)^2
 // such that each edge of the polycube has at least a part of the length of its chain. The axes are independent of each other,
 // and small quadratic programs. Edges of a face that intersect then get the order that their chains have on the surface, too,
 // if the other orders allow it.
 class Polycube_coordinates_3
 {
 public:
-  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups,
-                         const Grid_planes_3& planes, const Budget& budget)
-    : m_mesh(mesh), m_charts(charts), m_groups(groups), m_planes(planes), m_budget(budget),
-      m_coordinate(groups.size()), m_borders(charts.borders()), m_order(groups.size())
+  Polycube_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_planes_3& planes,
+                         const Plane_grid_3& grid, const Budget& budget)
+    : m_mesh(mesh), m_charts(charts), m_planes(planes), m_grid(grid), m_budget(budget),
+      m_coordinate(planes.size()), m_borders(charts.borders()), m_order(planes.size())
   {}
 
   // Returns whether there are coordinates.
@@ -58,13 +58,13 @@ public:
   std::vector<double> of_charts() const
   {
     std::vector<double> result;
-    for(std::size_t c = 0; c < m_groups.size(); ++c)
-      result.push_back(m_coordinate[m_groups[c]]);
+    for(std::size_t c = 0; c < m_planes.size(); ++c)
+      result.push_back(m_coordinate[m_planes[c]]);
     return result;
   }
 
   // Returns the planes that the coordinates are on.
-  const Grid_planes_3& planes() const { return m_planes; }
+  const Plane_grid_3& grid() const { return m_grid; }
 
 private:
   using Border = std::vector<Polycube_charts_3::Vertex>;
@@ -74,7 +74,7 @@ private:
   {
     int axis;
     std::array<std::size_t, 2> charts;
-    std::array<std::size_t, 3> lowest, highest; // groups of charts at its ends, by axis
+    std::array<std::size_t, 3> lowest, highest; // planes at its ends, by axis
     Eigen::AlignedBox3d box;
     double length;
 
@@ -82,8 +82,8 @@ private:
       : axis(chain.axis), charts(chain.charts)
     {
       const std::vector<Polycube_charts_3::Vertex> path = coordinates.m_charts.vertices(chain);
-      lowest = coordinates.m_groups.at(path.front());
-      highest = coordinates.m_groups.at(path.back());
+      lowest = coordinates.m_planes.at(path.front());
+      highest = coordinates.m_planes.at(path.back());
       if(chain.sign < 0)
         lowest.swap(highest);
       for(const Polycube_charts_3::Vertex v : path)
@@ -99,26 +99,26 @@ private:
 
   bool solve(const int axis, const std::vector<double>& wanted)
   {
-    std::vector<std::size_t> groups, variables(m_groups.size());
+    std::vector<std::size_t> planes, variables(m_planes.size());
     std::vector<double> areas, moments;
-    for(std::size_t c = 0; c < m_groups.size(); ++c)
-      if(m_groups[c] == c && m_charts.axis(c) == axis)
+    for(std::size_t c = 0; c < m_planes.size(); ++c)
+      if(m_planes[c] == c && m_charts.axis(c) == axis)
       {
-        variables[c] = groups.size();
-        groups.push_back(c);
-        areas.push_back(m_groups.areas()[c]);
+        variables[c] = planes.size();
+        planes.push_back(c);
+        areas.push_back(m_planes.areas()[c]);
         moments.push_back(areas.back() * wanted[c]);
       }
     std::vector<Order_of_coordinates> orders;
     for(const auto& [first, second, distance] : m_orders)
       if(m_charts.axis(first) == axis)
         orders.push_back({ variables[first], variables[second], distance });
-    const std::optional<Ordered_coordinates> coordinates = ordered_coordinates_3(areas, moments, orders, m_planes, axis);
+    const std::optional<Ordered_coordinates> coordinates = ordered_coordinates_3(areas, moments, orders, m_grid, axis);
     if(!coordinates)
       return false;
-    for(std::size_t i = 0; i < groups.size(); ++i)
-      m_coordinate[groups[i]] = coordinates->values[i];
-    m_planes.origin[axis] = coordinates->origin;
+    for(std::size_t i = 0; i < planes.size(); ++i)
+      m_coordinate[planes[i]] = coordinates->values[i];
+    m_grid.origin[axis] = coordinates->origin;
     m_is_solved[axis] = true;
     return true;
   }
@@ -127,17 +127,17 @@ private:
   // planes so close would be a layer of slivers.
   void join_equal_coordinates()
   {
-    std::vector<std::size_t> groups(m_groups.size());
-    for(std::size_t c = 0; c < groups.size(); ++c)
-      groups[c] = m_groups[c];
-    std::sort(groups.begin(), groups.end(), [this](const std::size_t c, const std::size_t d)
+    std::vector<std::size_t> planes(m_planes.size());
+    for(std::size_t c = 0; c < planes.size(); ++c)
+      planes[c] = m_planes[c];
+    std::sort(planes.begin(), planes.end(), [this](const std::size_t c, const std::size_t d)
     {
       return std::pair(m_charts.axis(c), m_coordinate[c]) < std::pair(m_charts.axis(d), m_coordinate[d]);
     });
-    for(std::size_t i = 1; i < groups.size(); ++i)
-      if(const double previous = m_coordinate[groups[i - 1]];
-         m_charts.axis(groups[i]) == m_charts.axis(groups[i - 1]) && m_coordinate[groups[i]] - previous < 1e-12)
-        m_coordinate[groups[i]] = previous;
+    for(std::size_t i = 1; i < planes.size(); ++i)
+      if(const double previous = m_coordinate[planes[i - 1]];
+         m_charts.axis(planes[i]) == m_charts.axis(planes[i - 1]) && m_coordinate[planes[i]] - previous < 1e-12)
+        m_coordinate[planes[i]] = previous;
   }
 
   void add_order(const Order_of_coordinates& order)
@@ -166,13 +166,13 @@ private:
     return m_are_separable && m_orders.size() > n;
   }
 
-  using Extent = std::array<std::size_t, 2>; // groups with the lowest and the highest coordinate
+  using Extent = std::array<std::size_t, 2>; // planes with the lowest and the highest coordinate
 
   Extent extent(const Border& border, const int axis) const
   {
     const auto [lowest, highest] = std::minmax_element(border.begin(), border.end(), [&](const auto v, const auto w)
-    { return m_coordinate[m_groups.at(v)[axis]] < m_coordinate[m_groups.at(w)[axis]]; });
-    return { m_groups.at(*lowest)[axis], m_groups.at(*highest)[axis] };
+    { return m_coordinate[m_planes.at(v)[axis]] < m_coordinate[m_planes.at(w)[axis]]; });
+    return { m_planes.at(*lowest)[axis], m_planes.at(*highest)[axis] };
   }
 
   double shortest_edge(const std::size_t chart) const
@@ -252,8 +252,8 @@ private:
     Boundary_polygon_2 result;
     for(const auto v : border)
     {
-      const std::array<std::size_t, 3> groups = m_groups.at(v);
-      result.emplace_back(m_coordinate[groups[axes[0]]], m_coordinate[groups[axes[1]]]);
+      const std::array<std::size_t, 3> planes = m_planes.at(v);
+      result.emplace_back(m_coordinate[planes[axes[0]]], m_coordinate[planes[axes[1]]]);
     }
     return result;
   }
@@ -262,10 +262,10 @@ private:
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
-  const Polycube_groups_3& m_groups;
-  Grid_planes_3 m_planes;
+  const Polycube_planes_3& m_planes;
+  Plane_grid_3 m_grid;
   const Budget& m_budget;
-  std::vector<double> m_coordinate; // by group
+  std::vector<double> m_coordinate; // by plane
   std::array<bool, 3> m_is_solved = {}; // the orders along each axis
   const std::vector<std::vector<Border> > m_borders; // of the charts
   std::vector<Edge> m_edges;

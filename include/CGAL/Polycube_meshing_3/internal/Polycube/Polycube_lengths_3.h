@@ -37,22 +37,22 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Polycube_lengths_3
 {
 public:
-  Polycube_lengths_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_groups_3& groups)
-    : m_mesh(mesh), m_map(mesh, charts, groups)
+  Polycube_lengths_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_planes_3& planes)
+    : m_mesh(mesh), m_map(mesh, charts, planes)
   {}
 
   // Returns the coordinates of the faces of the charts, from those to start with, in planes of a grid if there is one.
-  std::vector<double> run(const std::vector<double>& coordinates, const Grid_planes_3& planes, const Budget& budget) const
+  std::vector<double> run(const std::vector<double>& coordinates, const Plane_grid_3& grid, const Budget& budget) const
   {
     constexpr double rounding = 1e-12; // far below the energy of any polycube that is not the body itself
-    const VectorXd start = m_map.of_groups(coordinates);
+    const VectorXd start = m_map.of_planes(coordinates);
     if(energy(start, start) < rounding)
       return coordinates;
     VectorXd x = minimum_of_energy(start, budget);
     if(const double volume = m_map.volume(x); volume > 0)
       x *= (std::max)(1., std::cbrt(Polygon_mesh_processing::volume(m_mesh) / volume));
-    if(planes.spacing > 0)
-      round_to_planes(planes, x);
+    if(grid.spacing > 0)
+      round_to_planes(grid, x);
     return m_map.of_charts(x);
   }
 
@@ -153,9 +153,9 @@ private:
         const auto derivative = [&](const std::size_t f) { return U(functions[f].row, i) * turned(f, k); };
         for(std::size_t f = 0; f < functions.size(); ++f)
         {
-          sum.b[functions[f].group] += i == k ? w * derivative(f) : 0;
+          sum.b[functions[f].plane] += i == k ? w * derivative(f) : 0;
           for(std::size_t g = 0; g < functions.size(); ++g)
-            sum.A(functions[f].group, functions[g].group) += w * derivative(f) * derivative(g);
+            sum.A(functions[f].plane, functions[g].plane) += w * derivative(f) * derivative(g);
         }
       }
   }
@@ -163,14 +163,14 @@ private:
   // Moves coordinates to planes of the grid, one after the other, the closest first. The others go along such that the sum of
   // squares stays the least, as the mean of a normal distribution does if one of its numbers becomes known. Planes that may
   // move start at the largest faces, wherever the body lies.
-  void round_to_planes(Grid_planes_3 planes, VectorXd& x) const
+  void round_to_planes(Plane_grid_3 grid, VectorXd& x) const
   {
     Eigen::Vector3d largest = Eigen::Vector3d::Zero();
-    for(Eigen::Index g = 0; g < x.size() && planes.may_move; ++g)
+    for(Eigen::Index g = 0; g < x.size() && grid.may_move; ++g)
       if(const int axis = m_map.axes()[g]; m_map.areas()[g] > largest[axis])
       {
         largest[axis] = m_map.areas()[g];
-        planes.origin[axis] = x[g];
+        grid.origin[axis] = x[g];
       }
     const std::unique_ptr<Symmetric_sparse_solver> solver = factorized(sum_of_squares(x, x).A);
     Matrix covariance(x.size(), x.size());
@@ -182,8 +182,8 @@ private:
     }
     const auto distance = [&](const Eigen::Index g)
     {
-      const double multiple = (x[g] - planes.origin[m_map.axes()[g]]) / planes.spacing;
-      return planes.spacing * (std::round(multiple) - multiple);
+      const double multiple = (x[g] - grid.origin[m_map.axes()[g]]) / grid.spacing;
+      return grid.spacing * (std::round(multiple) - multiple);
     };
     std::vector<Eigen::Index> left(x.size());
     for(std::iota(left.begin(), left.end(), 0); !left.empty(); )

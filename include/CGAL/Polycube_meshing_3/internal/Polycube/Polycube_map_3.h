@@ -32,11 +32,11 @@ public:
   using Face = Boundary_mesh_3::Face_index;
 
   Polycube_map_3(const Unit_surface_3& surface, const std::vector<std::size_t>& labels)
-    : m_surface(surface), m_mesh(surface.mesh), m_charts(m_mesh, labels), m_groups(m_mesh, m_charts),
+    : m_surface(surface), m_mesh(surface.mesh), m_charts(m_mesh, labels), m_planes(m_mesh, m_charts),
       m_images(m_mesh.number_of_vertices(), Eigen::Vector3d::Zero()), m_relaxations(m_charts.number_of_charts())
   {
     const double size = surface.box.sizes().maxCoeff();
-    m_planes = { -surface.box.center() / size, surface.spacing / size, surface.may_move };
+    m_grid = { -surface.box.center() / size, surface.spacing / size, surface.may_move };
   }
 
   // Finds the polycube that is closest to the surface, and maps the charts harmonically.
@@ -44,13 +44,13 @@ public:
   {
     if(m_charts.number_of_defects() > 0)
       return ERROR_NO_POLYCUBE;
-    return start_close_to(mean_coordinates_3(m_mesh, m_charts, m_groups), budget);
+    return start_close_to(mean_coordinates_3(m_mesh, m_charts, m_planes), budget);
   }
 
   // Returns the map to the polycube whose lengths are those of the surface, if that has less distortion.
   std::optional<Polycube_map_3> with_lengths_of_surface(const Budget& budget) const
   {
-    const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, m_groups).run(m_coordinates, m_planes, budget);
+    const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, m_planes).run(m_coordinates, m_grid, budget);
     Polycube_map_3 result(*this);
     if(result.start_close_to(coordinates, budget) != OK || !(result.distortion() < distortion()))
       return std::nullopt;
@@ -121,14 +121,14 @@ private:
   // Finds the polycube that is closest to coordinates of its faces, by chart.
   Error_code start_close_to(const std::vector<double>& coordinates_of_charts, const Budget& budget)
   {
-    Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_groups, m_planes, budget);
+    Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_planes, m_grid, budget);
     if(!coordinates.run(coordinates_of_charts))
       return ERROR_NO_POLYCUBE;
-    m_planes = coordinates.planes();
+    m_grid = coordinates.grid();
     return start_at(coordinates.of_charts(), budget);
   }
 
-  // Maps the lines between charts, by arc length between the vertices whose coordinate is held, and holds all their vertices.
+  // Maps the chains, by arc length between the vertices whose coordinate is held, and holds all their vertices.
   void map_edges()
   {
     for(const Polycube_chain_3& chain : m_charts.chains())
@@ -167,7 +167,7 @@ private:
   void straighten(const Budget& budget)
   {
     const std::vector<Eigen::Vector3d> images = m_images;
-    for(Lines_of_charts_3 lines(m_mesh, m_charts, m_surface.is_sharp, m_planes, images); !lines.are_empty(); )
+    for(Lines_of_charts_3 lines(m_mesh, m_charts, m_surface.is_sharp, m_grid, images); !lines.are_empty(); )
     {
       map_with(lines, images, budget);
       relax(budget);
@@ -241,9 +241,9 @@ private:
   void move_to_multiples()
   {
     const double spacing = m_surface.spacing;
-    if(m_planes.may_move)
+    if(m_grid.may_move)
     {
-      const Eigen::Array3d origin = in_space(m_planes.origin);
+      const Eigen::Array3d origin = in_space(m_grid.origin);
       for(Eigen::Vector3d& image : m_images)
         image.array() += spacing * (origin / spacing).round() - origin;
     }
@@ -259,8 +259,8 @@ private:
   const Unit_surface_3& m_surface;
   const Boundary_mesh_3& m_mesh; // of the surface
   const Polycube_charts_3 m_charts;
-  const Polycube_groups_3 m_groups;
-  Grid_planes_3 m_planes;
+  const Polycube_planes_3 m_planes;
+  Plane_grid_3 m_grid;
   std::vector<double> m_coordinates; // of the faces of the charts, along their axes
   std::vector<Eigen::Vector3d> m_images;
   Held_coordinates m_is_held;    // on edges of the polycube, and across lines

@@ -30,9 +30,9 @@ struct Polycube_problem_3
   bool may_split = false;    // may edges of the surface be split for a better map?
 };
 
-// Map of a surface to a polycube, and perhaps a better one of the surface with split edges; then there may be no other. The surface
-// is turned about the center of its bounding box. Edges are split one after the other: each gets a new point at its midpoint, which
-// comes behind all others.
+// Map of a surface to a polycube, and perhaps a better one of the surface with split edges; then there may be no other. The
+// surface is turned about the center of its bounding box. Edges are split one after the other: each gets a new point at its
+// midpoint, which comes behind all others.
 struct Found_polycube_3
 {
   Error_code status = ERROR_NO_POLYCUBE;

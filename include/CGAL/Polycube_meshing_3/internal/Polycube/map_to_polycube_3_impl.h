@@ -188,7 +188,8 @@ inline Found_polycube_3 map_to_any_box_3(Turned_surface_3 turned, const bool may
   const Error_code kind = check_sphere(turned.mesh);
   if(kind != OK && kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS)
     return map_to_box_or_voxels_3(turned, may_split, budget);
-  Surface_map_3 map = kind == OK ? map_to_bounding_box_3(turned, budget) : map_bodies_apart_3(turned.surface, turned.spacing, budget);
+  Surface_map_3 map = kind == OK ? map_to_bounding_box_3(turned, budget)
+                                 : map_bodies_apart_3(turned.surface, turned.spacing, budget);
   return { map.status, turned.rotation, std::move(map.images) };
 }
 

@@ -42,7 +42,7 @@ using Program_number = MP_Float;
 
 // Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. They may be moved if they are
 // to be as close to given faces as planes so far apart can be.
-struct Grid_planes_3
+struct Plane_grid_3
 {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   double spacing = 0;
@@ -157,10 +157,10 @@ struct Ordered_coordinates
 // are moved before if they may. As floor(x + 1/2) is monotone and commutes with adding integers, that keeps all distances.
 inline std::optional<Ordered_coordinates>
 ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
-                      const std::vector<Order_of_coordinates>& orders, const Grid_planes_3& planes, const int axis)
+                      const std::vector<Order_of_coordinates>& orders, const Plane_grid_3& grid, const int axis)
 {
-  const bool has_planes = planes.spacing > 0;
-  const double scale = has_planes ? planes.spacing : 1, origin = has_planes ? planes.origin[axis] : 0;
+  const bool has_planes = grid.spacing > 0;
+  const double scale = has_planes ? grid.spacing : 1, origin = has_planes ? grid.origin[axis] : 0;
   Least_distances distances;
   for(const auto& [first, second, distance] : orders)
   {
@@ -199,7 +199,7 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
     x.push_back(start[x.size()] + CGAL::to_double(*it));
   if(!has_planes)
     return Ordered_coordinates{ x, origin };
-  const double shift = planes.may_move ? closest_shift_of_integers(areas, x) : 0;
+  const double shift = grid.may_move ? closest_shift_of_integers(areas, x) : 0;
   Ordered_coordinates result = { {}, origin + scale * shift };
   for(auto it = solution.variable_values_begin(); result.values.size() < areas.size(); ++it)
     result.values.push_back(result.origin + scale * (start[result.values.size()] + nearest_integer(*it - Program_number(shift))));

@@ -159,7 +159,8 @@ inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedra
   result.status = ERROR_POOR_HEXAHEDRON;
   result.message = sentence(get_error_message(ERROR_POOR_HEXAHEDRON), " ", number,
                             number == 1 ? " hexahedron is" : " hexahedra are", " below ", bound, "; the worst one, of ",
-                            result.minimum_scaled_jacobian, ", has a vertex at ", describe(mesh.points[worst_hexahedron(mesh, quality)[0]]), ".");
+                            result.minimum_scaled_jacobian, ", has a vertex at ",
+                            describe(mesh.points[worst_hexahedron(mesh, quality)[0]]), ".");
 }
 
 // Completes the result for a valid mesh, and the mesh.

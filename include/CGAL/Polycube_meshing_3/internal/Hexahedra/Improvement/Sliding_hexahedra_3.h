@@ -203,7 +203,7 @@ private:
       }
   }
 
-  // Returns the point nearest to a vertex among those where it may be: the first position of one that may not move.
+  // Returns the point nearest to a vertex among those where it may be; for a vertex that may not move, its first position.
   Eigen::Vector3d nearest(const std::size_t i) const
   {
     return m_surfaces[i]->nearest(m_freedom[i] == Freedom_3::NONE ? m_numbered.source.col(i) : m_numbered.target.col(i),

@@ -63,7 +63,8 @@ inline void set_patches(const Hexahedra_3& mesh, Body_interfaces_3& interfaces,
     for(std::size_t i = 0; i < 4; ++i)
       at_edges[edge_of_quadrangle(q.vertices, i)].push_back(pairs.size());
     pairs.push_back(pair_of(mesh, q));
-    q.patch = interfaces.patch_of_quadrangle(center_of(mesh.points, q.vertices), area.stableNormalized(), std::sqrt(area.norm()), pairs.back());
+    q.patch = interfaces.patch_of_quadrangle(center_of(mesh.points, q.vertices), area.stableNormalized(),
+                                             std::sqrt(area.norm()), pairs.back());
   }
   for(int round = 0; round < number_of_rounds; ++round)
   {

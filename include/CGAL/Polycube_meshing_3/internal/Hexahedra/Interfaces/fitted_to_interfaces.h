@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Interface_layers_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/sides_with_layer_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

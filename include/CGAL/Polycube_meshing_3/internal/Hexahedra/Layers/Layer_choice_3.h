@@ -42,12 +42,12 @@ inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedra_3& domain
   return result;
 }
 
-// Faces of the domain, by their numbers in `facet_patches`, that a layer of hexahedra is put along.
-using Layer_3 = std::set<std::size_t>;
+// Faces of the domain, by their numbers in `facet_patches`, that a layer of hexahedra covers.
+using Covered_faces_3 = std::set<std::size_t>;
 
-inline Layer_3 layer_along_boundary(const Hexahedra_3& domain)
+inline Covered_faces_3 all_faces_of_domain(const Hexahedra_3& domain)
 {
-  return Layer_3(domain.facet_patches.begin(), domain.facet_patches.end());
+  return Covered_faces_3(domain.facet_patches.begin(), domain.facet_patches.end());
 }
 
 // Chooses layers of hexahedra such that no corner of a hexahedron on the boundary needs to be almost straight. Where two
@@ -60,14 +60,14 @@ class Layer_choice_3
 public:
   // Takes the hexahedra of the body, with their images in the domain.
   explicit Layer_choice_3(const Hexahedra_3& mesh)
-    : m_mesh(mesh), m_edges(edges_of_domain_3(mesh)), m_patches(layer_along_boundary(mesh)), m_sets(m_patches.size() + 1)
+    : m_mesh(mesh), m_edges(edges_of_domain_3(mesh)), m_faces(all_faces_of_domain(mesh)), m_sets(m_faces.size() + 1)
   {
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       if(needs_layer(m_edges[e]) || !m_edges[e].is_manifold || is_concave(m_edges[e]))
         m_sets.unite(patch(e, 0), patch(e, 1));
   }
 
-  std::vector<Layer_3> layers()
+  std::vector<Covered_faces_3> layers()
   {
     std::set<std::size_t> sets;
     do
@@ -78,7 +78,7 @@ public:
           sets.insert(m_sets.find(patch(e, 0)));
     }
     while(std::any_of(sets.begin(), sets.end(), [this](const std::size_t set) { return grow(layer_of(set)); }));
-    std::vector<Layer_3> result;
+    std::vector<Covered_faces_3> result;
     for(const std::size_t set : sets)
       result.push_back(layer_of(set));
     return result;
@@ -109,17 +109,17 @@ private:
     return !is_concave(edge) && n.dot(normal(m_mesh.points, m_mesh.facets[edge.facets[1]])) > cosine_of_smooth_edge;
   }
 
-  Layer_3 layer_of(const std::size_t set)
+  Covered_faces_3 layer_of(const std::size_t set)
   {
-    Layer_3 result;
-    for(const std::size_t p : m_patches)
+    Covered_faces_3 result;
+    for(const std::size_t p : m_faces)
       if(m_sets.find(p) == set)
         result.insert(p);
     return result;
   }
 
   // Adds faces to a layer at vertices where it cannot end. Returns whether there was such a vertex.
-  bool grow(const Layer_3& layer)
+  bool grow(const Covered_faces_3& layer)
   {
     constexpr std::size_t none = 0; // faces are numbered from 1
     std::vector<int> number_of_ends(m_mesh.points.size(), 0);
@@ -148,16 +148,16 @@ private:
 
   const Hexahedra_3& m_mesh;
   const std::vector<Edge_of_domain_3> m_edges;
-  const Layer_3 m_patches; // all faces, numbered from 1
+  const Covered_faces_3 m_faces; // all, , numbered from 1
   Disjoint_sets m_sets; // faces that belong to one layer
 };
 
-// Returns the quadrangles of the boundary that a layer is put along, as sides of their hexahedra.
-inline std::vector<Quadrangle_of_hexahedron> quadrangles_along(const Hexahedra_3& mesh, const Layer_3& layer)
+// Returns the quadrangles of the boundary in faces of the domain, as sides of their hexahedra.
+inline std::vector<Quadrangle_of_hexahedron> quadrangles_in(const Hexahedra_3& mesh, const Covered_faces_3& faces)
 {
   std::vector<Quadrangle_of_hexahedron> result;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    if(layer.count(mesh.facet_patches[f]) > 0)
+    if(faces.count(mesh.facet_patches[f]) > 0)
       result.push_back({ mesh.facet_cells[f], side_of_facet(mesh, f) });
   return result;
 }

@@ -33,7 +33,7 @@ public:
 
   Box_with_holes_3(const Boundary_mesh_3& mesh, const Lines_of_box_3& lines)
     : m_mesh(mesh), m_lines(lines), m_is_on_line(mesh.number_of_vertices(), false),
-      m_is_line(mesh.number_of_edges(), false), m_piece(mesh.number_of_faces(), none)
+      m_is_line(mesh.number_of_edges(), false), m_chart(mesh.number_of_faces(), none)
   {
     for(const Crossing_3& crossing : lines.crossings_of_box())
       m_rings.push_back({ line_with_upper_part_on_left(crossing), lines.hole(crossing.meridian, false), true, {} });
@@ -61,18 +61,18 @@ public:
       return false;
     m_rings.back().corners = *corners;
     return std::all_of(m_rings.begin(), m_rings.end(), [this](const Ring& ring) { return draw_corners(ring); })
-           && find_pieces();
+           && find_charts();
   }
 
-  const std::vector<std::size_t>& piece_of_face() const { return m_piece; }
+  const std::vector<std::size_t>& chart_of_face() const { return m_chart; }
 
   bool is_at_hole(const Vertex v, const std::size_t hole) const
   {
     const auto around = CGAL::halfedges_around_target(v, m_mesh);
     return std::any_of(around.begin(), around.end(), [&](const Halfedge h)
     {
-      const std::size_t piece = m_piece[m_mesh.face(h)];
-      return piece >= 2 && (piece - 2) / 4 == hole;
+      const std::size_t chart = m_chart[m_mesh.face(h)];
+      return chart >= 2 && (chart - 2) / 4 == hole;
     });
   }
 
@@ -81,13 +81,13 @@ public:
     // seen from above, a ring is passed with the top on its left: counterclockwise around the box, clockwise around holes
     constexpr std::size_t sides_of_box[] = { 0, 2, 1, 3 }, sides_of_hole[] = { 0, 3, 1, 2 };
     std::vector<std::size_t> result;
-    for(const std::size_t piece : m_piece)
-      result.push_back(piece < 2 ? 4 + piece : (is_of_box(piece) ? sides_of_box : sides_of_hole)[(piece - 2) % 4]);
+    for(const std::size_t chart : m_chart)
+      result.push_back(chart < 2 ? 4 + chart : (is_of_box(chart) ? sides_of_box : sides_of_hole)[(chart - 2) % 4]);
     return result;
   }
 
-  // Returns the coordinates of the images of the pieces, along their axes.
-  std::vector<double> coordinates(const bool may_be_long, const Grid_planes_3& planes) const
+  // Returns the coordinates of the images of the charts, along their axes.
+  std::vector<double> coordinates(const bool may_be_long, const Plane_grid_3& grid) const
   {
     Measures_of_box_3 measures;
     for(std::size_t i = 0; i < m_lines.number_of_holes(); ++i)
@@ -100,12 +100,12 @@ public:
     for(const Face f : m_mesh.faces())
     {
       const double area = area_of_face(m_mesh, f);
-      if(m_piece[f] < 2)
+      if(m_chart[f] < 2)
         measures.area_of_top += area / 2;
-      else if(is_of_box(m_piece[f]))
+      else if(is_of_box(m_chart[f]))
         measures.area_of_sides += area;
     }
-    return coordinates_of_box_with_holes_3(measures, may_be_long, planes);
+    return coordinates_of_box_with_holes_3(measures, may_be_long, grid);
   }
 
 private:
@@ -120,7 +120,7 @@ private:
     std::array<std::size_t, 4> corners;
   };
 
-  bool is_of_box(const std::size_t piece) const { return piece >= 2 + 4 * m_lines.number_of_holes(); }
+  bool is_of_box(const std::size_t chart) const { return chart >= 2 + 4 * m_lines.number_of_holes(); }
 
   void draw(const Surface_line_3& line)
   {
@@ -234,8 +234,8 @@ private:
     return true;
   }
 
-  // Finds the pieces that the lines separate. Returns whether they are the top, the bottom and the sides of rings alone.
-  bool find_pieces()
+  // Finds the charts that the lines separate. Returns whether they are the top, the bottom and the sides of rings alone.
+  bool find_charts()
   {
     std::vector<std::size_t> part(m_mesh.number_of_faces());
     const auto is_line = boost::make_function_property_map<Boundary_mesh_3::Edge_index>(
@@ -243,23 +243,23 @@ private:
     const std::size_t n = Polygon_mesh_processing::connected_components(
       m_mesh, boost::make_iterator_property_map(part.begin(), get(boost::face_index, m_mesh)),
       parameters::edge_is_constrained_map(is_line));
-    std::vector<std::size_t> piece_of_part(n, none);
+    std::vector<std::size_t> chart_of_part(n, none);
     std::size_t number = 0;
-    const auto number_part_of = [&](const Halfedge h) { piece_of_part[part[m_mesh.face(h)]] = number++; };
+    const auto number_part_of = [&](const Halfedge h) { chart_of_part[part[m_mesh.face(h)]] = number++; };
     number_part_of(m_rings.back().line[0]);
     number_part_of(m_mesh.opposite(m_rings[0].line[0]));
     for(const Ring& ring : m_rings)
       for(const std::size_t corner : ring.corners)
         number_part_of(ring.is_other_on_left ? ring.line[corner] : m_mesh.opposite(ring.line[corner]));
-    std::transform(part.begin(), part.end(), m_piece.begin(), [&](const std::size_t p) { return piece_of_part[p]; });
-    return n == number && std::count(piece_of_part.begin(), piece_of_part.end(), none) == 0;
+    std::transform(part.begin(), part.end(), m_chart.begin(), [&](const std::size_t p) { return chart_of_part[p]; });
+    return n == number && std::count(chart_of_part.begin(), chart_of_part.end(), none) == 0;
   }
 
   const Boundary_mesh_3& m_mesh;
   const Lines_of_box_3& m_lines;
   std::vector<Ring> m_rings; // rings of the holes from left to right, and of the box
   std::vector<bool> m_is_on_line, m_is_line;
-  std::vector<std::size_t> m_piece; // pieces of faces: the top, the bottom, and four sides of each ring
+  std::vector<std::size_t> m_chart; // charts of faces: the top, the bottom, and four sides of each ring
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

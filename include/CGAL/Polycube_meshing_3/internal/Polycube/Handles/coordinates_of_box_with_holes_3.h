@@ -48,9 +48,9 @@ inline double length_of_divided_front(const Measures_of_box_3& measures, const d
 // are at their positions along the front, if the box may be long enough, or as far as there is room. The top keeps its area,
 // and the middle of the box is at the origin. With planes of a grid, distances are rounded up.
 inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box_3& measures, const bool may_be_long,
-                                                           const Grid_planes_3& planes)
+                                                           const Plane_grid_3& grid)
 {
-  const auto rounded = [&](const double x) { return planes.spacing > 0 ? planes.spacing * std::ceil(x / planes.spacing) : x; };
+  const auto rounded = [&](const double x) { return grid.spacing > 0 ? grid.spacing * std::ceil(x / grid.spacing) : x; };
   const double bar = rounded(measures.bar);
   double x = bar, largest = 0, area = measures.area_of_top;
   std::vector<double> widths;
@@ -69,8 +69,8 @@ inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box
   const double z = rounded((std::max)(bar, measures.area_of_sides / (2 * (x + y))));
 
   Eigen::Array3d corner = -Eigen::Array3d(x, y, z) / 2;
-  if(planes.spacing > 0)
-    corner = planes.origin.array() + planes.spacing * ((corner - planes.origin.array()) / planes.spacing).round();
+  if(grid.spacing > 0)
+    corner = grid.origin.array() + grid.spacing * ((corner - grid.origin.array()) / grid.spacing).round();
   std::vector<double> result = { corner.z() + z, corner.z() };
   double left = bar;
   for(std::size_t i = 0; i < widths.size(); ++i)

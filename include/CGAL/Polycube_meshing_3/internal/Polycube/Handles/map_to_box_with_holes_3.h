@@ -21,13 +21,13 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns the coordinates of the charts of a box with holes, after some faces have changed their charts; none if charts have
 // been divided, or edges are not along an axis.
-inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const std::vector<std::size_t>& pieces,
+inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const std::vector<std::size_t>& charts_of_box,
                                                  const std::vector<std::size_t>& labels, const std::vector<double>& coordinates)
 {
   std::vector<double> result(charts.number_of_charts(), (std::numeric_limits<double>::quiet_NaN)());
-  for(std::size_t f = 0; f < pieces.size(); ++f)
+  for(std::size_t f = 0; f < charts_of_box.size(); ++f)
     if(const std::size_t c = charts.chart_of_face()[f]; labels[f] == charts.labels()[c])
-      result[c] = coordinates[pieces[f]];
+      result[c] = coordinates[charts_of_box[f]];
   const bool are_whole = result.size() == coordinates.size()
     && std::all_of(result.begin(), result.end(), [](const double x) { return std::isfinite(x); });
   const bool have_axes = std::all_of(charts.chains().begin(), charts.chains().end(),
@@ -67,7 +67,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Unit_surface_3& 
       continue;
     Polycube_map_3 map(surface, labels);
     const std::vector<double> coordinates
-      = coordinates_of_charts(map.charts(), box_with_holes.piece_of_face(), labels_of_box, coordinates_of_box);
+      = coordinates_of_charts(map.charts(), box_with_holes.chart_of_face(), labels_of_box, coordinates_of_box);
     if(coordinates.empty())
       return result;
     const Error_code status = map.start_at(coordinates, budget);

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Corners_on_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/vertices_of_corners.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
@@ -21,7 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Finds charts on a surface that are connected like those of placed faces of voxels: their borders become paths that share no
+// Finds charts on a surface that are connected like those of placed faces of voxels: their chains become paths that share no
 // vertices but corners, and leave these in the right order.
 class Routed_charts_3
 {
@@ -29,8 +29,8 @@ public:
   // Takes the faces of voxels on the surface, their charts, and the size of voxels. Facets at corners are split.
   Routed_charts_3(Split_surface_3& surface, const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face,
                   const std::size_t number_of_charts, const double spacing)
-    : m_surface(surface), m_faces(faces), m_borders(faces, chart_of_face), m_number_of_charts(number_of_charts),
-      m_spacing(spacing), m_paths(m_borders.borders().size())
+    : m_surface(surface), m_faces(faces), m_chains(faces, chart_of_face), m_number_of_charts(number_of_charts),
+      m_spacing(spacing), m_paths(m_chains.chains().size())
   {}
 
   // Returns the chart of each facet; none if a path is blocked.
@@ -38,48 +38,48 @@ public:
   {
     constexpr int layers_around_corners = 2; // give room to the paths that leave them
     constexpr int maximum_number_of_attempts = 40; // a guess
-    m_corners = vertices_of_corners(m_surface, m_faces, m_borders);
+    m_corners = vertices_of_corners(m_surface, m_faces, m_chains);
     if(m_corners.empty())
       return {};
     for(int i = 0; i < layers_around_corners; ++i)
       split_around(m_corners, m_surface);
     build_boundary_mesh_3(m_surface, m_mesh);
-    m_beside = vertices_beside_corners(m_surface, m_mesh, m_faces, m_borders, m_corners);
+    m_beside = vertices_beside_corners(m_surface, m_mesh, m_faces, m_chains, m_corners);
     if(m_beside.empty())
       return {};
     for(std::size_t i = 0; i < m_corners.size(); ++i)
-      m_number_of_corner.emplace(m_borders.corners()[i], i);
+      m_number_of_corner.emplace(m_chains.corners()[i], i);
 
     std::vector<std::size_t> order(m_paths.size()); // shorter ones first
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
-    { return m_borders.length(m_borders.borders()[i]) < m_borders.length(m_borders.borders()[j]); });
+    { return m_chains.length(m_chains.chains()[i]) < m_chains.length(m_chains.chains()[j]); });
     for(int attempt = 0; attempt < maximum_number_of_attempts && !budget.is_exhausted(); ++attempt)
     {
       const auto blocked = route(order);
       if(blocked == order.end())
         return charts_between_paths();
-      const std::vector<std::size_t>& points = m_borders.borders()[*blocked].points;
+      const std::vector<std::size_t>& points = m_chains.chains()[*blocked].points;
       m_blocked_points.insert(points.begin(), points.end());
       std::rotate(order.begin(), blocked, blocked + 1); // it comes first
     }
     return {};
   }
 
-  // Returns the points of the faces on the borders whose paths were blocked.
+  // Returns the points of the faces on the chains whose paths were blocked.
   const std::set<std::size_t>& blocked_points() const { return m_blocked_points; }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Routes the borders one after the other. Returns the first one that is blocked.
+  // Routes the chains one after the other. Returns the first one that is blocked.
   std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
   {
     m_is_used.assign(m_surface.points.size(), false);
     for(std::size_t i = 0; i < m_corners.size(); ++i)
     {
       m_is_used[m_corners[i]] = true;
-      for(const std::size_t v : m_beside[i]) // belongs to one border
+      for(const std::size_t v : m_beside[i]) // belongs to one chain
         m_is_used[v] = true;
     }
     return std::find_if_not(order.begin(), order.end(), [&](const std::size_t i) { return route(i); });
@@ -87,10 +87,10 @@ private:
 
   bool route(const std::size_t i)
   {
-    const Border_of_voxel_charts_3& border = m_borders.borders()[i];
-    const std::size_t first = m_number_of_corner.at(border.points.front()), last = m_number_of_corner.at(border.points.back());
+    const Chain_of_voxel_charts_3& chain = m_chains.chains()[i];
+    const std::size_t first = m_number_of_corner.at(chain.points.front()), last = m_number_of_corner.at(chain.points.back());
     std::vector<std::size_t> path
-      = shortest_path(m_beside[first][border.first_index], m_beside[last][border.last_index], border);
+      = shortest_path(m_beside[first][chain.first_index], m_beside[last][chain.last_index], chain);
     if(path.empty())
       return false;
     for(const std::size_t v : path)
@@ -101,14 +101,14 @@ private:
     return true;
   }
 
-  // Returns how much longer a path is at a vertex that is off the border of the faces.
-  double factor(const Eigen::Vector3d& p, const Border_of_voxel_charts_3& border) const
+  // Returns how much longer a path is at a vertex that is off the chain of the faces.
+  double factor(const Eigen::Vector3d& p, const Chain_of_voxel_charts_3& chain) const
   {
     constexpr double weight = 20; // a guess
     double least = (std::numeric_limits<double>::infinity)();
-    for(std::size_t i = 1; i < border.points.size(); ++i)
+    for(std::size_t i = 1; i < chain.points.size(); ++i)
     {
-      const Eigen::Vector3d &a = m_faces.points[border.points[i - 1]], edge = m_faces.points[border.points[i]] - a;
+      const Eigen::Vector3d &a = m_faces.points[chain.points[i - 1]], edge = m_faces.points[chain.points[i]] - a;
       const double t = edge.squaredNorm() > 0 ? (std::min)((std::max)((p - a).dot(edge) / edge.squaredNorm(), 0.), 1.) : 0;
       least = (std::min)(least, (a + t * edge - p).squaredNorm());
     }
@@ -117,13 +117,13 @@ private:
 
   // Returns the vertices of a path around those in use; none if there is none.
   std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to,
-                                         const Border_of_voxel_charts_3& border) const
+                                         const Chain_of_voxel_charts_3& chain) const
   {
     const auto for_each_edge = [&](const std::size_t v, const auto& reach)
     {
-      for(const std::size_t w : vertices_around(m_mesh, v))
-        if(!m_is_used[w] || w == to)
-          reach(w, (m_surface.points[w] - m_surface.points[v]).norm() * factor(m_surface.points[w], border));
+      for(const auto h : CGAL::halfedges_around_source(vertex_index(v), m_mesh))
+        if(const std::size_t w = m_mesh.target(h); !m_is_used[w] || w == to)
+          reach(w, (m_surface.points[w] - m_surface.points[v]).norm() * factor(m_surface.points[w], chain));
     };
     return Shortest_paths(m_surface.points.size(), std::array<std::size_t, 1>{ from }, for_each_edge,
                           [&](const std::size_t v) { return v == to; }).path_to(to);
@@ -137,8 +137,8 @@ private:
       for(std::size_t k = 1; k < m_paths[i].size(); ++k)
       {
         const auto h = m_mesh.halfedge(vertex_index(m_paths[i][k - 1]), vertex_index(m_paths[i][k]));
-        chart_of_halfedge[h] = m_borders.borders()[i].left;
-        chart_of_halfedge[m_mesh.opposite(h)] = m_borders.borders()[i].right;
+        chart_of_halfedge[h] = m_chains.chains()[i].left;
+        chart_of_halfedge[m_mesh.opposite(h)] = m_chains.chains()[i].right;
       }
     Disjoint_sets sets(m_surface.facets.size());
     for(const auto h : m_mesh.halfedges())
@@ -163,12 +163,12 @@ private:
 
   Split_surface_3& m_surface;
   const Voxel_faces_3& m_faces;
-  const Borders_of_voxel_charts_3 m_borders;
+  const Chains_of_voxel_charts_3 m_chains;
   const std::size_t m_number_of_charts;
   const double m_spacing;
-  std::vector<std::vector<std::size_t> > m_paths; // vertices, of each border
+  std::vector<std::vector<std::size_t> > m_paths; // vertices, of each chain
   std::vector<std::size_t> m_corners;             // vertices
-  std::vector<std::vector<std::size_t> > m_beside; // vertices, of the borders at each corner
+  std::vector<std::vector<std::size_t> > m_beside; // vertices, of the chains at each corner
   std::unordered_map<std::size_t, std::size_t> m_number_of_corner;
   std::vector<bool> m_is_used;
   std::set<std::size_t> m_blocked_points;

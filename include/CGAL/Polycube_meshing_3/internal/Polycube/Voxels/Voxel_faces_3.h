@@ -157,31 +157,31 @@ without_repetitions(std::vector<std::pair<std::size_t, std::size_t> > pairs)
   return pairs;
 }
 
-// Returns whether cells, one for each of the faces of voxels as they were once, are connected in each chart of the voxels as they
-// are now, and cells of two charts are neighbors if the charts are, and no others.
-inline bool have_cells_the_neighbors_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
-                                               const std::vector<std::size_t>& face_of_cell)
+// Returns whether pieces, one for each of the faces of voxels as they were once, are connected in each chart of the voxels as they
+// are now, and pieces of two charts are neighbors if the charts are, and no others.
+inline bool have_pieces_the_neighbors_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                               const std::vector<std::size_t>& face_of_piece)
 {
-  const auto chart_of_cell = [&](const std::size_t c) { return charts.chart_of_face[face_of_cell[c]]; };
-  std::vector<std::pair<std::size_t, std::size_t> > neighbors, neighbors_of_cells;
+  const auto chart_of_piece = [&](const std::size_t c) { return charts.chart_of_face[face_of_piece[c]]; };
+  std::vector<std::pair<std::size_t, std::size_t> > neighbors, neighbors_of_pieces;
   for(const std::size_t face : charts.faces)
     for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
     {
       if(const std::size_t a = charts.chart_of_face[face], b = charts.chart_of_face[face_across(charts.voxels, face, e)]; a < b)
         neighbors.emplace_back(a, b);
     });
-  Disjoint_sets sets(face_of_cell.size());
-  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
+  Disjoint_sets sets(face_of_piece.size());
+  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
     for(const std::size_t other : old_faces.neighbors[c])
-      if(const std::size_t a = chart_of_cell(c), b = chart_of_cell(other); a == b)
+      if(const std::size_t a = chart_of_piece(c), b = chart_of_piece(other); a == b)
         sets.unite(c, other);
       else if(a < b)
-        neighbors_of_cells.emplace_back(a, b);
+        neighbors_of_pieces.emplace_back(a, b);
   std::vector<std::size_t> parts(charts.labels.size(), 0);
-  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
-    parts[chart_of_cell(c)] += sets.find(c) == c;
+  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
+    parts[chart_of_piece(c)] += sets.find(c) == c;
   return std::all_of(parts.begin(), parts.end(), [](const std::size_t n) { return n == 1; })
-         && without_repetitions(std::move(neighbors)) == without_repetitions(std::move(neighbors_of_cells));
+         && without_repetitions(std::move(neighbors)) == without_repetitions(std::move(neighbors_of_pieces));
 }
 
 // Returns the two points of the edge between the face of a voxel in a direction and the one across another direction.
@@ -214,12 +214,12 @@ inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std:
   return result;
 }
 
-// Returns whether the charts of cells meet at as many corners as those of the voxels, and the same ones at each. Otherwise, an
+// Returns whether the charts of pieces meet at as many corners as those of the voxels, and the same ones at each. Otherwise, an
 // edge of the polycube would begin and end at one point.
-inline bool have_cells_the_corners_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
-                                             const std::vector<std::size_t>& face_of_cell)
+inline bool have_pieces_the_corners_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                             const std::vector<std::size_t>& face_of_piece)
 {
-  std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_cells;
+  std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_pieces;
   for(const std::size_t face : charts.faces)
     for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
     {
@@ -227,13 +227,13 @@ inline bool have_cells_the_corners_of_charts(const Charts_of_voxels_3& charts, c
         for(const std::size_t p : points_of_edge(charts.voxels, face, e))
           ends.emplace_back(p, chart);
     });
-  for(std::size_t c = 0; c < face_of_cell.size(); ++c)
+  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
     for(std::size_t k = 0; k < 4; ++k)
-      if(const std::size_t chart = charts.chart_of_face[face_of_cell[c]];
-         chart != charts.chart_of_face[face_of_cell[old_faces.neighbors[c][k]]])
+      if(const std::size_t chart = charts.chart_of_face[face_of_piece[c]];
+         chart != charts.chart_of_face[face_of_piece[old_faces.neighbors[c][k]]])
         for(const std::size_t p : { old_faces.corners[c][k], old_faces.corners[c][(k + 1) % 4] })
-          ends_of_cells.emplace_back(p, chart);
-  return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_cells));
+          ends_of_pieces.emplace_back(p, chart);
+  return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_pieces));
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

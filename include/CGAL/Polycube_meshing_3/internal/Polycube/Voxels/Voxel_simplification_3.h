@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Cells_of_voxels_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Pieces_of_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Octants_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
@@ -31,14 +31,15 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Voxel_simplification_3
 {
 public:
-  // Takes the faces of the voxels at first, which the cells belong to, and whether each move keeps corners where those of the
-  // cells are.
-  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Cells_of_voxels_3& cells, const bool do_keep_corners)
-    : m_voxels(voxels), m_faces(faces), m_costs(cells), m_do_keep_corners(do_keep_corners), m_face_of_cell(faces.faces),
+  // Takes the faces of the voxels at first, which the pieces belong to, and whether each move keeps corners where those of the
+  // pieces are.
+  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Pieces_of_surface_3& pieces,
+                         const bool do_keep_corners)
+    : m_voxels(voxels), m_faces(faces), m_costs(pieces), m_do_keep_corners(do_keep_corners), m_face_of_piece(faces.faces),
       m_is_moving(voxels.is_inside.size(), false)
   {
-    for(std::size_t c = 0; c < m_face_of_cell.size(); ++c)
-      m_cells[m_face_of_cell[c]].push_back(c);
+    for(std::size_t c = 0; c < m_face_of_piece.size(); ++c)
+      m_pieces[m_face_of_piece[c]].push_back(c);
   }
 
   // Makes borders shorter and shorter.
@@ -53,13 +54,13 @@ public:
     }
   }
 
-  // Returns the face of the voxels, as they are now, that each cell belongs to.
-  const std::vector<std::size_t>& face_of_cell() const { return m_face_of_cell; }
+  // Returns the face of the voxels, as they are now, that each piece belongs to.
+  const std::vector<std::size_t>& face_of_piece() const { return m_face_of_piece; }
 
 private:
   static constexpr int maximum_number_of_layers = 4; // a guess
 
-  // Undoes moves: voxels that changed, and cells with the faces that they had before.
+  // Undoes moves: voxels that changed, and pieces with the faces that they had before.
   struct Changes
   {
     std::vector<std::size_t> voxels;
@@ -107,7 +108,7 @@ private:
       return std::nullopt;
     }
     changes.voxels.insert(changes.voxels.end(), layer.begin(), layer.end());
-    give_cells(moved_faces(layer, d, is_outward), changes);
+    give_pieces(moved_faces(layer, d, is_outward), changes);
     for(std::size_t& v : layer)
       v = is_outward ? v : m_voxels.index(m_voxels.voxel(v) - step);
     return layer;
@@ -119,8 +120,8 @@ private:
       m_voxels.is_inside[v] = is_inside;
   }
 
-  // Returns the faces that vanish with a layer, and those that get their cells: faces of the chart those of the moved chart, faces
-  // of the sides those beyond if the sides go on, or else those of the moved chart, too.
+  // Returns the faces that vanish with a layer, and those that get their pieces: faces of the chart those of the moved chart,
+  // faces of the sides those beyond if the sides go on, or else those of the moved chart, too.
   std::vector<std::pair<std::size_t, std::size_t> > moved_faces(const std::vector<std::size_t>& layer, const std::size_t d,
                                                                 const bool is_outward)
   {
@@ -149,21 +150,21 @@ private:
     return result;
   }
 
-  void give_cells(const std::vector<std::pair<std::size_t, std::size_t> >& faces, Changes& changes)
+  void give_pieces(const std::vector<std::pair<std::size_t, std::size_t> >& faces, Changes& changes)
   {
     std::vector<std::pair<std::vector<std::size_t>, std::size_t> > moves; // all at once, as faces may be old and new ones
     for(const auto& [from, to] : faces)
-      if(const auto it = m_cells.find(from); it != m_cells.end())
+      if(const auto it = m_pieces.find(from); it != m_pieces.end())
       {
         moves.emplace_back(std::move(it->second), to);
-        m_cells.erase(it);
+        m_pieces.erase(it);
       }
-    for(const auto& [cells, to] : moves)
-      for(const std::size_t c : cells)
+    for(const auto& [pieces, to] : moves)
+      for(const std::size_t c : pieces)
       {
-        changes.faces.emplace_back(c, m_face_of_cell[c]);
-        m_face_of_cell[c] = to;
-        m_cells[to].push_back(c);
+        changes.faces.emplace_back(c, m_face_of_piece[c]);
+        m_face_of_piece[c] = to;
+        m_pieces[to].push_back(c);
       }
   }
 
@@ -171,13 +172,13 @@ private:
   {
     for(auto it = changes.faces.rbegin(); it != changes.faces.rend(); ++it)
     {
-      const auto [cell, face] = *it;
-      std::vector<std::size_t>& cells = m_cells[m_face_of_cell[cell]];
-      cells.erase(std::find(cells.begin(), cells.end(), cell));
-      if(cells.empty())
-        m_cells.erase(m_face_of_cell[cell]);
-      m_face_of_cell[cell] = face;
-      m_cells[face].push_back(cell);
+      const auto [piece, face] = *it;
+      std::vector<std::size_t>& pieces = m_pieces[m_face_of_piece[piece]];
+      pieces.erase(std::find(pieces.begin(), pieces.end(), piece));
+      if(pieces.empty())
+        m_pieces.erase(m_face_of_piece[piece]);
+      m_face_of_piece[piece] = face;
+      m_pieces[face].push_back(piece);
     }
     for(const std::size_t v : changes.voxels)
       m_voxels.is_inside[v] = !m_voxels.is_inside[v];
@@ -187,23 +188,23 @@ private:
   double gain(const Changes& changes) const
   {
     std::map<std::size_t, std::size_t> old_labels;
-    for(const auto& [cell, face] : changes.faces)
-      old_labels.emplace(cell, face % 6); // the first entry is the oldest one
-    const auto old_label = [&](const std::size_t cell)
+    for(const auto& [piece, face] : changes.faces)
+      old_labels.emplace(piece, face % 6); // the first entry is the oldest one
+    const auto old_label = [&](const std::size_t piece)
     {
-      const auto it = old_labels.find(cell);
-      return it == old_labels.end() ? m_face_of_cell[cell] % 6 : it->second;
+      const auto it = old_labels.find(piece);
+      return it == old_labels.end() ? m_face_of_piece[piece] % 6 : it->second;
     };
     double result = 0;
-    for(const auto& [cell, label] : old_labels)
+    for(const auto& [piece, label] : old_labels)
     {
-      const std::size_t new_label = m_face_of_cell[cell] % 6;
+      const std::size_t new_label = m_face_of_piece[piece] % 6;
       if(new_label == label)
         continue;
-      result += m_costs.costs[cell][label] - m_costs.costs[cell][new_label];
-      for(const auto& [other, length] : m_costs.borders[cell])
+      result += m_costs.costs[piece][label] - m_costs.costs[piece][new_label];
+      for(const auto& [other, length] : m_costs.borders[piece])
       {
-        const std::size_t label_of_other = old_label(other), new_label_of_other = m_face_of_cell[other] % 6;
+        const std::size_t label_of_other = old_label(other), new_label_of_other = m_face_of_piece[other] % 6;
         const double part = label_of_other != new_label_of_other ? 0.5 : 1; // as both are visited
         result += m_smoothing * part * length * ((label != label_of_other) - (new_label != new_label_of_other));
       }
@@ -215,7 +216,7 @@ private:
   bool sweep()
   {
     std::vector<std::size_t> faces;
-    for(const auto& [face, cells] : m_cells)
+    for(const auto& [face, pieces] : m_pieces)
       faces.push_back(face);
     std::sort(faces.begin(), faces.end());
     for(std::size_t i = faces.size(); i > 1; --i) // `std::shuffle()` differs between libraries
@@ -224,7 +225,7 @@ private:
     bool has_moved = false;
     for(const std::size_t face : faces)
     {
-      if(m_cells.count(face) == 0 || visited.count(face) > 0)
+      if(m_pieces.count(face) == 0 || visited.count(face) > 0)
         continue;
       const std::vector<std::size_t> voxels = chart(face);
       for(const std::size_t v : voxels)
@@ -265,8 +266,8 @@ private:
     for(int layer = 0; layer < std::abs(best) && present; ++layer)
       present = move(*present, d, best > 0, changes);
     const Charts_of_voxels_3 charts(m_voxels);
-    if(have_cells_the_neighbors_of_charts(charts, m_faces, m_face_of_cell)
-       && (!m_do_keep_corners || have_cells_the_corners_of_charts(charts, m_faces, m_face_of_cell)))
+    if(have_pieces_the_neighbors_of_charts(charts, m_faces, m_face_of_piece)
+       && (!m_do_keep_corners || have_pieces_the_corners_of_charts(charts, m_faces, m_face_of_piece)))
       return true;
     revert(changes);
     return false;
@@ -274,10 +275,10 @@ private:
 
   Voxels_3& m_voxels;
   const Voxel_faces_3& m_faces;
-  const Cells_of_voxels_3& m_costs;
+  const Pieces_of_surface_3& m_costs;
   const bool m_do_keep_corners;
-  std::vector<std::size_t> m_face_of_cell;
-  std::unordered_map<std::size_t, std::vector<std::size_t> > m_cells; // of each face
+  std::vector<std::size_t> m_face_of_piece;
+  std::unordered_map<std::size_t, std::vector<std::size_t> > m_pieces; // of each face
   std::vector<bool> m_is_moving;
   double m_smoothing = 0;
   std::mt19937 m_random; // of a fixed seed

@@ -54,21 +54,21 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Sp
     voxels.spacing, Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels)), {}, {}, {}
   };
   const Label_functional_3 functional(mesh, are_among(mesh, surface.sharp_edges));
-  const Cells_of_voxels_3 cells(mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
+  const Pieces_of_surface_3 pieces(mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
                                 result.faces.faces.size());
-  std::vector<std::size_t> face_of_cell;
+  std::vector<std::size_t> face_of_piece;
   for(const bool do_keep_corners : { false, true })
   {
     voxels = given;
-    Voxel_simplification_3 simplification(voxels, result.faces, cells, do_keep_corners);
+    Voxel_simplification_3 simplification(voxels, result.faces, pieces, do_keep_corners);
     simplification.run(budget);
-    face_of_cell = simplification.face_of_cell();
-    if(have_cells_the_corners_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_cell))
+    face_of_piece = simplification.face_of_piece();
+    if(have_pieces_the_corners_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_piece))
       break;
   }
 
   const Charts_of_voxels_3 charts(voxels);
-  for(const std::size_t face : face_of_cell)
+  for(const std::size_t face : face_of_piece)
     result.chart_of_face.push_back(charts.chart_of_face[face]);
   result.label_of_chart = charts.labels;
   result.plane_of_chart.resize(charts.labels.size());

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_GROUPS_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_GROUPS_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_PLANES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_PLANES_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -21,15 +21,15 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Groups of the charts whose faces of the polycube are in one plane, as those of an axis that meet in a corner are. The number
-// of a group is that of one of its charts.
-class Polycube_groups_3
+// Planes of a polycube, each with the charts that are mapped to faces in it: those of an axis that meet in a corner are. The
+// number of a plane is that of one of its charts.
+class Polycube_planes_3
 {
 public:
-  Polycube_groups_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
-    : m_group(charts.number_of_charts()), m_areas(m_group.size(), 0)
+  Polycube_planes_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
+    : m_plane(charts.number_of_charts()), m_areas(m_plane.size(), 0)
   {
-    Disjoint_sets sets(m_group.size());
+    Disjoint_sets sets(m_plane.size());
     for(const auto v : charts.corners())
     {
       const auto around = CGAL::halfedges_around_target(v, mesh);
@@ -39,47 +39,47 @@ public:
       for(const auto h : around)
         sets.unite(charts.chart(h), first[charts.axis(charts.chart(h))]);
     }
-    for(std::size_t c = 0; c < m_group.size(); ++c)
-      m_group[c] = sets.find(c);
-    for(auto& [v, groups] : m_at_corner)
-      for(std::size_t& group : groups)
-        group = m_group[group];
+    for(std::size_t c = 0; c < m_plane.size(); ++c)
+      m_plane[c] = sets.find(c);
+    for(auto& [v, planes] : m_at_corner)
+      for(std::size_t& plane : planes)
+        plane = m_plane[plane];
     for(const auto f : mesh.faces())
-      m_areas[m_group[charts.chart_of_face()[f]]] += area_of_face(mesh, f);
+      m_areas[m_plane[charts.chart_of_face()[f]]] += area_of_face(mesh, f);
   }
 
-  std::size_t operator[](const std::size_t chart) const { return m_group[chart]; }
-  std::size_t size() const { return m_group.size(); }
+  std::size_t operator[](const std::size_t chart) const { return m_plane[chart]; }
+  std::size_t size() const { return m_plane.size(); }
 
-  // Returns the areas of the faces of the groups on the surface.
+  // Returns the areas of the charts of each plane.
   const std::vector<double>& areas() const { return m_areas; }
 
-  // Returns the groups of the charts around a corner, by axis.
+  // Returns the planes at a corner, by axis.
   const std::array<std::size_t, 3>& at(const Polycube_charts_3::Vertex corner) const { return m_at_corner.at(corner); }
 
 private:
-  std::vector<std::size_t> m_group; // by chart
+  std::vector<std::size_t> m_plane; // by chart
   std::vector<double> m_areas;
   std::map<Polycube_charts_3::Vertex, std::array<std::size_t, 3> > m_at_corner;
 };
 
-// Returns the mean coordinate of the faces of each group along their axis.
+// Returns the mean coordinate of the charts of each plane along their axis.
 inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                              const Polycube_groups_3& groups)
+                                              const Polycube_planes_3& planes)
 {
-  std::vector<double> result(groups.size(), 0);
+  std::vector<double> result(planes.size(), 0);
   for(const auto f : mesh.faces())
   {
     const auto [a, b, c] = vertices_of_face(mesh, f);
     const std::size_t chart = charts.chart_of_face()[f];
     const int axis = charts.axis(chart);
-    result[groups[chart]] += area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
+    result[planes[chart]] += area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
   }
-  for(std::size_t g = 0; g < groups.size(); ++g)
-    result[g] /= groups[g] == g ? groups.areas()[g] : 1;
+  for(std::size_t g = 0; g < planes.size(); ++g)
+    result[g] /= planes[g] == g ? planes.areas()[g] : 1;
   return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_GROUPS_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_PLANES_3_H

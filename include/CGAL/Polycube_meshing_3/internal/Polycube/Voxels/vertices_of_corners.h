@@ -7,12 +7,12 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CORNERS_ON_SURFACE_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CORNERS_ON_SURFACE_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VERTICES_OF_CORNERS_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VERTICES_OF_CORNERS_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Borders_of_voxel_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Chains_of_voxel_charts_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Split_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
@@ -22,27 +22,13 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns the halfedges that leave a vertex, counterclockwise seen from outside.
-inline std::vector<Boundary_mesh_3::Halfedge_index> halfedges_leaving(const Boundary_mesh_3& mesh,
-                                                                       const Boundary_mesh_3::Vertex_index v)
-{
-  std::vector<Boundary_mesh_3::Halfedge_index> result;
-  const auto first = mesh.opposite(mesh.halfedge(v));
-  auto h = first;
-  do
-  {
-    result.push_back(h);
-    h = mesh.opposite(mesh.prev(h));
-  }
-  while(h != first);
-  return result;
-}
-
+// Returns the neighbors of a vertex, counterclockwise as seen from outside.
 inline std::vector<std::size_t> vertices_around(const Boundary_mesh_3& mesh, const std::size_t v)
 {
   std::vector<std::size_t> result;
-  for(const auto h : halfedges_leaving(mesh, vertex_index(v)))
+  for(const auto h : CGAL::halfedges_around_source(vertex_index(v), mesh))
     result.push_back(mesh.target(h));
+  std::reverse(result.begin() + 1, result.end()); // CGAL goes clockwise
   return result;
 }
 
@@ -57,17 +43,17 @@ inline std::vector<Eigen::Vector3d> normals_of_vertices(const Split_surface_3& s
   return result;
 }
 
-// Returns a vertex for each corner of the borders: the nearest one with enough edges, and with two edges at least to any other.
+// Returns a vertex for each corner of the chains: the nearest one with enough edges, and with two edges at least to any other.
 // None if there is no such vertex.
 inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surface, const Voxel_faces_3& faces,
-                                                    const Borders_of_voxel_charts_3& borders)
+                                                    const Chains_of_voxel_charts_3& chains)
 {
   Boundary_mesh_3 mesh;
   build_boundary_mesh_3(surface, mesh);
   const std::vector<Eigen::Vector3d> normals = normals_of_vertices(surface), normals_of_faces = faces.normals_of_points();
   std::vector<bool> is_used(surface.points.size(), false);
   std::vector<std::size_t> result;
-  for(const std::size_t corner : borders.corners())
+  for(const std::size_t corner : chains.corners())
   {
     double least = (std::numeric_limits<double>::infinity)();
     std::size_t best = 0;
@@ -75,7 +61,7 @@ inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surfa
     {
       const double distance = (surface.points[v] - faces.points[corner]).squaredNorm();
       if(distance >= least || is_used[v] || normals[v].dot(normals_of_faces[corner]) < 0
-         || mesh.degree(v) < borders.ends(corner).size())
+         || mesh.degree(v) < chains.ends(corner).size())
         continue;
       least = distance;
       best = v;
@@ -138,23 +124,23 @@ inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<
   return result;
 }
 
-// Returns for each corner the vertices next to it at which its borders leave, in their order, in directions close to theirs.
+// Returns for each corner the vertices next to it at which its chains leave, in their order, in directions close to theirs.
 // None if there are too few vertices.
 inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Split_surface_3& surface, const Boundary_mesh_3& mesh,
                                                                       const Voxel_faces_3& faces,
-                                                                      const Borders_of_voxel_charts_3& borders,
+                                                                      const Chains_of_voxel_charts_3& chains,
                                                                       const std::vector<std::size_t>& vertices)
 {
   const std::vector<Eigen::Vector3d> normals = normals_of_vertices(surface);
   std::vector<std::vector<std::size_t> > result;
   for(std::size_t i = 0; i < vertices.size(); ++i)
   {
-    const std::size_t corner = borders.corners()[i], v = vertices[i];
+    const std::size_t corner = chains.corners()[i], v = vertices[i];
     const Eigen::Vector3d n = normals[v].normalized();
     const auto direction = [&](const Eigen::Vector3d& edge) { return Eigen::Vector3d(edge - edge.dot(n) * n).normalized(); };
     const std::vector<std::size_t> around = vertices_around(mesh, v);
     std::vector<std::vector<double> > costs;
-    for(const std::size_t end : borders.ends(corner))
+    for(const std::size_t end : chains.ends(corner))
     {
       costs.emplace_back();
       for(const std::size_t w : around)
@@ -172,4 +158,4 @@ inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Spli
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CORNERS_ON_SURFACE_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VERTICES_OF_CORNERS_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_INTERFACE_LAYERS_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_INTERFACE_LAYERS_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -17,8 +17,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns the sides of quadrangles of interfaces that get a layer of hexahedra, such that no hexahedron has two quadrangles in one
-// patch, which is smooth: a layer covers all interfaces of a subdomain that vertices join.
+// Returns the sides of quadrangles of interfaces that get a layer of hexahedra, such that no hexahedron has two quadrangles in
+// one patch, which is smooth: a layer covers all interfaces of a subdomain that vertices join.
 inline std::vector<Quadrangle_of_hexahedron>
 sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles)
 {
@@ -100,4 +100,4 @@ inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_INTERFACE_LAYERS_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H

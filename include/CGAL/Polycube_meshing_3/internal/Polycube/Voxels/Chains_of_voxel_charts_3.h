@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_BORDERS_OF_VOXEL_CHARTS_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_BORDERS_OF_VOXEL_CHARTS_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CHAINS_OF_VOXEL_CHARTS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CHAINS_OF_VOXEL_CHARTS_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -18,19 +18,19 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Border between two charts of placed faces of voxels, from corner to corner.
-struct Border_of_voxel_charts_3
+// Chain between two charts of placed faces of voxels, from corner to corner.
+struct Chain_of_voxel_charts_3
 {
   std::vector<std::size_t> points;          // of the faces
   std::size_t left, right;                  // charts
-  std::size_t first_index, last_index;      // which of the borders at its corners it is, counterclockwise
+  std::size_t first_index, last_index;      // which of the chains at its corners it is, counterclockwise
 };
 
 // Borders of charts of placed faces of voxels, and the corners where three or more of them meet.
-class Borders_of_voxel_charts_3
+class Chains_of_voxel_charts_3
 {
 public:
-  Borders_of_voxel_charts_3(const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face)
+  Chains_of_voxel_charts_3(const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face)
     : m_faces(faces), m_chart_of_face(chart_of_face), m_ends(faces.points.size())
   {
     for(std::size_t i = 0; i < faces.corners.size(); ++i)
@@ -42,21 +42,21 @@ public:
       {
         m_corners.push_back(p);
         for(std::size_t i = 0; i < m_ends[p].size(); ++i)
-          add_border(p, i);
+          add_chain(p, i);
       }
   }
 
   const std::vector<std::size_t>& corners() const { return m_corners; }
-  const std::vector<Border_of_voxel_charts_3>& borders() const { return m_borders; }
+  const std::vector<Chain_of_voxel_charts_3>& chains() const { return m_chains; }
 
-  // Returns the points next to a corner on the borders that leave it, counterclockwise.
+  // Returns the points next to a corner on the chains that leave it, counterclockwise.
   const std::vector<std::size_t>& ends(const std::size_t corner) const { return m_ends[corner]; }
 
-  double length(const Border_of_voxel_charts_3& border) const
+  double length(const Chain_of_voxel_charts_3& chain) const
   {
     double result = 0;
-    for(std::size_t i = 1; i < border.points.size(); ++i)
-      result += (m_faces.points[border.points[i]] - m_faces.points[border.points[i - 1]]).norm();
+    for(std::size_t i = 1; i < chain.points.size(); ++i)
+      result += (m_faces.points[chain.points[i]] - m_faces.points[chain.points[i - 1]]).norm();
     return result;
   }
 
@@ -87,22 +87,22 @@ private:
   std::size_t index_of_end(const std::size_t p, const std::size_t end) const
   { return static_cast<std::size_t>(std::find(m_ends[p].begin(), m_ends[p].end(), end) - m_ends[p].begin()); }
 
-  // Follows a border to its other corner, and adds it in one of its two directions.
-  void add_border(const std::size_t corner, const std::size_t index_at_corner)
+  // Follows a chain to its other corner, and adds it in one of its two directions.
+  void add_chain(const std::size_t corner, const std::size_t index_at_corner)
   {
-    Border_of_voxel_charts_3 border;
-    border.points = { corner, m_ends[corner][index_at_corner] };
-    while(m_ends[border.points.back()].size() == 2)
+    Chain_of_voxel_charts_3 chain;
+    chain.points = { corner, m_ends[corner][index_at_corner] };
+    while(m_ends[chain.points.back()].size() == 2)
     {
-      const std::vector<std::size_t>& ends = m_ends[border.points.back()];
-      border.points.push_back(ends[0] == border.points[border.points.size() - 2] ? ends[1] : ends[0]);
+      const std::vector<std::size_t>& ends = m_ends[chain.points.back()];
+      chain.points.push_back(ends[0] == chain.points[chain.points.size() - 2] ? ends[1] : ends[0]);
     }
-    border.first_index = index_at_corner;
-    border.last_index = index_of_end(border.points.back(), border.points[border.points.size() - 2]);
-    border.left = chart_on_left(border.points[0], border.points[1]);
-    border.right = chart_on_left(border.points[1], border.points[0]);
-    if(std::make_pair(corner, border.first_index) < std::make_pair(border.points.back(), border.last_index))
-      m_borders.push_back(border);
+    chain.first_index = index_at_corner;
+    chain.last_index = index_of_end(chain.points.back(), chain.points[chain.points.size() - 2]);
+    chain.left = chart_on_left(chain.points[0], chain.points[1]);
+    chain.right = chart_on_left(chain.points[1], chain.points[0]);
+    if(std::make_pair(corner, chain.first_index) < std::make_pair(chain.points.back(), chain.last_index))
+      m_chains.push_back(chain);
   }
 
   const Voxel_faces_3& m_faces;
@@ -110,9 +110,9 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, std::pair<std::size_t, std::size_t> > m_side; // face, corner of an edge
   std::vector<std::vector<std::size_t> > m_ends;
   std::vector<std::size_t> m_corners;
-  std::vector<Border_of_voxel_charts_3> m_borders;
+  std::vector<Chain_of_voxel_charts_3> m_chains;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_BORDERS_OF_VOXEL_CHARTS_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CHAINS_OF_VOXEL_CHARTS_3_H
