@@ -134,7 +134,7 @@ def check_nested_groups(driver, folder):
     for options in [], ["-format", "msh22"]:
         run("gmsh", "-3", *options, "-o", "nested.msh", "nested.geo", folder=folder)
         ball = run(driver, "nested.msh", "--to", "ball", "--refine=all", "-o", "ball.msh", folder=folder)
-        assert "are left out. Their references are the cell data 'reference_2'" in ball.stderr
+        assert "(counted from 0). Their references are the cell data 'reference_2'" in ball.stderr
         groups = gmsh_sets(folder / "ball.msh")
         assert groups["bone"].isdisjoint(groups["flesh"]) and groups["all"] == groups["bone"] | groups["flesh"]
     bar = meshio.read(folder / "bar.msh")
