@@ -341,7 +341,7 @@ TEST_CASE("an error of one process is that of all")
   targets = problem.slice_of_targets();
   if(is_culprit)
     targets.pop_back();
-  CHECK(end_of(soup, targets, np).find("as many targets as points") != std::string::npos);
+  CHECK(end_of(soup, targets, np).find("targets must have an element for each point") != std::string::npos);
   targets = problem.slice_of_targets();
 
   const std::string interrupted = std::to_string(VMP::ERROR_INTERRUPTED) + ":";
