@@ -43,8 +43,9 @@ public:
     Normal_labels_3 costs(m_mesh, m_surface.is_sharp, m_budget);
     Polycube best = proposed(costs);
     if(best.map.status == OK && costs.decide_ties(best.labels))
-      if(Polycube other = proposed(costs); other.map.status == OK && distortion(other) < distortion(best)
-                                           && length_given_up(other) <= length_given_up(best))
+      if(Polycube other = proposed(costs);
+         other.map.status == OK && distortion_3(m_mesh, other.map.images) < distortion_3(m_mesh, best.map.images)
+         && length_given_up(other) <= length_given_up(best))
         best = std::move(other);
     return std::move(best.map);
   }
@@ -95,15 +96,6 @@ private:
       break;
     }
     return result;
-  }
-
-  double distortion(const Polycube& polycube) const
-  {
-    std::vector<std::array<Boundary_mesh_3::Vertex_index, 3> > facets;
-    for(const auto f : m_mesh.faces())
-      facets.push_back(vertices_of_face(m_mesh, f));
-    return facet_distortion_3(facets, [this](const auto v) { return eigen_point(m_mesh, v); },
-                              [&](const auto v) { return polycube.map.images[v]; });
   }
 
   // Returns the length of the sharp edges whose images lead along no axis.

@@ -14,9 +14,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -30,6 +34,24 @@ struct Unit_surface_3
   double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
 };
+
+// Returns how far the images of a surface are from it: the root of the mean of log(s)^2 + log(t)^2 over the area, s and t the
+// singular values of the map after the best scaling.
+inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& images)
+{
+  double area = 0, sum = 0, sum_of_squares = 0;
+  for(const auto f : mesh.faces())
+  {
+    const Small_matrix<3, 2> X = edges_of_face(mesh, f);
+    const Small_matrix<3, 2> U = edges_of_facet(vertices_of_face(mesh, f), [&](const auto v) { return images[v]; });
+    const Small_array_2 logarithms = squared_singular_values_of_facet(X, U).log() / 2;
+    area += area_of_facet(X);
+    sum += area_of_facet(X) * logarithms.sum();
+    sum_of_squares += area_of_facet(X) * logarithms.square().sum();
+  }
+  const double mean = (sum_of_squares - sum * sum / (2 * area)) / area;
+  return std::isfinite(mean) ? std::sqrt((std::max)(0., mean)) : (std::numeric_limits<double>::infinity)();
+}
 
 // Map of a surface: the images of its vertices if the status is OK.
 struct Surface_map_3

@@ -117,14 +117,6 @@ inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const d
   return result;
 }
 
-template <typename Facets>
-double distortion_of_images_3(const Facets& facets, const std::vector<Eigen::Vector3d>& points,
-                              const std::vector<Eigen::Vector3d>& images)
-{
-  return facet_distortion_3(facets, [&](const std::size_t v) { return points[v]; },
-                            [&](const std::size_t v) { return images[v]; });
-}
-
 // Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
 // be far less distorted than a box with holes.
 inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
@@ -136,7 +128,7 @@ inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, c
   if(box.status == OK)
   {
     found.images = box.images;
-    maximum_distortion = enough * distortion_of_images_3(turned.surface.facets, turned.surface.points, box.images);
+    maximum_distortion = enough * distortion_3(turned.mesh, box.images);
   }
   if(!may_split || maximum_distortion < usual)
     return found;
@@ -214,7 +206,7 @@ inline Found_polycube_3 map_in_frames_3(const std::vector<Turned_surface_3>& fra
     Surface_map_3 map = Search_for_polycube_3(turned, factor, budget).run();
     if(map.status != OK)
       continue;
-    const double distortion = distortion_of_images_3(turned.surface.facets, turned.surface.points, map.images);
+    const double distortion = distortion_3(turned.mesh, map.images);
     if(best.status == OK && !(distortion < least_distortion))
       continue;
     least_distortion = distortion;

@@ -158,8 +158,7 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
   if(finished.status != OK)
     return {};
   Map_to_voxels_3 result = { std::move(drawn.surface.splits), std::move(finished.images) };
-  const auto point = [&](const std::size_t v) { return Eigen::Vector3d(size * drawn.surface.points[v]); };
-  result.distortion = facet_distortion_3(drawn.surface.facets, point, [&](const std::size_t v) { return result.images[v]; });
+  result.distortion = distortion_3(split.mesh, result.images);
   return result;
 }
 
