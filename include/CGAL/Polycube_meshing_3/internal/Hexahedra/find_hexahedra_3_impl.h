@@ -14,11 +14,11 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Evaluation/found_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/balance_interfaces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/fitted_to_interfaces.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/found_hexahedra_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

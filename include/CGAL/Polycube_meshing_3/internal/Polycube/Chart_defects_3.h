@@ -147,6 +147,7 @@ private:
   std::size_t label(const std::size_t side) const { return m_label[side]; }
   bool separates(const std::size_t side) const { return label(side) != label(opposite(side)); }
 
+  // Returns the side that follows on the border of the chart.
   std::size_t next(std::size_t side) const
   {
     side = m_sides[side].next;

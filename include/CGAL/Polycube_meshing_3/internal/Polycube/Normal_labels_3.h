@@ -119,7 +119,7 @@ public:
 
   bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const { return m_is_sharp[m_mesh.edge(h)]; }
 
-  // Returns all other labels of all charts, the cheapest one first.
+  // Returns for all charts the labels that they do not have, the one with the least increase of the cost first.
   std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
                                                       const std::vector<std::size_t>& chart_of_face) const
   {

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <Eigen/Geometry>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -33,6 +35,33 @@ struct Unit_surface_3
   Eigen::AlignedBox3d box;    // of the surface before it was scaled, which gives the size of the polycube
   double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
+};
+
+// Surface that is turned about the center of its bounding box, as it is in space and in the unit box.
+struct Turned_surface_3 : Unit_surface_3
+{
+  Eigen::Matrix3d rotation;
+  Numbered_surface_3 surface;
+
+  // Takes a surface with its mesh, and the rotation.
+  Turned_surface_3(const Numbered_surface_3& given, Boundary_mesh_3 mesh_of_given, const Eigen::Matrix3d& rotation)
+    : rotation(rotation), surface(given)
+  {
+    mesh = std::move(mesh_of_given);
+    is_sharp = are_among(mesh, surface.sharp_edges);
+    if(rotation != Eigen::Matrix3d::Identity()) // which would round
+      turn(bounding_box(mesh).center());
+    box = bounding_box(mesh);
+    set_points(mesh, unit_points(mesh));
+  }
+
+private:
+  void turn(const Eigen::Vector3d& center)
+  {
+    for(Eigen::Vector3d& p : surface.points)
+      p = center + rotation * (p - center);
+    set_points(mesh, surface.points);
+  }
 };
 
 // Returns how far the images of a surface are from it: the root of the mean of log(s)^2 + log(t)^2 over the area, s and t the

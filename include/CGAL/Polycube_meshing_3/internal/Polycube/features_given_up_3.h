@@ -28,7 +28,7 @@ inline std::vector<std::vector<Eigen::Vector3d> > features_given_up_3(const Numb
                                                                       const std::vector<Eigen::Vector3d>& images)
 {
   using Graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>;
-  struct Visitor
+  struct Visitor // of split_graph_into_polylines()
   {
     const std::vector<Eigen::Vector3d>& points;
     std::vector<std::vector<Eigen::Vector3d> >& polylines;

@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_holes_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Order_of_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_polycube_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Turned_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/map_to_voxels_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/frames_of_normals_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>

@@ -46,8 +46,8 @@ public:
 
   const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
 
-  // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: the nearest one, if normals
-  // differ, as far as twice the width at most. Returns 0 if the subdomains have no interface.
+  // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: that of the least sum of its
+  // distance and of the width times 1 minus the cosine between normals. Returns 0 if the subdomains have no interface.
   std::size_t patch_of_quadrangle(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const double width,
                                   const Pair& pair)
   {

@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 
 #include <Eigen/Core>
 
@@ -66,14 +67,7 @@ inline Hexahedron_soup_3 hexahedron_soup_of(Hexahedra_3 mesh)
 
 // Tells for each vertex whether it is on the boundary.
 template <typename Hexahedra>
-std::vector<bool> is_on_boundary(const Hexahedra& mesh)
-{
-  std::vector<bool> result(mesh.points.size(), false);
-  for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
-    for(const std::size_t v : quadrangle)
-      result[v] = true;
-  return result;
-}
+std::vector<bool> is_on_boundary(const Hexahedra& mesh) { return used_points(mesh.facets, mesh.points.size()); }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -73,7 +73,7 @@ private:
     return false;
   }
 
-  // Returns the number of parts of hexahedra that quadrangles join; those that `is_joined` accepts are joined in any case.
+  // Returns the number of parts of hexahedra that quadrangles join. Those that `is_joined` accepts are one part in any case.
   template <typename Predicate>
   int number_of_parts(const std::vector<std::size_t>& cells, const Predicate& is_joined) const
   {

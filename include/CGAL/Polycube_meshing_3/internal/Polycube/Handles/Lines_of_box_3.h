@@ -86,12 +86,12 @@ public:
   const Surface_line_3& meridian(const std::size_t k) const { return m_meridians[k]; }
   const std::vector<Crossing_3>& crossings_of_box() const { return m_lines[0].crossings; } // in their order from left to right
 
-  // Return the two edges of the box and of each hole, the first one being the upper one. An edge of a hole begins at the
-  // meridian of the hole, an edge of the box at that of the leftmost hole.
-  const Surface_line_3& box(const bool is_first) const { return m_loops[is_first ? 0 : 1]; }
-  const Surface_line_3& hole(const std::size_t k, const bool is_first) const { return m_loops[2 * k + (is_first ? 2 : 3)]; }
+  // Return the upper or the lower line of the box and of each hole. A line of a hole begins at the meridian of the hole, a line
+  // of the box at that of the leftmost hole.
+  const Surface_line_3& box(const bool is_upper) const { return m_loops[is_upper ? 0 : 1]; }
+  const Surface_line_3& hole(const std::size_t k, const bool is_upper) const { return m_loops[2 * k + (is_upper ? 2 : 3)]; }
 
-  // Returns the positions of the crossings on the first line of the box, as parts of its length.
+  // Returns the positions of the crossings on the upper line of the box, as parts of its length.
   std::vector<double> crossings_along_box() const
   {
     std::vector<double> result(1, 0.);

@@ -86,10 +86,10 @@ public:
       m_heights(static_cast<std::size_t>(m_size[0] * m_size[1]))
   {}
 
-  void cross(const std::array<Eigen::Vector3d, 3>& triangle)
+  void add_crossings(const std::array<Eigen::Vector3d, 3>& triangle)
   {
     const Eigen::Vector3d a = scaled(triangle[0]), b = scaled(triangle[1]), c = scaled(triangle[2]);
-    const double area = cross(b - a, c - a);
+    const double area = cross_product(b - a, c - a);
     if(area == 0)
       return;
     std::array<int, 2> lo, hi;
@@ -103,7 +103,7 @@ public:
       for(int i = lo[0]; i <= hi[0]; ++i)
       {
         const Eigen::Vector3d p(i, j, 0);
-        const double u = cross(b - p, c - p) / area, v = cross(c - p, a - p) / area, w = 1 - u - v;
+        const double u = cross_product(b - p, c - p) / area, v = cross_product(c - p, a - p) / area, w = 1 - u - v;
         if(u >= 0 && v >= 0 && w >= 0)
           m_heights[static_cast<std::size_t>(j * m_size[0] + i)].push_back(u * a[2] + v * b[2] + w * c[2]);
       }
@@ -126,9 +126,9 @@ public:
   }
 
 private:
-  static double cross(const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return p[0] * q[1] - p[1] * q[0]; }
+  static double cross_product(const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return p[0] * q[1] - p[1] * q[0]; }
 
-  // Returns coordinates in which samples have whole numbers. Their lines miss vertices that lie regularly, too.
+  // Returns coordinates in which samples have whole numbers. They are shifted a little, so that lines miss regular vertices.
   Eigen::Vector3d scaled(const Eigen::Vector3d& p) const
   { return (p - m_origin) / m_spacing - Eigen::Vector3d(0.5 + 1.234e-4, 0.5 - 2.345e-4, 0.5); }
 
@@ -138,7 +138,7 @@ private:
   std::vector<std::vector<double> > m_heights;
 };
 
-// Returns the voxels that have at least some part of them inside of a closed surface. The grid is shifted by parts of a voxel.
+// Returns the voxels of which more than a part is inside of a closed surface. The grid is shifted by parts of a voxel.
 template <typename Facets>
 Voxels_3 voxels_of_surface_3(const std::vector<Eigen::Vector3d>& points, const Facets& facets, const double spacing,
                              const Eigen::Vector3d& shift, const double least_part)
@@ -154,7 +154,7 @@ Voxels_3 voxels_of_surface_3(const std::vector<Eigen::Vector3d>& points, const F
   voxels.parts.assign(static_cast<std::size_t>(voxels.size.prod()), 0);
   Columns_of_voxels_3 columns(voxels);
   for(const auto& [a, b, c] : facets)
-    columns.cross({ points[a], points[b], points[c] });
+    columns.add_crossings({ points[a], points[b], points[c] });
   columns.add_to(voxels);
   for(const double part : voxels.parts)
     voxels.is_inside.push_back(part > least_part);

@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Turned_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Length_of_edges_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
@@ -85,7 +85,7 @@ struct Drawn_polycube_3
   std::vector<std::size_t> chart_of_facet; // none if the charts cannot be drawn
 };
 
-// Draws the charts on a surface, whose edges are split to a length at the borders, and further where one is blocked.
+// Draws the charts on a surface, whose edges are split to a length near chains, and to shorter ones near chains that are blocked.
 inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Split_surface_3& surface, const double length,
                                         const Budget& budget)
 {
@@ -123,18 +123,21 @@ inline void split_between_borders(const Boundary_mesh_3& mesh, Drawn_polycube_3&
   drawn.chart_of_facet = charts;
 }
 
-// Maps the surface with the charts that are drawn on it, a surface whose edges have been split.
+// Relaxes the charts that are drawn on a surface, and splits edges between their borders.
+inline void relax_drawn_charts(const std::vector<std::size_t>& label_of_chart, Drawn_polycube_3& drawn)
+{
+  Boundary_mesh_3 mesh;
+  build_boundary_mesh_3(drawn.surface, mesh);
+  relax_charts_3(mesh, Label_functional_3(mesh, are_among(mesh, drawn.surface.sharp_edges)), label_of_chart, drawn.chart_of_facet);
+  split_between_borders(mesh, drawn);
+}
+
+// Maps a surface with the charts that are drawn on it after edges have been split.
 inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn,
                                             const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
-  {
-    Boundary_mesh_3 mesh;
-    build_boundary_mesh_3(drawn.surface, mesh);
-    const Label_functional_3 functional(mesh, are_among(mesh, drawn.surface.sharp_edges));
-    relax_charts_3(mesh, functional, polycube.label_of_chart, drawn.chart_of_facet);
-    split_between_borders(mesh, drawn);
-  }
+  relax_drawn_charts(polycube.label_of_chart, drawn);
   Unit_surface_3 split = { {}, {}, surface.box, surface.spacing };
   build_boundary_mesh_3(drawn.surface, split.mesh);
   split.is_sharp = are_among(split.mesh, drawn.surface.sharp_edges);

@@ -7,17 +7,19 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_EVALUATION_FOUND_HEXAHEDRA_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_EVALUATION_FOUND_HEXAHEDRA_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FOUND_HEXAHEDRA_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FOUND_HEXAHEDRA_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Evaluation/volumes_of_subdomains.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/interface_distance_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/move_to_corners_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
+
+#include <map>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -75,6 +77,44 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
       "of lower quality.";
   result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
                              " of the edges there. The distance is largest at ", describe(farthest.point), ".");
+}
+
+// Returns the volume of the trilinear image of a cube, by the divergence theorem: the part of a bilinear quadrangle is the mean
+// of those of its two cuts into triangles.
+inline double volume_of_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
+{
+  const Eigen::Vector3d& origin = mesh.points[mesh.cells[c][0]]; // less rounding than by the origin of the axes
+  double sum = 0;
+  for(std::size_t side = 0; side < 6; ++side)
+  {
+    const std::array<std::size_t, 4> v = vertices_of(mesh, { c, side });
+    const auto point = [&](const std::size_t i) -> Eigen::Vector3d { return mesh.points[v[i % 4]] - origin; };
+    for(std::size_t i = 0; i < 4; ++i)
+      sum += point(i).dot(point(i + 1).cross(point(i + 2))) / 12;
+  }
+  return sum;
+}
+
+inline double volume_of_tetrahedron(const Body_with_domain_3& body, const std::size_t c)
+{
+  const Eigen::Matrix3d edges = edge_matrix(body.points, body.soup.cells[c]);
+  return edges.col(0).cross(edges.col(1)).dot(edges.col(2)) / 6;
+}
+
+inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_domain_3& body, const Hexahedra_3& mesh)
+{
+  std::map<int, Subdomain_volumes> volumes;
+  for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
+    volumes[body.soup.cell_references[c]].of_tetrahedra += volume_of_tetrahedron(body, c);
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    volumes[mesh.cell_references[c]].of_hexahedra += volume_of_hexahedron(mesh, c);
+  std::vector<Subdomain_volumes> result;
+  for(auto& [reference, of_reference] : volumes)
+  {
+    of_reference.reference = reference;
+    result.push_back(of_reference);
+  }
+  return result;
 }
 
 // Names the place if a part of the body is left out: a subdomain, or what is farther from the hexahedra than their edges are long.
@@ -163,8 +203,8 @@ inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedra
                             describe(mesh.points[worst_hexahedron(mesh, quality)[0]]), ".");
 }
 
-// Completes the result for a valid mesh, and the mesh.
-inline void complete(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
+// Makes the soup of a valid mesh, and evaluates it.
+inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
                      Chosen_hexahedra_3 chosen, Found_hexahedra_3& found)
 {
   Hexahedra_3& mesh = chosen.best.mesh;
@@ -197,7 +237,7 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
   result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted() || chosen.is_cut;
   if(result.has_valid_mesh)
-    complete(problem, body, interfaces, chosen, found);
+    evaluate(problem, body, interfaces, chosen, found);
   else if(result.is_interrupted)
     result.status = ERROR_INTERRUPTED;
   else
@@ -211,4 +251,4 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_EVALUATION_FOUND_HEXAHEDRA_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FOUND_HEXAHEDRA_3_H
