@@ -44,8 +44,8 @@ struct Turned_surface_3 : Unit_surface_3
   Numbered_surface_3 surface;
 
   // Takes a surface with its mesh, and the rotation.
-  Turned_surface_3(const Numbered_surface_3& given, Boundary_mesh_3 mesh_of_given, const Eigen::Matrix3d& rotation)
-    : rotation(rotation), surface(given)
+  Turned_surface_3(const Numbered_surface_3& given, Boundary_mesh_3 mesh_of_given, const Eigen::Matrix3d& r)
+    : rotation(r), surface(given)
   {
     mesh = std::move(mesh_of_given);
     is_sharp = are_among(mesh, surface.sharp_edges);

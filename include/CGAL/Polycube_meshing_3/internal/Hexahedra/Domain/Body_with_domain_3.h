@@ -57,9 +57,9 @@ struct Body_with_domain_3
   const Volume_map_3 map;
   const bool is_parallel; // may threads share the work?
 
-  Body_with_domain_3(const Mapped_soup_3& soup, const bool is_parallel)
-    : soup(soup), points(vectors_of(soup.points)), images(vectors_of(soup.images)), surface(soup),
-      map(soup.points, soup.cells, soup.images), is_parallel(is_parallel)
+  Body_with_domain_3(const Mapped_soup_3& s, const bool may_share)
+    : soup(s), points(vectors_of(s.points)), images(vectors_of(s.images)), surface(s), map(s.points, s.cells, s.images),
+      is_parallel(may_share)
   {}
 };
 

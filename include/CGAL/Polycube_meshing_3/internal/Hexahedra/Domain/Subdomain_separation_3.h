@@ -73,20 +73,26 @@ private:
     return false;
   }
 
+  // Joins those of some hexahedra that share quadrangles. Leaves room for one more set.
+  Disjoint_sets joined(const std::vector<std::size_t>& cells) const
+  {
+    Disjoint_sets sets(cells.size() + 1);
+    for(std::size_t i = 0; i < cells.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        if(are_neighbors(cells[i], cells[j]))
+          sets.unite(i, j);
+    return sets;
+  }
+
   // Returns the number of parts of hexahedra that quadrangles join. Those that `is_joined` accepts are one part in any case.
   template <typename Predicate>
   int number_of_parts(const std::vector<std::size_t>& cells, const Predicate& is_joined) const
   {
-    Disjoint_sets sets(cells.size() + 1);
+    Disjoint_sets sets = joined(cells);
     std::set<std::size_t> parts;
     for(std::size_t i = 0; i < cells.size(); ++i)
-    {
-      for(std::size_t j = 0; j < i; ++j)
-        if(are_neighbors(cells[i], cells[j]))
-          sets.unite(i, j);
       if(is_joined(cells[i]))
         sets.unite(i, cells.size());
-    }
     for(std::size_t i = 0; i < cells.size(); ++i)
       parts.insert(sets.find(i));
     return static_cast<int>(parts.size());
@@ -123,12 +129,8 @@ private:
         if(d != c && reference(d) == reference(c))
           around.insert(d);
     const std::vector<std::size_t> cells(around.begin(), around.end());
-    Disjoint_sets sets(cells.size());
+    Disjoint_sets sets = joined(cells);
     std::set<std::size_t> parts;
-    for(std::size_t i = 0; i < cells.size(); ++i)
-      for(std::size_t j = 0; j < i; ++j)
-        if(are_neighbors(cells[i], cells[j]))
-          sets.unite(i, j);
     for(std::size_t i = 0; i < cells.size(); ++i)
       if(are_neighbors(c, cells[i]))
         parts.insert(sets.find(i));
