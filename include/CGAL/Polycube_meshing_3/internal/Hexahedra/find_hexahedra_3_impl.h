@@ -81,26 +81,24 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
 
 // Tells whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
 // interfaces are far from them, or no nearer than the grid is.
-inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const Hexahedra_3& grid, Body_interfaces_3& interfaces)
+inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const double distance_of_grid)
 {
+  const double distance = fitted.result.interface_distance;
   if(!is_at_least(fitted.result, bad_scaled_jacobian))
     return true;
-  const double distance = interface_distance_3(fitted.mesh, interfaces).distance;
   if(is_at_least(fitted.result, sufficient_scaled_jacobian) && distance <= rounding_of_interfaces * fitted.edge)
     return false;
-  return distance > tolerance_of_interfaces * fitted.edge || interface_distance_3(grid, interfaces).distance <= distance;
+  return distance > tolerance_of_interfaces * fitted.edge || distance_of_grid <= distance;
 }
 
 // Tells whether staircases are to be taken: if neither the worst hexahedra nor interfaces get worse, or if hexahedra that were
 // fitted to interfaces are bad, and staircases are better.
-inline bool is_better_as_staircases(const Best_hexahedra_3& staircases, const Best_hexahedra_3& fitted,
-                                    Body_interfaces_3& interfaces)
+inline bool is_better_as_staircases(const Best_hexahedra_3& staircases, const Best_hexahedra_3& fitted)
 {
   if(!is_at_least(fitted.result, bad_scaled_jacobian))
     return fitted.mesh.cells.empty() || is_better(staircases.result, fitted.result, fitted.edge);
   return is_at_least(staircases.result, fitted.result.minimum_scaled_jacobian)
-    && interface_distance_3(staircases.mesh, interfaces).distance
-       <= interface_distance_3(fitted.mesh, interfaces).distance + rounding_of_interfaces * fitted.edge;
+    && staircases.result.interface_distance <= fitted.result.interface_distance + rounding_of_interfaces * fitted.edge;
 }
 
 // Finds the best hexahedra that follow the interfaces, or that make staircases of them if these are better.
@@ -116,15 +114,21 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
   if(best.result.has_valid_mesh)
   {
     balance_interfaces_3(interfaces, best.mesh);
-    best.result.minimum_scaled_jacobian = evaluated_hexahedra(best.mesh, best.result.has_padding).minimum_scaled_jacobian;
+    const std::vector<double> quality = scaled_jacobians(best.mesh);
+    best.result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   }
-  if(may_be_worse_than_staircases(best, pulled_back(body, boxes, budget), interfaces) && !budget.is_exhausted())
-    if(Best_hexahedra_3 other = best_hexahedra_3(problem, body, boxes, nullptr, budget);
-       is_better_as_staircases(other, best, interfaces))
+  const auto distance = [&](const Hexahedra_3& mesh) { return interface_distance_3(mesh, interfaces).distance; };
+  best.result.interface_distance = distance(best.mesh);
+  if(may_be_worse_than_staircases(best, distance(pulled_back(body, boxes, budget))) && !budget.is_exhausted())
+  {
+    Best_hexahedra_3 staircases = best_hexahedra_3(problem, body, boxes, nullptr, budget);
+    staircases.result.interface_distance = distance(staircases.mesh);
+    if(is_better_as_staircases(staircases, best))
     {
-      best = std::move(other);
+      best = std::move(staircases);
       chosen.staircases = Staircases::BETTER;
     }
+  }
   return chosen;
 }
 
