@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/check_hexahedra.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 
 #include <algorithm>
 #include <map>

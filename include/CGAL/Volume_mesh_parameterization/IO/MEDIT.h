@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_writer.h>
 
 namespace CGAL::Volume_mesh_parameterization::IO {

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/add_VTU_data.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/read_VTU.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>

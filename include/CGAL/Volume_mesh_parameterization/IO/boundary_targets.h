@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/match_surface.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/targets_of_text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/read_targets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/targets_of_surface.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>

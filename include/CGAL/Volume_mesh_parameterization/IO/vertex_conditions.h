@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 
 #include <optional>
 #include <set>

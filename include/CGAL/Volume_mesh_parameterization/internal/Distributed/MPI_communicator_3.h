@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #include <mpi.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/require_tetrahedra.h>
 
 #include <gmsh.h>
 

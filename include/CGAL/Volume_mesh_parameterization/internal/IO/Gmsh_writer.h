@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_data.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/add_VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 
 #include <stdlib.h>

@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/require_tetrahedra.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 #include <optional>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/decompress.h>
 
 #include <map>

@@ -7,13 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTU_READER_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTU_READER_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_READ_VTU_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_READ_VTU_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_arrays.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_cells.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_cells_reader.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -74,4 +74,4 @@ inline Tetrahedron_soup_3 read_VTU(const std::string_view text, const Budget& bu
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTU_READER_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_READ_VTU_H

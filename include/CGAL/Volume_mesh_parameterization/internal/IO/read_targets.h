@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_TEXT_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_TEXT_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_READ_TARGETS_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_READ_TARGETS_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -151,4 +151,4 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_TEXT_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_READ_TARGETS_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTU_DATA_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTU_DATA_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_ADD_VTU_DATA_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_ADD_VTU_DATA_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -95,4 +95,4 @@ inline void add_VTU_data(VTU_writer& writer, const std::vector<Data_array_3>& ar
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTU_DATA_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_ADD_VTU_DATA_H

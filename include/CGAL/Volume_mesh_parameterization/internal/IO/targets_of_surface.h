@@ -7,13 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MATCH_SURFACE_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MATCH_SURFACE_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_SURFACE_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_SURFACE_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Text.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Triangulated_surface.h>
 
 #include <numeric>
@@ -200,4 +200,4 @@ inline Read_targets targets_of_surface(const Points& points, const Triangles& tr
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_MATCH_SURFACE_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TARGETS_OF_SURFACE_H

@@ -7,14 +7,14 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_READER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_READER_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Binary_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTK_references.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/complete_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/require_tetrahedra.h>
 
 #include <algorithm>
 #include <map>
@@ -144,4 +144,4 @@ inline void add_VTK_cells(Tetrahedron_soup_3& soup, const std::vector<std::int64
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_VTK_CELLS_READER_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TEXT_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TEXT_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TEXT_SCANNER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TEXT_SCANNER_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -315,4 +315,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TEXT_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_TEXT_SCANNER_H

@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_COMPLETE_SOUP_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_COMPLETE_SOUP_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_REQUIRE_TETRAHEDRA_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_REQUIRE_TETRAHEDRA_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -75,4 +75,4 @@ inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_COMPLETE_SOUP_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_REQUIRE_TETRAHEDRA_H
