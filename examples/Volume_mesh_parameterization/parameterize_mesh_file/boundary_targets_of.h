@@ -119,8 +119,8 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
   const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
   if(vertices.empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY);
-  const std::string first = std::to_string(vertices.front()), sentence = "The boundary is not a manifold at "
-    "" + std::to_string(vertices.size())
+  const std::string first = std::to_string(vertices.front());
+  const std::string sentence = "The boundary is not a manifold at " + std::to_string(vertices.size())
     + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ") + first + " (counted from 0).";
   if(!VMP::separate_pinched_vertices(mesh).empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY) + (" " + sentence)
