@@ -5,6 +5,7 @@
 
 #include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
@@ -252,6 +253,25 @@ TEST_CASE("A turned box in a box keeps its edges and corners, with a layer aroun
     CHECK(std::any_of(mesh.points.begin(), mesh.points.end(), [&](const std::array<double, 3>& p)
                       { return (vector(p) - corner).norm() < 1e-12; }));
   }
+}
+
+TEST_CASE("Staircases do not replace valid hexahedra if a subdomain loses much of its volume")
+{
+  VMP::internal::Best_hexahedra_3 fitted;
+  fitted.mesh.cells.emplace_back();
+  fitted.result.has_valid_mesh = true;
+  fitted.result.minimum_scaled_jacobian = GENERATE(0.01, 0.2); // bad, and poor
+  fitted.result.mean_scaled_jacobian = 0.7;
+  fitted.result.interface_distance = 0.6;
+  fitted.result.volumes = {{1, 1, 0.97}, {2, 4, 4.03}};
+  Hexahedral_mesh_result staircases = fitted.result;
+  staircases.minimum_scaled_jacobian = staircases.mean_scaled_jacobian = 1;
+  CHECK(is_better_as_staircases(staircases, fitted));
+  staircases.volumes = {{1, 1, 0.8}, {2, 4, 4.2}};
+  CHECK(!is_better_as_staircases(staircases, fitted));
+  fitted.result.has_valid_mesh = false;
+  fitted.result.number_of_inverted_corners = 1;
+  CHECK(is_better_as_staircases(staircases, fitted));
 }
 
 TEST_CASE("Vertices of the boundary stay on it where an interface between hexahedra ends there and that of the body does not")

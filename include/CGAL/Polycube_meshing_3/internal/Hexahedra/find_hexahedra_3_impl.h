@@ -79,28 +79,6 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
   return best;
 }
 
-// Tells whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
-// interfaces are far from them, or no nearer than the grid is.
-inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const double distance_of_grid)
-{
-  const double distance = fitted.result.interface_distance;
-  if(!is_at_least(fitted.result, bad_scaled_jacobian))
-    return true;
-  if(is_at_least(fitted.result, sufficient_scaled_jacobian) && distance <= rounding_of_interfaces * fitted.edge)
-    return false;
-  return distance > tolerance_of_interfaces * fitted.edge || distance_of_grid <= distance;
-}
-
-// Tells whether staircases are to be taken: if neither the worst hexahedra nor interfaces get worse, or if hexahedra that were
-// fitted to interfaces are bad, and staircases are better.
-inline bool is_better_as_staircases(const Best_hexahedra_3& staircases, const Best_hexahedra_3& fitted)
-{
-  if(!is_at_least(fitted.result, bad_scaled_jacobian))
-    return fitted.mesh.cells.empty() || is_better(staircases.result, fitted.result, fitted.edge);
-  return is_at_least(staircases.result, fitted.result.minimum_scaled_jacobian)
-    && staircases.result.interface_distance <= fitted.result.interface_distance + rounding_of_interfaces * fitted.edge;
-}
-
 // Finds the best hexahedra that follow the interfaces, or that make staircases of them if these are better.
 inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                                     const Hexahedra_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
@@ -118,12 +96,17 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
     best.result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   }
   const auto distance = [&](const Hexahedra_3& mesh) { return interface_distance_3(mesh, interfaces).distance; };
-  best.result.interface_distance = distance(best.mesh);
+  const auto evaluate = [&](Best_hexahedra_3& hexahedra)
+  {
+    hexahedra.result.interface_distance = distance(hexahedra.mesh);
+    hexahedra.result.volumes = volumes_of_subdomains(body, hexahedra.mesh);
+  };
+  evaluate(best);
   if(may_be_worse_than_staircases(best, distance(pulled_back(body, boxes, budget))) && !budget.is_exhausted())
   {
     Best_hexahedra_3 staircases = best_hexahedra_3(problem, body, boxes, nullptr, budget);
-    staircases.result.interface_distance = distance(staircases.mesh);
-    if(is_better_as_staircases(staircases, best))
+    evaluate(staircases);
+    if(is_better_as_staircases(staircases.result, best))
     {
       best = std::move(staircases);
       chosen.staircases = Staircases::BETTER;

@@ -26,9 +26,6 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Whether interfaces are staircases: no, as asked, or since hexahedra that follow the interfaces are worse.
 enum class Staircases { NONE, ASKED, BETTER };
 
-// Distances of interfaces, relative to the edges of hexahedra: the largest one that is not told, a guess, and of rounding.
-constexpr double tolerance_of_interfaces = 0.1, rounding_of_interfaces = 1e-6;
-
 // The best hexahedra, and how they are along interfaces.
 struct Chosen_hexahedra_3
 {

@@ -108,6 +108,45 @@ struct Best_hexahedra_3
   }
 };
 
+// Distances of interfaces, relative to the edges of hexahedra: the largest one that is not told, a guess, and of rounding.
+constexpr double tolerance_of_interfaces = 0.1, rounding_of_interfaces = 1e-6;
+
+// Tells whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
+// interfaces are far from them, or no nearer than the grid is.
+inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const double distance_of_grid)
+{
+  const double distance = fitted.result.interface_distance;
+  if(!is_at_least(fitted.result, bad_scaled_jacobian))
+    return true;
+  if(is_at_least(fitted.result, sufficient_scaled_jacobian) && distance <= rounding_of_interfaces * fitted.edge)
+    return false;
+  return distance > tolerance_of_interfaces * fitted.edge || distance_of_grid <= distance;
+}
+
+// Returns the largest relative error of the volume of a subdomain.
+inline double volume_error(const Hexahedral_mesh_result& result)
+{
+  double largest = 0;
+  for(const Subdomain_volumes& volumes : result.volumes)
+    largest = (std::max)(largest, std::abs(volumes.of_hexahedra / volumes.of_tetrahedra - 1));
+  return largest;
+}
+
+// Tells whether staircases are to be taken instead of hexahedra that were fitted to interfaces: if neither the worst hexahedra nor
+// the interfaces get worse, or if the fitted ones are bad, and staircases are better. Volumes of valid fitted ones are kept.
+inline bool is_better_as_staircases(const Hexahedral_mesh_result& staircases, const Best_hexahedra_3& fitted)
+{
+  constexpr double tolerance_of_volumes = 0.05; // a guess; relative to the volume of a subdomain
+  if(fitted.mesh.cells.empty())
+    return true;
+  if(fitted.result.has_valid_mesh && volume_error(staircases) > volume_error(fitted.result) + tolerance_of_volumes)
+    return false;
+  if(!is_at_least(fitted.result, bad_scaled_jacobian))
+    return is_better(staircases, fitted.result, fitted.edge);
+  return is_at_least(staircases, fitted.result.minimum_scaled_jacobian)
+    && staircases.interface_distance <= fitted.result.interface_distance + rounding_of_interfaces * fitted.edge;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_BEST_HEXAHEDRA_3_H
