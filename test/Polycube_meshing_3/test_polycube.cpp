@@ -759,15 +759,16 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
   CHECK(charts.number_of_defects() == 0);
 }
 
-TEST_CASE("ordered means are the closest ones that keep a gap")
+TEST_CASE("coordinates are the closest ones to means that keep their order and a gap")
 {
   using namespace VMP::internal;
-  const std::vector<Plane_of_voxels_3> planes = {{1, 0}, {2, 6}, {1, 1}, {4, 40}}; // means 0, 3, 1, 10
-  const std::vector<double> means = ordered_means(planes, 1);
+  const std::vector<Order_of_coordinates> orders = {{0, 1, 1}, {1, 2, 1}, {2, 3, 1}};
+  const auto coordinates = ordered_coordinates_3({1, 2, 1, 4}, {0, 6, 1, 40}, orders, {}, 0); // means 0, 3, 1, 10
+  REQUIRE(coordinates);
   const std::vector<double> expected = {0, 2, 3, 10}; // (2 (x - 3)^2 + (x + 1 - 1)^2)' = 0 at x = 2
-  REQUIRE(means.size() == expected.size());
-  for(std::size_t i = 0; i < means.size(); ++i)
-    CHECK(means[i] == Approx(expected[i]).margin(1e-12));
+  REQUIRE(coordinates->values.size() == expected.size());
+  for(std::size_t i = 0; i < expected.size(); ++i)
+    CHECK(coordinates->values[i] == Approx(expected[i]).margin(1e-12));
 }
 
 TEST_CASE("meridians bound discs, and cut all handles")

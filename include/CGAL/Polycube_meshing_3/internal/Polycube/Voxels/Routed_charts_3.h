@@ -43,7 +43,7 @@ public:
       return {};
     for(int i = 0; i < layers_around_corners; ++i)
       split_around(m_corners, m_surface);
-    build_boundary_mesh_3(m_surface, m_mesh);
+    m_mesh = m_surface.mesh();
     m_beside = vertices_beside_corners(m_surface, m_mesh, m_faces, m_chains, m_corners);
     if(m_beside.empty())
       return {};
@@ -65,6 +65,9 @@ public:
     }
     return {};
   }
+
+  // Returns the mesh of the surface as it is after facets have been split.
+  const Boundary_mesh_3& mesh() const { return m_mesh; }
 
   // Returns the points of the faces on the chains whose paths were blocked.
   const std::set<std::size_t>& blocked_points() const { return m_blocked_points; }

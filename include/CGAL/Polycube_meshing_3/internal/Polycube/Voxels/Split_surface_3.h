@@ -35,6 +35,13 @@ struct Split_surface_3
   static Edge edge(const std::array<std::size_t, 3>& facet, const std::size_t i)
   { return (std::minmax)(facet[i], facet[(i + 1) % 3]); }
 
+  Boundary_mesh_3 mesh() const
+  {
+    Boundary_mesh_3 result;
+    build_boundary_mesh_3(*this, result);
+    return result;
+  }
+
   double length(const Edge& e) const { return (points[e.first] - points[e.second]).norm(); }
 
   // Splits edges, the longest one first. Returns which facet each one comes from.

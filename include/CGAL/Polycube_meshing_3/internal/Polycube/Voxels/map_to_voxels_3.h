@@ -47,8 +47,7 @@ struct Polycube_of_voxels_3
 inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Split_surface_3& surface, const Budget& budget)
 {
   Voxels_3 voxels = given;
-  Boundary_mesh_3 mesh;
-  build_boundary_mesh_3(surface, mesh);
+  const Boundary_mesh_3 mesh = surface.mesh();
   const Facets_3 facets(surface);
   Polycube_of_voxels_3 result = {
     voxels.spacing, Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels)), {}, {}, {}
@@ -82,7 +81,8 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Sp
 struct Drawn_polycube_3
 {
   Split_surface_3 surface;
-  std::vector<std::size_t> chart_of_facet; // none if the charts cannot be drawn
+  Boundary_mesh_3 mesh = {};                    // of the surface
+  std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
 };
 
 // Draws the charts on a surface, whose edges are split to a length near chains, and to shorter ones near chains that are blocked.
@@ -92,11 +92,12 @@ inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, co
   Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
   for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
   {
-    Drawn_polycube_3 result = { surface, {} };
+    Drawn_polycube_3 result = { surface };
     result.surface.split_long_edges(lengths);
     Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
                            polycube.size_of_voxels);
     result.chart_of_facet = charts.run(budget);
+    result.mesh = charts.mesh();
     if(!result.chart_of_facet.empty())
       return result;
     has_changed = lengths.halve(charts.blocked_points());
@@ -105,8 +106,9 @@ inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, co
 }
 
 // Splits edges inside of charts whose ends are on their borders.
-inline void split_between_borders(const Boundary_mesh_3& mesh, Drawn_polycube_3& drawn)
+inline void split_between_borders(Drawn_polycube_3& drawn)
 {
+  const Boundary_mesh_3& mesh = drawn.mesh;
   std::vector<bool> is_on_border(drawn.surface.points.size(), false);
   const auto is_border = [&](const auto h)
   { return drawn.chart_of_facet[mesh.face(h)] != drawn.chart_of_facet[mesh.face(mesh.opposite(h))]; };
@@ -121,34 +123,28 @@ inline void split_between_borders(const Boundary_mesh_3& mesh, Drawn_polycube_3&
   for(const std::size_t parent : drawn.surface.split(edges))
     charts.push_back(drawn.chart_of_facet[parent]);
   drawn.chart_of_facet = charts;
+  drawn.mesh = drawn.surface.mesh();
 }
 
-// Relaxes the charts that are drawn on a surface, and splits edges between their borders.
-inline void relax_drawn_charts(const std::vector<std::size_t>& label_of_chart, Drawn_polycube_3& drawn)
-{
-  Boundary_mesh_3 mesh;
-  build_boundary_mesh_3(drawn.surface, mesh);
-  relax_charts_3(mesh, Label_functional_3(mesh, are_among(mesh, drawn.surface.sharp_edges)), label_of_chart, drawn.chart_of_facet);
-  split_between_borders(mesh, drawn);
-}
-
-// Maps a surface with the charts that are drawn on it after edges have been split.
+// Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges between
+// their borders.
 inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn,
                                             const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
-  relax_drawn_charts(polycube.label_of_chart, drawn);
-  Unit_surface_3 split = { {}, {}, surface.box, surface.spacing };
-  build_boundary_mesh_3(drawn.surface, split.mesh);
-  split.is_sharp = are_among(split.mesh, drawn.surface.sharp_edges);
+  relax_charts_3(drawn.mesh, Label_functional_3(drawn.mesh, are_among(drawn.mesh, drawn.surface.sharp_edges)),
+                 polycube.label_of_chart, drawn.chart_of_facet);
+  split_between_borders(drawn);
+  const Unit_surface_3 split
+    = { drawn.mesh, are_among(drawn.mesh, drawn.surface.sharp_edges), surface.box, surface.spacing };
   std::vector<std::size_t> labels;
   for(const std::size_t c : drawn.chart_of_facet)
     labels.push_back(polycube.label_of_chart[c]);
   const double size = surface.box.sizes().maxCoeff();
   const std::vector<double> coordinates
     = coordinates_of_voxel_charts_3(Facets_3(drawn.surface), drawn.chart_of_facet, polycube.label_of_chart,
-                                    polycube.plane_of_chart, gap * polycube.size_of_voxels, -surface.box.center() / size,
-                                    surface.spacing / size);
+                                    polycube.plane_of_chart, gap * polycube.size_of_voxels,
+                                    { -surface.box.center() / size, surface.spacing / size });
   Polycube_map_3 map(split, labels);
   std::vector<double> of_charts(map.charts().number_of_charts());
   if(of_charts.size() != coordinates.size())

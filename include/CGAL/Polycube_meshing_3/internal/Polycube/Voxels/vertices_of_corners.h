@@ -48,8 +48,7 @@ inline std::vector<Eigen::Vector3d> normals_of_vertices(const Split_surface_3& s
 inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surface, const Voxel_faces_3& faces,
                                                     const Chains_of_voxel_charts_3& chains)
 {
-  Boundary_mesh_3 mesh;
-  build_boundary_mesh_3(surface, mesh);
+  const Boundary_mesh_3 mesh = surface.mesh();
   const std::vector<Eigen::Vector3d> normals = normals_of_vertices(surface), normals_of_faces = faces.normals_of_points();
   std::vector<bool> is_used(surface.points.size(), false);
   std::vector<std::size_t> result;
