@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <Eigen/Dense>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
 
 #include <algorithm>
 #include <array>
@@ -22,22 +22,6 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
-inline int axis_of_direction(const std::size_t direction)
-{
-  return static_cast<int>(direction / 2);
-}
-
-inline int sign_of_direction(const std::size_t direction)
-{
-  return (direction % 2 == 0) ? 1 : -1;
-}
-
-inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
-{
-  return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
-}
 
 // Returns the direction of the edge of a polycube between faces with two labels, in which the last point lies from the first
 // one; zero if the labels have the same axis, or the points the same coordinate.

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Chart_defects_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
 
 #include <Eigen/Geometry>
 
@@ -23,20 +23,6 @@
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-inline std::size_t opposite_direction(const std::size_t d) { return d ^ 1; }
-
-inline Eigen::Vector3i step_of_direction(const std::size_t d)
-{ return sign_of_direction(d) * Eigen::Vector3i::Unit(axis_of_direction(d)); }
-
-// Calls f for the four directions that are orthogonal to one.
-template <typename Function>
-void for_each_orthogonal_direction(const std::size_t d, const Function& f)
-{
-  for(std::size_t e = 0; e < 6; ++e)
-    if(e / 2 != d / 2)
-      f(e);
-}
 
 // Body of voxels in a box, with three layers free on each side.
 struct Voxels_3
