@@ -58,7 +58,7 @@ Hexahedron_soup_3 single_hexahedron()
   mesh.cell_references = { 0 };
   mesh.facets = { {0, 3, 2, 1} };
   mesh.facet_cells = { 0 };
-  mesh.facet_patches = { 1 };
+  mesh.polycube_faces = { 1 };
   mesh.facet_references = { 0 };
   return mesh;
 }
@@ -139,7 +139,7 @@ TEST_CASE("Arrays of hexahedra that do not fit together are not written")
   check_refused(spoilt([](auto& mesh) { mesh.cell_indices.clear(); }));
   check_refused(spoilt([](auto& mesh) { mesh.cell_references.clear(); }));
   check_refused(spoilt([](auto& mesh) { mesh.facet_cells.clear(); }));
-  check_refused(spoilt([](auto& mesh) { mesh.facet_patches.clear(); }));
+  check_refused(spoilt([](auto& mesh) { mesh.polycube_faces.clear(); }));
   check_refused(spoilt([](auto& mesh) { mesh.facet_references.clear(); }));
   check_refused(spoilt([](auto& mesh) { mesh.cells[0][7] = 8; }));
   check_refused(spoilt([](auto& mesh) { mesh.facets[0][3] = 8; }));

@@ -727,7 +727,7 @@ TEST_CASE("Hexahedra are written for a box, and refused for what is none")
   REQUIRE(folder.run("source.mesh target.mesh --quiet --hexahedra 1.5 hexahedra.mesh") == 0);
   CHECK(folder.text("hexahedra.mesh").find("\nHexahedra\n8\n") != std::string::npos);
   REQUIRE(folder.run("source.mesh target.mesh --quiet --hexahedra 1 hexahedra.inp") == 0);
-  CHECK(folder.text("hexahedra.inp").find("*NSET, NSET=PATCH_6\n") != std::string::npos);
+  CHECK(folder.text("hexahedra.inp").find("*NSET, NSET=FACE_6\n") != std::string::npos);
   CHECK(folder.text("hexahedra.inp").find("*ELSET, ELSET=SUBDOMAIN_") != std::string::npos);
   REQUIRE(folder.run("source.mesh target.mesh --hexahedra 1 hexahedra.vtu --report report.json") == 0);
   CHECK(folder.text("hexahedra.vtu").find("NumberOfCells=\"81\"") != std::string::npos); // 27 hexahedra, 54 facets

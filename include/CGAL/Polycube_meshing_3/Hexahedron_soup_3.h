@@ -39,7 +39,7 @@ struct Hexahedron_soup_3
   std::vector<int> cell_references;           ///< the subdomain that the center of each hexahedron is mapped to
   std::vector<std::array<std::size_t, 4> > facets; ///< the quadrangles of the boundary, counterclockwise seen from outside
   std::vector<std::size_t> facet_cells;       ///< the index of the hexahedron of each quadrangle
-  std::vector<std::size_t> facet_patches;     ///< the face of the polycube of each quadrangle
+  std::vector<std::size_t> polycube_faces;    ///< the face of the polycube of each quadrangle
   /// the reference of each quadrangle: that of the facet of the body nearest to its center, 0 if this has none
   std::vector<int> facet_references;
   /// the quadrangles of interfaces, between hexahedra of two subdomains, counterclockwise seen from the larger one

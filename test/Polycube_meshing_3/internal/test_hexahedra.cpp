@@ -948,7 +948,7 @@ TEST_CASE("Hexahedra are written for VTK and MEDIT")
   CHECK(array_of<std::int64_t>(text, "offsets", "Int64") == std::vector<std::int64_t>{8, 12, 16, 20, 24, 28, 32});
   CHECK(array_of(text, "scaled_jacobian")[0] == Approx(1));
   CHECK(array_of(text, "uvw")[3 * 6 + 1] == 1);
-  CHECK(array_of<std::int32_t>(text, "patch", "Int32") == std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6});
+  CHECK(array_of<std::int32_t>(text, "face", "Int32") == std::vector<std::int32_t>{0, 1, 2, 3, 4, 5, 6});
 }
 
 namespace {
@@ -1015,9 +1015,9 @@ TEST_CASE("Quadrangles of the boundary are closed, seen from outside, and tell t
     const std::vector<int> numbers = boundary_quadrangles_of_cells(mesh);
     CHECK(mesh.facets.size() == static_cast<std::size_t>(std::accumulate(numbers.begin(), numbers.end(), 0)));
     REQUIRE(mesh.facet_cells.size() == mesh.facets.size());
-    REQUIRE(mesh.facet_patches.size() == mesh.facets.size());
+    REQUIRE(mesh.polycube_faces.size() == mesh.facets.size());
     std::map<std::array<std::size_t, 2>, int> edges;
-    std::map<std::size_t, std::set<std::size_t> > vertices_of_patch;
+    std::map<std::size_t, std::set<std::size_t> > vertices_of_face;
     for(std::size_t f = 0; f < mesh.facets.size(); ++f)
     {
       const auto& cell = mesh.cells[mesh.facet_cells[f]];
@@ -1027,7 +1027,7 @@ TEST_CASE("Quadrangles of the boundary are closed, seen from outside, and tell t
         CHECK(std::count(cell.begin(), cell.end(), v) == 1);
         ++edges[{ v, w }];
         --edges[{ w, v }];
-        vertices_of_patch[mesh.facet_patches[f]].insert(v);
+        vertices_of_face[mesh.polycube_faces[f]].insert(v);
       }
     }
     for(const auto& edge : edges)
@@ -1035,9 +1035,9 @@ TEST_CASE("Quadrangles of the boundary are closed, seen from outside, and tell t
     CHECK(enclosed_volume(mesh) > 0);
 
     const bool is_ball = mesh.cells.size() == 512 + 384;
-    CHECK(vertices_of_patch.size() == (is_ball ? 6 : has_padding ? 11 : 8));
-    CHECK(vertices_of_patch.begin()->first == 1);
-    for(const auto& [patch, vertices] : vertices_of_patch)
+    CHECK(vertices_of_face.size() == (is_ball ? 6 : has_padding ? 11 : 8));
+    CHECK(vertices_of_face.begin()->first == 1);
+    for(const auto& [face, vertices] : vertices_of_face)
     {
       std::array<std::set<double>, 3> planes;
       for(const std::size_t v : vertices)
@@ -1234,11 +1234,11 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   constexpr std::size_t nodes_of_face[6][4]
     = { {1, 2, 3, 4}, {5, 8, 7, 6}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 8, 4}, {4, 8, 5, 1} };
   std::size_t number_of_facets = 0;
-  for(std::size_t patch = 1; patch <= 8; ++patch)
+  for(std::size_t number = 1; number <= 8; ++number)
   {
-    const std::string name = "PATCH_" + std::to_string(patch);
+    const std::string name = "FACE_" + std::to_string(number);
     const std::vector<std::string>& surface = sections.at("*SURFACE, TYPE=ELEMENT, NAME=" + name);
-    std::set<std::string> nodes_of_patch;
+    std::set<std::string> nodes_of_surface;
     std::set<std::set<std::size_t> > faces, expected;
     for(std::size_t i = 0; i < surface.size(); i += 2)
     {
@@ -1246,17 +1246,17 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
       for(const std::size_t node : nodes_of_face[std::stoul(surface[i + 1].substr(1)) - 1])
         face.insert(mesh.cells[std::stoul(surface[i]) - 1][node - 1]);
       for(const std::size_t v : face)
-        nodes_of_patch.insert(std::to_string(v + 1));
+        nodes_of_surface.insert(std::to_string(v + 1));
       faces.insert(face);
     }
     for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-      if(mesh.facet_patches[f] == patch)
+      if(mesh.polycube_faces[f] == number)
         expected.emplace(mesh.facets[f].begin(), mesh.facets[f].end());
     CHECK(faces == expected);
     number_of_facets += faces.size();
     const std::vector<std::string>& set = sections.at("*NSET, NSET=" + name);
-    CHECK(std::set<std::string>(set.begin(), set.end()) == nodes_of_patch);
-    CHECK(set.size() == nodes_of_patch.size());
+    CHECK(std::set<std::string>(set.begin(), set.end()) == nodes_of_surface);
+    CHECK(set.size() == nodes_of_surface.size());
   }
   CHECK(number_of_facets == mesh.facets.size());
 }

@@ -80,7 +80,7 @@ namespace IO {
 /// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`). Nodes and elements are numbered from 1. The
 /// element sets are `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ... Each reference of quadrangles but 0 has a set of its nodes,
 /// `SURFACE_1`, ..., for supports. A surface of the same name, of faces of elements, is for pressures. The faces of the polycube
-/// likewise have `PATCH_1`, `PATCH_2`, ... An interface of two subdomains, such as 1 and 2, has two surfaces. `INTERFACE_1_2`
+/// likewise have `FACE_1`, `FACE_2`, ... An interface of two subdomains, such as 1 and 2, has two surfaces. `INTERFACE_1_2`
 /// consists of faces of elements in subdomain 1, and `INTERFACE_2_1` of the same faces of elements in subdomain 2. The node set
 /// `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a reference of
 /// quadrangles has a name, there is also a set of this name. Characters other than letters and digits become `_`.
@@ -132,7 +132,7 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
     const internal::Quadrangle_of_hexahedron q = { mesh.facet_cells[f], internal::side_of_facet(mesh, f) };
-    parts["PATCH_" + std::to_string(mesh.facet_patches[f])].push_back(q);
+    parts["FACE_" + std::to_string(mesh.polycube_faces[f])].push_back(q);
     if(mesh.facet_references[f] != 0)
       parts["SURFACE_" + std::to_string(mesh.facet_references[f])].push_back(q);
   }

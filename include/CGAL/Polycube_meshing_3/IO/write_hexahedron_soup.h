@@ -23,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
 /// writes hexahedra and the quadrangles of their boundary in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". The
-/// references of hexahedra are their subdomains, those of quadrangles the ones of the body if there are any, else their patches.
+/// references of hexahedra are their subdomains, those of quadrangles the ones of the body if there are any, else their faces.
 /// Quadrangles of interfaces follow, with their references; those without one have a number for each pair of subdomains, in
 /// ascending order, that follow all others.
 ///
@@ -42,7 +42,7 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
   std::vector<std::array<std::size_t, 4> > quadrangles = mesh.facets;
   std::vector<int> references = mesh.facet_references;
   if(std::count(references.begin(), references.end(), 0) == std::ptrdiff_t(references.size()))
-    references.assign(mesh.facet_patches.begin(), mesh.facet_patches.end());
+    references.assign(mesh.polycube_faces.begin(), mesh.polycube_faces.end());
   const std::vector<int> at_interfaces = internal::references_at_interfaces(mesh, references);
   quadrangles.insert(quadrangles.end(), mesh.interface_facets.begin(), mesh.interface_facets.end());
   references.insert(references.end(), at_interfaces.begin(), at_interfaces.end());
@@ -56,7 +56,7 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 /// writes hexahedra, and the quadrangles of their boundary and of interfaces, as a VTK XML file (`.vtu`). The points have the
 /// vectors `uvw`, their images. The cells have the values `scaled_jacobian` (as in `Hexahedral_mesh_result`), `block`,
 /// `grid_index` (the indices (i, j, k) in the block) and `subdomain`. A quadrangle has the values of its hexahedron. The values
-/// `patch` and `surface` are the face of the polycube and the reference of a quadrangle, and 0 for hexahedra. If there are
+/// `face` and `surface` are the face of the polycube and the reference of a quadrangle, and 0 for hexahedra. If there are
 /// interfaces, `interface` has the two subdomains of a quadrangle there, and 0 and 0 for all other cells.
 ///
 /// \param os the stream, opened in binary mode if it is a file
@@ -93,8 +93,8 @@ inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
   writer.add<std::int32_t>("grid_index", 3 * number_of_cells,
                            [&](std::size_t i) { return mesh.cell_indices[hexahedron(i / 3)][i % 3]; }, 3);
   writer.add<std::int32_t>("subdomain", number_of_cells, [&](std::size_t i) { return mesh.cell_references[hexahedron(i)]; });
-  writer.add<std::int32_t>("patch", number_of_cells, [&](std::size_t i)
-  { return i < number_of_hexahedra || i >= end_of_boundary ? 0 : mesh.facet_patches[i - number_of_hexahedra]; });
+  writer.add<std::int32_t>("face", number_of_cells, [&](std::size_t i)
+  { return i < number_of_hexahedra || i >= end_of_boundary ? 0 : mesh.polycube_faces[i - number_of_hexahedra]; });
   writer.add<std::int32_t>("surface", number_of_cells, reference);
   if(number_of_cells > end_of_boundary)
     writer.add<std::int32_t>("interface", 2 * number_of_cells, [&](std::size_t i)

@@ -21,7 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Collects the boundary of boxes in a domain. Two quadrangles are of one patch if they share an edge and are normal to the
+// Collects the boundary of boxes in a domain. Two quadrangles are of one face if they share an edge and are normal to the
 // same direction.
 inline void set_facets(Hexahedra_3& domain)
 {
@@ -41,14 +41,14 @@ inline void set_facets(Hexahedra_3& domain)
     domain.facets.push_back(v);
     domain.facet_cells.push_back(quadrangle.cell);
   }
-  Disjoint_sets patches(domain.facets.size());
+  Disjoint_sets faces(domain.facets.size());
   for_each_group(edges.size(), [&](const std::size_t i) { return edges[i]; }, [&](const auto begin, const auto end)
   {
     if(end - begin == 2)
-      patches.unite(begin->second, (begin + 1)->second);
+      faces.unite(begin->second, (begin + 1)->second);
   });
-  for(const std::size_t number : patches.numbers())
-    domain.facet_patches.push_back(1 + number);
+  for(const std::size_t number : faces.numbers())
+    domain.polycube_faces.push_back(1 + number);
 }
 
 // Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the

@@ -30,7 +30,7 @@ struct Hexahedra_3
   std::vector<std::array<std::size_t, 3> > cell_indices;
   std::vector<int> cell_references;
   std::vector<std::array<std::size_t, 4> > facets;
-  std::vector<std::size_t> facet_cells, facet_patches;
+  std::vector<std::size_t> facet_cells, polycube_faces;
 };
 
 inline std::vector<Eigen::Vector3d> vectors_of(const std::vector<std::array<double, 3> >& points)
@@ -61,7 +61,7 @@ inline Hexahedron_soup_3 hexahedron_soup_of(Hexahedra_3 mesh)
   result.cell_references = std::move(mesh.cell_references);
   result.facets = std::move(mesh.facets);
   result.facet_cells = std::move(mesh.facet_cells);
-  result.facet_patches = std::move(mesh.facet_patches);
+  result.polycube_faces = std::move(mesh.polycube_faces);
   return result;
 }
 

@@ -59,7 +59,7 @@ inline void check_hexahedra(const Hexahedron_soup_3& mesh)
 {
   const std::size_t n = mesh.cells.size(), m = mesh.facets.size();
   if(mesh.images.size() != mesh.points.size() || mesh.cell_blocks.size() != n || mesh.cell_indices.size() != n
-     || mesh.cell_references.size() != n || mesh.facet_cells.size() != m || mesh.facet_patches.size() != m
+     || mesh.cell_references.size() != n || mesh.facet_cells.size() != m || mesh.polycube_faces.size() != m
      || mesh.facet_references.size() != m)
     throw Input_error("there is not one entry of each array per point, per hexahedron and per quadrangle");
   const std::size_t number_of_facets = mesh.interface_facets.size();

@@ -36,18 +36,18 @@ inline std::vector<Edge_of_domain_3> edges_of_domain_3(const Hexahedra_3& domain
   [&](const auto begin, const auto end)
   {
     for(auto it = begin + 1; it != end; ++it)
-      if(domain.facet_patches[begin->second] != domain.facet_patches[it->second])
+      if(domain.polycube_faces[begin->second] != domain.polycube_faces[it->second])
         result.push_back({ begin->first, { begin->second, it->second }, end - begin == 2 });
   });
   return result;
 }
 
-// Faces of the domain, by their numbers in `facet_patches`, that a layer of hexahedra covers.
+// Faces of the domain, by their numbers in `polycube_faces`, that a layer of hexahedra covers.
 using Covered_faces_3 = std::set<std::size_t>;
 
 inline Covered_faces_3 all_faces_of_domain(const Hexahedra_3& domain)
 {
-  return Covered_faces_3(domain.facet_patches.begin(), domain.facet_patches.end());
+  return Covered_faces_3(domain.polycube_faces.begin(), domain.polycube_faces.end());
 }
 
 // Chooses layers of hexahedra such that no corner of a hexahedron on the boundary needs to be almost straight. Where two
@@ -64,7 +64,7 @@ public:
   {
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       if(needs_layer(m_edges[e]) || !m_edges[e].is_manifold || is_concave(m_edges[e]))
-        m_sets.unite(patch(e, 0), patch(e, 1));
+        m_sets.unite(face(e, 0), face(e, 1));
   }
 
   std::vector<Covered_faces_3> layers()
@@ -75,7 +75,7 @@ public:
       sets.clear();
       for(std::size_t e = 0; e < m_edges.size(); ++e)
         if(needs_layer(m_edges[e]))
-          sets.insert(m_sets.find(patch(e, 0)));
+          sets.insert(m_sets.find(face(e, 0)));
     }
     while(std::any_of(sets.begin(), sets.end(), [this](const std::size_t set) { return grow(layer_of(set)); }));
     std::vector<Covered_faces_3> result;
@@ -85,9 +85,9 @@ public:
   }
 
 private:
-  std::size_t patch(const std::size_t e, const std::size_t side) const
+  std::size_t face(const std::size_t e, const std::size_t side) const
   {
-    return m_mesh.facet_patches[m_edges[e].facets[side]];
+    return m_mesh.polycube_faces[m_edges[e].facets[side]];
   }
 
   static Eigen::Vector3d normal(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 4>& f)
@@ -127,20 +127,20 @@ private:
     std::vector<std::size_t> covered(m_mesh.points.size(), none);
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       for(const std::size_t v : m_mesh.facets[f])
-        if(layer.count(m_mesh.facet_patches[f]) > 0)
-          covered[v] = m_mesh.facet_patches[f];
+        if(layer.count(m_mesh.polycube_faces[f]) > 0)
+          covered[v] = m_mesh.polycube_faces[f];
         else
           is_held[v][axis_of_facet(m_mesh.images, m_mesh.facets[f])] = true;
     for(std::size_t e = 0; e < m_edges.size(); ++e)
       for(const std::size_t v : m_edges[e].vertices)
-        number_of_ends[v] += layer.count(patch(e, 0)) != layer.count(patch(e, 1));
+        number_of_ends[v] += layer.count(face(e, 0)) != layer.count(face(e, 1));
     bool has_changed = false;
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       for(const std::size_t v : m_mesh.facets[f])
-        if(layer.count(m_mesh.facet_patches[f]) == 0 && covered[v] != none
+        if(layer.count(m_mesh.polycube_faces[f]) == 0 && covered[v] != none
            && (number_of_ends[v] != 2 || is_held[v] == std::array<bool, 3>{ true, true, true }))
         {
-          m_sets.unite(m_mesh.facet_patches[f], covered[v]);
+          m_sets.unite(m_mesh.polycube_faces[f], covered[v]);
           has_changed = true;
         }
     return has_changed;
@@ -148,7 +148,7 @@ private:
 
   const Hexahedra_3& m_mesh;
   const std::vector<Edge_of_domain_3> m_edges;
-  const Covered_faces_3 m_faces; // all, , numbered from 1
+  const Covered_faces_3 m_faces; // all, numbered from 1
   Disjoint_sets m_sets; // faces that belong to one layer
 };
 
@@ -157,7 +157,7 @@ inline std::vector<Quadrangle_of_hexahedron> quadrangles_in(const Hexahedra_3& m
 {
   std::vector<Quadrangle_of_hexahedron> result;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-    if(faces.count(mesh.facet_patches[f]) > 0)
+    if(faces.count(mesh.polycube_faces[f]) > 0)
       result.push_back({ mesh.facet_cells[f], side_of_facet(mesh, f) });
   return result;
 }

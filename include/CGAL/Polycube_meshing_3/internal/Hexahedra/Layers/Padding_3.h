@@ -145,11 +145,11 @@ private:
   // that has the edge, too.
   void add_ends()
   {
-    std::map<Edge_in_part, std::size_t> patches;
+    std::map<Edge_in_part, std::size_t> faces;
     std::map<Edge_in_part, std::vector<Quadrangle_of_hexahedron> > sides;
     for(std::size_t f = 0; f < m_domain.facets.size(); ++f)
       for(std::size_t i = 0; i < 4 && !is_covered(f); ++i)
-        patches[edge(m_domain.facets[f], i, m_domain.facet_cells[f])] = m_domain.facet_patches[f];
+        faces[edge(m_domain.facets[f], i, m_domain.facet_cells[f])] = m_domain.polycube_faces[f];
     for(std::size_t k = 0; k < m_covered.size(); ++k)
       for(std::size_t i = 0; i < 4; ++i)
         sides[edge(vertices_of(m_domain, m_covered[k]), i, m_covered[k].cell)].push_back({ m_domain.cells.size() + k, 2 + i });
@@ -158,7 +158,7 @@ private:
       {
         m_result.facets.push_back(vertices_of(m_result, at_edge[0]));
         m_result.facet_cells.push_back(at_edge[0].cell);
-        m_result.facet_patches.push_back(patches.at(edge));
+        m_result.polycube_faces.push_back(faces.at(edge));
       }
   }
 
