@@ -19,9 +19,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns coordinates of charts that keep the order of the planes of the voxels along each axis, at least as far apart as the gap, so
-// that the polycube stays embedded: space is mapped by monotone functions of the coordinates. Of these coordinates, they are those
-// closest to the means of the planes on the surface in the sense of least squares.
+// Returns coordinates of charts that keep the order of the planes of the voxels along each axis, with a gap between planes at
+// least: the polycube stays embedded, as space is mapped by monotone functions of the coordinates. Among such coordinates, they
+// are those closest to the means of the planes on the surface in the sense of least squares.
 inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets, const std::vector<std::size_t>& chart_of_facet,
                                                          const std::vector<std::size_t>& label_of_chart,
                                                          const std::vector<int>& plane_of_chart, const double gap,

@@ -126,8 +126,8 @@ inline void split_between_borders(Drawn_polycube_3& drawn)
   drawn.mesh = drawn.surface.mesh();
 }
 
-// Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges between
-// their borders.
+// Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges
+// between their borders.
 inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn,
                                             const Unit_surface_3& surface, const Budget& budget)
 {
