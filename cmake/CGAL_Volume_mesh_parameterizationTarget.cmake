@@ -50,17 +50,26 @@ endfunction()
 # no type that both know depends on them, so its users learn nothing but the macro.
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_to_boundaries_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Solvers/Conjugate_gradient_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel_impl.h>
 namespace CGAL::Volume_mesh_parameterization {
-template class internal::Conjugate_gradient_3<float>;
+template std::unique_ptr<internal::Conjugate_gradient_3<float> > internal::make_conjugate_gradient_3(bool, int);
+template std::unique_ptr<internal::Conjugate_gradient_3<double> > internal::make_conjugate_gradient_3(bool, int);
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #ifdef CGAL_LINKED_WITH_TBB
 template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;
 #endif
+const internal::Cell_energy_3& internal::cell_energy_3(const Stretch_energy_3& energy)
+{
+  static const Cell_energy_of<Stretch_energy_3> result(energy);
+  return result;
+}
+void internal::fail_precondition(const char* message, const char* file, int line) { precondition_fail("", file, line, message); }
 }
 ]] @ONLY)
   file(CONFIGURE OUTPUT boundary_engine.cpp CONTENT [[

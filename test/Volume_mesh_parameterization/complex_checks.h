@@ -3,6 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_COMPLEX_CHECKS_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
 #include <array>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "ring_of_prisms.h"
 
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <algorithm>

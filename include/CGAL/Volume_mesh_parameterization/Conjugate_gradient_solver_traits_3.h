@@ -43,18 +43,31 @@ public:
   /// If a factorization takes no more multiplications, a map then factorizes the matrix, as `Eigen_solver_traits_3` does. The
   /// following matrices are factorized as long as iterations take longer.
   explicit Conjugate_gradient_solver_traits_3(const int maximum_number_of_iterations = internal::default_limit_of_iterations)
-    : m_solver(internal::is_parallel<ConcurrencyTag>(), maximum_number_of_iterations)
+    : m_solver(internal::make_conjugate_gradient_3<NT>(internal::is_parallel<ConcurrencyTag>(), maximum_number_of_iterations))
   {}
 
+  /// copies a solver, which keeps its pattern and preconditioner.
+  Conjugate_gradient_solver_traits_3(const Conjugate_gradient_solver_traits_3& other) : m_solver(other.m_solver->copy()) {}
+  /// copies a solver likewise.
+  Conjugate_gradient_solver_traits_3& operator=(const Conjugate_gradient_solver_traits_3& other)
+  {
+    m_solver = other.m_solver->copy();
+    return *this;
+  }
+
   /// reserves memory for vectors.
-  void analyze_pattern(const Matrix& A) { m_solver.analyze_pattern(A); }
+  void analyze_pattern(const Matrix& A) { m_solver->analyze_pattern(A); }
 
   /// computes the preconditioner, the inverses of the diagonal blocks. From 30,000 rows on, it also inverts sums of blocks over
   /// aggregates of 32, 256, ... contiguous rows. These rows should be near each other. It does not notice whether `A` is
   /// positive definite.
   ///
   /// \return `SUCCESS`
-  Linear_solver_status factorize(const Matrix& A) { return m_solver.factorize(A); }
+  Linear_solver_status factorize(const Matrix& A)
+  {
+    m_solver->factorize(A);
+    return Linear_solver_status::SUCCESS;
+  }
 
   /// solves \f$A x = b\f$ from \f$x = 0\f$ on until the residual \f$r\f$, in the norm \f$\sqrt{r^T M^{-1} r}\f$ of the
   /// preconditioner \f$M\f$, has fallen by the factor `tolerance`. The function `may_continue`, if there is one, is called every
@@ -66,13 +79,16 @@ public:
   template <typename Vector>
   Linear_solver_status solve(const std::decay_t<Vector>& b, Vector& x, const double tolerance,
                              const std::function<bool()>& may_continue = nullptr)
-  { return m_solver.solve(b, x, tolerance, may_continue); }
+  {
+    x.resize(b.size());
+    return m_solver->solve(b.data(), x.data(), tolerance, may_continue);
+  }
 
   /// returns the number of iterations of the last call of `solve()`.
-  int number_of_iterations() const { return m_solver.number_of_iterations(); }
+  int number_of_iterations() const { return m_solver->number_of_iterations(); }
 
 private:
-  internal::Conjugate_gradient_3<NT> m_solver;
+  std::unique_ptr<internal::Conjugate_gradient_3<NT> > m_solver;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 
 #include <CGAL/assertions.h>
@@ -52,33 +51,6 @@ struct Mapped_body_3
   bool meets_boundary() const { return has_valid_map() && result.boundary_residual == 0; }
 };
 
-// Makes one attempt. `prescription` is of the body without targets.
-inline Mapped_body_3 map_to_boundary_3(const Boundary_attempt_3& attempt, Body_3 body, Prescription_3 prescription,
-                                       const Mapped_boundary_3& boundary, Map_problem_3 problem)
-{
-  Mapped_body_3 mapped = { std::move(body), &boundary, {}, {}, {} };
-  if(std::optional<std::vector<Insertion_3> > made = split_any_edges_3(mapped.body, boundary.splits))
-    mapped.insertions = std::move(*made);
-  else
-  {
-    mapped.result.status = ERROR_BOUNDARY_TOO_COARSE;
-    mapped.result.message = get_error_message(ERROR_BOUNDARY_TOO_COARSE);
-    return mapped;
-  }
-  if(attempt.do_split_inside)
-  {
-    const std::vector<Insertion_3> made = split_edges_at_boundary_3(mapped.body);
-    mapped.insertions.insert(mapped.insertions.end(), made.begin(), made.end());
-  }
-  if(attempt.is_held && problem.options.mode == Boundary_mode::AUTO)
-    problem.options.mode = Boundary_mode::FIXED;
-  prescription.targets = boundary.targets;
-  prescription.extend_to(mapped.body.soup.points.size());
-  mapped.result = refine_and_parameterize_body_3(mapped.body, std::move(prescription), problem, mapped.insertions, mapped.images);
-  mapped.result.number_of_added_boundary_vertices = boundary.splits.size();
-  return mapped;
-}
-
 // Makes the attempts for which there is a boundary, with `map(attempt, boundary, is_last)`. Returns the first map that meets its
 // boundary; or else the first one without inverted cells, or the last attempt.
 template <typename Progress, typename Map>
@@ -105,14 +77,14 @@ auto best_boundary_attempt_3(const std::vector<Mapped_boundary_3>& boundaries, P
 }
 
 // Maps a body to one of the images of its boundary, of which there is at least one.
-inline Mapped_body_3 map_to_boundaries_3(Body_3 body, const Prescription_3& prescription,
-                                         const std::vector<Mapped_boundary_3>& boundaries, const Map_problem_3& problem)
-{
-  return best_boundary_attempt_3(boundaries, problem.progress,
-    [&](const Boundary_attempt_3& attempt, const Mapped_boundary_3& boundary, const bool is_last)
-  { return map_to_boundary_3(attempt, is_last ? std::move(body) : Body_3(body), prescription, boundary, problem); });
-}
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Mapped_body_3 map_to_boundaries_3(Body_3 body, const Prescription_3& prescription,
+                                  const std::vector<Mapped_boundary_3>& boundaries, const Map_problem_3& problem);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_to_boundaries_3_impl.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_MAP_TO_BOUNDARIES_3_H

@@ -18,8 +18,10 @@
 
 #include <boost/config.hpp>
 
-#if defined(__x86_64__)
+#if defined(__AVX2__)
 #  include <immintrin.h>
+#elif defined(__x86_64__)
+#  include <emmintrin.h>
 #elif defined(__aarch64__)
 #  include <arm_neon.h>
 #endif

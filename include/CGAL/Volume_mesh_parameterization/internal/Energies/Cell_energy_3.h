@@ -19,6 +19,8 @@
 
 #include <limits>
 
+namespace CGAL::Volume_mesh_parameterization { struct Stretch_energy_3; }
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Number of cells side by side: as many as the longest vector instructions take in two registers.
@@ -165,6 +167,11 @@ private:
 // Returns an energy as the engine knows it. An overload takes `Any_energy_3`.
 template <typename Energy>
 Cell_energy_of<Energy> cell_energy_3(const Energy& energy) { return Cell_energy_of<Energy>(energy); }
+
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+// The default energy is compiled with the engine. Other energies use the instructions for which a unit is compiled.
+const Cell_energy_3& cell_energy_3(const Stretch_energy_3& energy);
+#endif
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

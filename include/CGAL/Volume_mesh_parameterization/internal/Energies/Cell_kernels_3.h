@@ -14,6 +14,10 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 
+#if defined(__x86_64__)
+#  include <immintrin.h>
+#endif
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Passes over the packs of cells, from the first one to the end of a range; `u` and `d` hold three coordinates a vertex, the

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Alignment_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

@@ -17,7 +17,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
@@ -40,18 +39,6 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
                                                        const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
                                                        std::vector<std::array<double, 3> >& images);
-
-// The parts of these functions, for a mesh of which each process has a part.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
-                       const Search_start_3& start = Search_start_3());
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
-                                      const Map_problem_3& problem);
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result refused_result(const Input_check_3& check, const Progress_3& progress);
 
 // Returns the distortion of the map from the points of a soup to images.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

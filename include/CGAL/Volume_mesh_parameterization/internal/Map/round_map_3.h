@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/patches_3.h>

@@ -12,8 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
@@ -57,13 +55,6 @@ inline bool is_finite_point(const Exact_point_3& p)
 // Tells whether a cell is positive. A cell with a point that is not finite is not; exact predicates are undefined for it.
 inline bool is_positive_cell(const std::array<Exact_point_3, 4>& p)
 { return std::all_of(p.begin(), p.end(), is_finite_point) && CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE; }
-
-// Tells whether a cell is positively oriented, by exact predicates on the coordinates as they are.
-inline bool is_positive(const Matrix3Xd& positions, const std::array<int, 4>& cell)
-{
-  const auto point = [&](const int i) { return exact_point(positions.col(cell[i])); };
-  return is_positive_cell({ point(0), point(1), point(2), point(3) });
-}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -90,11 +90,7 @@ public:
   { return concatenated(rank() == 0 ? find() : std::vector<double>()); }
 };
 
-inline const Communicator_3& single_process()
-{
-  static const Communicator_3 communicator;
-  return communicator;
-}
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE const Communicator_3& single_process();
 
 // Tells whether a tag asks for threads, which do not compile without TBB.
 template <typename ConcurrencyTag>

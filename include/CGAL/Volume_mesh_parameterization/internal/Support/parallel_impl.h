@@ -20,6 +20,12 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE const Communicator_3& single_process()
+{
+  static const Communicator_3 communicator;
+  return communicator;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 void call_for_each_index(const bool is_parallel, const std::size_t first, const std::size_t last, const Index_function f)
 {

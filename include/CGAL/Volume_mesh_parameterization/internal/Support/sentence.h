@@ -42,13 +42,19 @@ constexpr bool checks_preconditions = false;
 constexpr bool checks_preconditions = true;
 #endif
 
-// Calls CGAL's failure function unless a precondition holds: its handlers are called, and by default an exception is thrown that
-// names the line of the call.
+// Calls CGAL's failure function: its handlers are called, and by default an exception is thrown that names the line of the call.
+#ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+void fail_precondition(const char* message, const char* file, int line);
+#else
+inline void fail_precondition(const char* const message, const char* const file, const int line)
+{ precondition_fail("", file, line, message); }
+#endif
+
 inline void require(const bool condition, const char* const message, const char* const file = __builtin_FILE(),
                     const int line = __builtin_LINE())
 {
   if(checks_preconditions && !condition)
-    precondition_fail("", file, line, message);
+    fail_precondition(message, file, line);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

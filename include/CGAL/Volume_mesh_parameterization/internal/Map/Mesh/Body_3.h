@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
@@ -87,15 +87,6 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
 // Throws `Input_error` if indices are wrong, or facets have more than two cells or two on the same side.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, bool is_parallel = false);
 
-// The points on the boundary, and those that are constrained as well.
-inline std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {})
-{
-  std::vector<bool> result = used_points(body.boundary, body.soup.points.size());
-  for(std::size_t v = 0; v < is_constrained.size(); ++v)
-    result[v] = result[v] || is_constrained[v];
-  return result;
-}
-
 template <typename T>
 constexpr bool is_soup = std::is_same<std::remove_const_t<T>, Tetrahedron_soup_3>::value;
 
@@ -148,10 +139,13 @@ void mark_corners(const C3t3& c3t3, const Indices& indices, Tetrahedron_soup_3& 
 {
   if constexpr(boost::is_detected<Corners_of_complex, C3t3>::value)
   {
+    std::vector<bool> is_corner(soup.points.size(), false); // the complex has corners in the order of their addresses
     for(auto it = c3t3.vertices_in_complex_begin(); it != c3t3.vertices_in_complex_end(); ++it)
       if(const auto v = indices.find(it); v != indices.end())
-        soup.corners.push_back(v->second);
-    std::sort(soup.corners.begin(), soup.corners.end()); // the complex has them in the order of their addresses
+        is_corner[v->second] = true;
+    for(std::size_t v = 0; v < is_corner.size(); ++v)
+      if(is_corner[v])
+        soup.corners.push_back(v);
   }
 }
 
@@ -209,46 +203,31 @@ struct Prescription_3
   std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
   std::vector<Linear_constraint_3<std::size_t> > constraints;
 
-  // New points are told nothing of.
-  void extend_to(const std::size_t number_of_points)
-  {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    targets.resize(number_of_points, { nan, nan, nan });
-    is_constrained.resize(number_of_points, false);
-    if(!conditions.empty())
-      conditions.resize(number_of_points);
-    if(!initial.empty())
-      initial.resize(number_of_points, { nan, nan, nan });
-  }
+  void extend_to(std::size_t number_of_points); // new points are told nothing of
 };
 
-// The points that are not free.
-inline std::vector<bool> prescribed_points(const Body_3& body, const Prescription_3& prescription)
-{
-  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
-  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
-    result[p] = prescription.conditions[p].kind() != Vertex_condition_3::FREE;
-  return result;
-}
+// Returns which points are vertices of cells, on the boundary or constrained, not free, and at their targets.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> points_of_cells(const Body_3& body);
 
-// The points whose images are their targets.
-inline std::vector<bool> fixed_points(const Body_3& body, const Prescription_3& prescription)
-{
-  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
-  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
-    result[p] = prescription.conditions[p].kind() == Vertex_condition_3::AT_TARGET;
-  return result;
-}
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained = {});
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<bool> prescribed_points(const Body_3& body, const Prescription_3& prescription);
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> fixed_points(const Body_3& body, const Prescription_3& prescription);
+
+// Returns the target with 0 in place of missing coordinates that are not prescribed.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition);
 
 // Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
 template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
 Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
                               const VertexOfPoint& vertex)
 {
-  const auto is_constrained = parameter_or(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
-  const auto constraints = parameter_or(np, internal_np::positional_constraints, std::vector<Linear_constraint_3<Vertex> >());
   const std::size_t number_of_points = body.soup.points.size();
-  const std::vector<bool> has_cell = used_points(body.soup.cells, number_of_points);
+  const std::vector<bool> has_cell = points_of_cells(body);
 
   Prescription_3 result;
   result.extend_to(number_of_points);
@@ -265,14 +244,13 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
       if(has_cell[p])
         result.conditions[p] = get(conditions, vertex(p));
   }
-  std::unordered_map<Vertex, std::size_t> points;
-  for(std::size_t p = 0; p < number_of_points; ++p)
-    if(has_cell[p])
-    {
-      result.is_constrained[p] = get(is_constrained, vertex(p));
-      if(!constraints.empty())
-        points.emplace(vertex(p), p);
-    }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+  {
+    const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.is_constrained[p] = get(is_constrained, vertex(p));
+  }
   const std::vector<bool> is_prescribed = prescribed_points(body, result);
   for(std::size_t p = 0; p < number_of_points; ++p)
     if(has_cell[p] && is_prescribed[p])
@@ -290,11 +268,20 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
       if(has_cell[p])
         result.initial[p] = coordinates(get(initial_map, vertex(p)));
   }
-  for(const Linear_constraint_3<Vertex>& constraint : constraints)
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value)
   {
-    result.constraints.push_back({ {}, constraint.value });
-    for(const auto& term : constraint.terms)
-      result.constraints.back().terms.push_back({ points.at(term.vertex), term.coefficient });
+    std::unordered_map<Vertex, std::size_t> points;
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        points.emplace(vertex(p), p);
+    const std::vector<Linear_constraint_3<Vertex> >& constraints
+      = parameters::get_parameter(np, internal_np::positional_constraints);
+    for(const Linear_constraint_3<Vertex>& constraint : constraints)
+    {
+      result.constraints.push_back({ {}, constraint.value });
+      for(const auto& term : constraint.terms)
+        result.constraints.back().terms.push_back({ points.at(term.vertex), term.coefficient });
+    }
   }
   return result;
 }

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -37,6 +38,56 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup,
   const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
   const auto boundary = facets_of_sides(soup.cells, sides);
   return { std::move(soup), boundary, sides, {}, {} };
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void Prescription_3::extend_to(const std::size_t number_of_points)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  targets.resize(number_of_points, { nan, nan, nan });
+  is_constrained.resize(number_of_points, false);
+  if(!conditions.empty())
+    conditions.resize(number_of_points);
+  if(!initial.empty())
+    initial.resize(number_of_points, { nan, nan, nan });
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> points_of_cells(const Body_3& body)
+{ return used_points(body.soup.cells, body.soup.points.size()); }
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained)
+{
+  std::vector<bool> result = used_points(body.boundary, body.soup.points.size());
+  for(std::size_t v = 0; v < is_constrained.size(); ++v)
+    result[v] = result[v] || is_constrained[v];
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::vector<bool> prescribed_points(const Body_3& body, const Prescription_3& prescription)
+{
+  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
+  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
+    result[p] = prescription.conditions[p].kind() != Vertex_condition_3::FREE;
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> fixed_points(const Body_3& body, const Prescription_3& prescription)
+{
+  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
+  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
+    result[p] = prescription.conditions[p].kind() == Vertex_condition_3::AT_TARGET;
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition)
+{
+  const Eigen::Matrix3d P = projector_3(condition);
+  for(int i = 0; i < 3; ++i)
+    if(std::isnan(target[i]) && P.col(i) == Eigen::Vector3d::Unit(i))
+      target[i] = 0;
+  return target;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

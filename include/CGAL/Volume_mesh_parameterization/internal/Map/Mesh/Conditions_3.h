@@ -37,16 +37,6 @@ inline Eigen::Matrix3d projector_3(const Vertex_condition_3& condition)
   return Eigen::Matrix3d::Zero();
 }
 
-// Returns the target with 0 in place of missing coordinates that are not prescribed.
-inline std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition)
-{
-  const Eigen::Matrix3d P = projector_3(condition);
-  for(int i = 0; i < 3; ++i)
-    if(std::isnan(target[i]) && P.col(i) == Eigen::Vector3d::Unit(i))
-      target[i] = 0;
-  return target;
-}
-
 // Tells whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane
 // orthogonal to an axis is known exactly, any other within rounding.
 template <typename Vertices, typename ProjectorOf, typename TargetOf>

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
@@ -160,6 +161,13 @@ Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>
   for(int i = 0; i < 3; ++i)
     edges.col(i) = positions.col(cell[i + 1]) - positions.col(cell[0]);
   return edges;
+}
+
+// Tells whether a cell is positively oriented, by exact predicates on the coordinates as they are.
+inline bool is_positive(const Matrix3Xd& positions, const std::array<int, 4>& cell)
+{
+  const auto point = [&](const int i) { return exact_point(positions.col(cell[i])); };
+  return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
 // f(cell) of the first n cells.

@@ -159,52 +159,11 @@ private:
   std::size_t m_number_of_systems = 0, m_analyzed_system = 0; // systems count from 1
 };
 
-// The solution of a Newton system, and what it is good for.
-struct Newton_direction_3
-{
-  Linear_solver_status status = Linear_solver_status::FAILED;
-  bool is_of_semidefinite_matrix = false;
-  Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
-  double gradient_norm = 0;
-  double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
-  VectorXd slopes;    // what each row has of it, of this process
-
-  double decrement() const { return std::sqrt((std::max)(0., -slope)); }
-
-  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
-  bool is_usable() const
-  {
-    return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::ITERATION_LIMIT
-        || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
-  }
-
-  // Only then the slope tells what is left to gain.
-  bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
-
-  // Has the solver failed for another reason than an indefinite matrix?
-  bool has_solver_failed() const
-  { return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED; }
-};
-
-// A sentence for the user about a direction that ended a computation.
-inline const char* describe_failure(const Newton_direction_3& direction)
-{
-  switch(direction.status)
-  {
-    case Linear_solver_status::OUT_OF_MEMORY:
-      return "There is not enough memory for the factorization. Conjugate_gradient_solver_traits_3 needs far less memory.";
-    case Linear_solver_status::NOT_POSITIVE_DEFINITE:
-      return "The matrix is not positive definite, because cells are too flat for the precision of the solver.";
-    default: return "A number is not finite, or the solver gave up, because cells are too flat for its precision.";
-  }
-}
-
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
-// The default solvers are compiled with the engine. Energies are not: they use the processor a unit is compiled for.
+// The default solvers are compiled with the engine.
 namespace CGAL::Volume_mesh_parameterization {
-extern template class internal::Conjugate_gradient_3<float>;
 extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Sequential_tag> >;
 #  ifdef CGAL_LINKED_WITH_TBB
 extern template class internal::Linear_solver_of<Conjugate_gradient_solver_traits_3<Parallel_tag> >;

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Direct_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/sums_over_cells_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Solvers/Conjugate_gradient_3.h>

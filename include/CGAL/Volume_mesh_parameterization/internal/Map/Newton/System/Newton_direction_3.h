@@ -1,0 +1,63 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_NEWTON_DIRECTION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_NEWTON_DIRECTION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Block_sparse_matrix_3.h>
+
+#include <cmath>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The solution of a Newton system, and what it is good for.
+struct Newton_direction_3
+{
+  Linear_solver_status status = Linear_solver_status::FAILED;
+  bool is_of_semidefinite_matrix = false;
+  Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
+  double gradient_norm = 0;
+  double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
+  VectorXd slopes;    // what each row has of it, of this process
+
+  double decrement() const { return std::sqrt((std::max)(0., -slope)); }
+
+  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
+  bool is_usable() const
+  {
+    return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::ITERATION_LIMIT
+        || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
+  }
+
+  // Only then the slope tells what is left to gain.
+  bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
+
+  // Has the solver failed for another reason than an indefinite matrix?
+  bool has_solver_failed() const
+  { return status == Linear_solver_status::OUT_OF_MEMORY || status == Linear_solver_status::FAILED; }
+};
+
+// A sentence for the user about a direction that ended a computation.
+inline const char* describe_failure(const Newton_direction_3& direction)
+{
+  switch(direction.status)
+  {
+    case Linear_solver_status::OUT_OF_MEMORY:
+      return "There is not enough memory for the factorization. Conjugate_gradient_solver_traits_3 needs far less memory.";
+    case Linear_solver_status::NOT_POSITIVE_DEFINITE:
+      return "The matrix is not positive definite, because cells are too flat for the precision of the solver.";
+    default: return "A number is not finite, or the solver gave up, because cells are too flat for its precision.";
+  }
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_NEWTON_DIRECTION_3_H
