@@ -37,6 +37,13 @@ struct Unit_surface_3
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
 };
 
+inline int number_of_handles(const Boundary_mesh_3& mesh)
+{
+  const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
+                           - static_cast<int>(mesh.number_of_edges());
+  return 1 - characteristic / 2;
+}
+
 // Surface that is turned about the center of its bounding box, as it is in space and in the unit box.
 struct Turned_surface_3 : Unit_surface_3
 {

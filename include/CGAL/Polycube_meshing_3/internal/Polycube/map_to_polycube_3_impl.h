@@ -117,27 +117,34 @@ inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const d
   return result;
 }
 
+// Maps a surface to a polycube of voxels, for which edges are split, if its distortion is not above a maximum.
+inline Found_polycube_3 map_to_split_polycube_3(const Turned_surface_3& turned, const double maximum_distortion,
+                                                const Budget& budget)
+{
+  Map_to_voxels_3 map = map_to_voxels_3(turned, budget);
+  if(map.images.empty() || map.distortion > maximum_distortion)
+    return {};
+  return { OK, turned.rotation, {}, std::move(map.splits), std::move(map.images) };
+}
+
 // Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
-// be far less distorted than a box with holes.
+// be far less distorted than a box with a hole. Boxes with several holes were more distorted on all bodies: they come last.
 inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
 {
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
+  constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  const bool are_several = number_of_handles(turned.mesh) > 1;
+  if(may_split && are_several)
+    if(Found_polycube_3 found = map_to_split_polycube_3(turned, infinity, budget); found.status == OK)
+      return found;
   const Surface_map_3 box = map_to_box_with_holes_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
-  Found_polycube_3 found = { box.status, turned.rotation };
-  double maximum_distortion = (std::numeric_limits<double>::infinity)();
-  if(box.status == OK)
-  {
-    found.images = box.images;
-    maximum_distortion = enough * distortion_3(turned.mesh, box.images);
-  }
-  if(!may_split || maximum_distortion < usual)
-    return found;
-  Map_to_voxels_3 map = map_to_voxels_3(turned, budget);
-  if(map.images.empty() || map.distortion > maximum_distortion)
-    return found;
-  found.status = OK;
-  found.splits = std::move(map.splits);
-  found.images_with_splits = std::move(map.images);
+  const double maximum_distortion = box.status == OK ? enough * distortion_3(turned.mesh, box.images) : infinity;
+  Found_polycube_3 found = { ERROR_NO_POLYCUBE };
+  if(may_split && !are_several && maximum_distortion >= usual)
+    found = map_to_split_polycube_3(turned, maximum_distortion, budget);
+  found.status = found.status == OK ? OK : box.status;
+  found.rotation = turned.rotation;
+  found.images = box.images;
   return found;
 }
 

@@ -129,8 +129,7 @@ inline Surface_map_3 map_to_box_with_holes_3(const Unit_surface_3& surface, cons
 {
   constexpr std::size_t maximum_number_of_cuts = 16, maximum_number_of_maps = 3; // guesses
   const Boundary_mesh_3& mesh = surface.mesh;
-  const std::size_t number_of_handles
-    = (2 + mesh.number_of_edges() - mesh.number_of_vertices() - mesh.number_of_faces()) / 2;
+  const std::size_t number_of_holes = number_of_handles(mesh);
   std::unordered_map<std::size_t, std::size_t> vertex_of_point;
   for(std::size_t v = 0; v < points.size(); ++v)
     vertex_of_point.emplace(points[v], v);
@@ -141,8 +140,8 @@ inline Surface_map_3 map_to_box_with_holes_3(const Unit_surface_3& surface, cons
   for(std::size_t i = 0, number_of_maps = 0; i < maximum_number_of_cuts && number_of_maps < maximum_number_of_maps
       && budget.may_begin_round(Phase::BOUNDARY, "cuts of a body with handles"); ++i)
   {
-    std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_handles, i * cells.size() / maximum_number_of_cuts, budget);
-    if(loops.size() < number_of_handles)
+    std::vector<Meridians_3::Loop> loops = meridians.loops(number_of_holes, i * cells.size() / maximum_number_of_cuts, budget);
+    if(loops.size() < number_of_holes)
       continue;
     has_meridians = true;
     for(Meridians_3::Loop& loop : loops)

@@ -169,8 +169,7 @@ inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Bud
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
   constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
   const Boundary_mesh_3& mesh = turned.mesh;
-  const int characteristic = static_cast<int>(mesh.number_of_vertices()) + static_cast<int>(mesh.number_of_faces())
-                           - static_cast<int>(mesh.number_of_edges());
+  const int characteristic = 2 - 2 * number_of_handles(mesh);
   Split_surface_3 unsplit = { unit_points(mesh), turned.surface.facets };
   for(const auto& [v, w] : turned.surface.sharp_edges)
     unsplit.sharp_edges.insert((std::minmax)(v, w));
