@@ -8,7 +8,8 @@ each: the numbers of tetrahedra and hexahedra, the minimal scaled Jacobian, the 
 largest distance of a boundary vertex of the hexahedra from the boundary of the body, relative to its diagonal, the same figures
 with `--staircases`, the seconds, and how the driver ended. Each success is checked without the library. It is refuted by a
 hexahedron that is not positive all over it, by a boundary vertex farther from the boundary than 1e-9 of the diagonal, and by
-`--staircases`, if their worst scaled Jacobian and their interfaces are both better. The exit status is 1 then.
+`--staircases`, if their worst scaled Jacobian and their interfaces are both better, and volumes of materials are kept as well.
+The exit status is 1 then.
 """
 import argparse
 import itertools
@@ -26,6 +27,7 @@ from tables import write_csv, write_json
 
 LARGEST_DISTANCE = 1e-9  # of boundary vertices, relative to the diagonal
 TOLERANCE = 1e-6  # of scaled Jacobians and of distances in spacings, in comparisons
+TOLERANCE_OF_VOLUMES = 0.05  # relative; more of a material is not lost for better hexahedra
 TRIANGLES = list(itertools.combinations(range(4), 3))
 QUADRANGLES = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (3, 7, 6, 2), (0, 4, 7, 3)]
 LINE = [("case", "<16"), ("tetrahedra", ">6"), ("hexahedra", ">6"), ("minimum_scaled_jacobian", ">8.4f"),
@@ -168,7 +170,8 @@ def run_body(arguments, mesh, edge):
         row["jacobian_of_staircases"] = plain["minimum_scaled_jacobian"]
         row["distance_of_staircases"] = plain["interface_distance"]
         if (plain["minimum_scaled_jacobian"] > row["minimum_scaled_jacobian"] + TOLERANCE
-                and plain["interface_distance"] < row["interface_distance"] - TOLERANCE):
+                and plain["interface_distance"] < row["interface_distance"] - TOLERANCE
+                and plain["volume_error"] < row["volume_error"] + TOLERANCE_OF_VOLUMES):
             faults.append("staircases")
     row["refuted"] = " ".join(faults)
     return row

@@ -115,8 +115,9 @@ meshes. Then the minimal and the mean scaled Jacobian and the distance of the bo
 <b>Interfaces</b>. Quadrangles between subdomains follow the interfaces, with their borders, sharp edges and corners. Layers of
 hexahedra are inserted if a hexahedron has two quadrangles in a smooth part of an interface. If hexahedra would become nearly
 flat, vertices leave the interface. If hexahedra or distances of interfaces are poor, staircases are tried, too, as with
-`do_keep_interfaces(false)`. The result contains the volumes of the subdomains and the distance of the interfaces. If this
-distance exceeds a tenth of the edges there, the message names the place.
+`do_keep_interfaces(false)`. They are not taken if a subdomain loses much more of its volume. The result contains the volumes of
+the subdomains and the distance of the interfaces. If this distance exceeds a tenth of the edges there, the message names the
+place.
 
 <b>Validity</b>. The 27 Bernstein coefficients of the determinant bound its sign. If they leave the sign open, the hexahedron is
 subdivided (Johnen, Weill and Remacle, Robust and efficient validation of the linear hexahedral element, 2017).
