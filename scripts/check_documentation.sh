@@ -73,7 +73,7 @@ list_named_parameters()
   done
 }
 
-of_package=("$headers"/*.h "$headers/$package"/*.h "$headers/$package"/{IO,Arrays,Distributed}/*.h)
+of_package=("$headers"/*.h "$headers/$package"/*.h "$headers/$package"/{IO,Distributed}/*.h)
 of_polycubes=("$headers/$polycubes"/*.h "$headers/$polycubes"/IO/*.h)
 declarations=$(list_declarations "${of_package[@]}")
 declarations_of_polycubes=$(list_declarations "${of_polycubes[@]}")

@@ -23,19 +23,18 @@ part_of()
     return
   fi
   case $header in
-    stretch_minimizing_volume_parameterization.h) REPLY=entry ;;
+    stretch_minimizing_volume_parameterization.h | volume_parameterization_of_arrays.h) REPLY=entry ;;
     internal/*/*) header=${header#internal/}; REPLY=${header%%/*} ;;
-    Error_code.h | Parameterization_step.h | select.h) REPLY=Support ;;
+    Parameterization_parameters.h | Parameterization_result.h | select.h) REPLY=Support ;;
     *_energy_3.h | check_derivatives.h) REPLY=Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) REPLY=Solvers ;;
-    Parameterization_parameters.h | Parameterization_result.h | Tetrahedron_soup_3.h | Vertex_condition_3.h | \
-      Vertex_point_map.h | conditions_of_patches.h | make_parameterizable.h | measure_distortion.h | mesh_complex_3_to_tetrahedron_soup.h | \
-      orient_tetrahedron_soup.h | repair_tetrahedron_soup.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
+    Tetrahedron_soup_3.h | Vertex_point_map.h | conditions_of_patches.h | make_parameterizable.h | measure_distortion.h | \
+      mesh_complex_3_to_tetrahedron_soup.h | orient_tetrahedron_soup.h | repair_tetrahedron_soup.h | \
+      tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
     Volume_map_3.h) REPLY=Evaluation ;;
     *_boundary_parameterizer_3.h | boundary_vertices.h) REPLY=Boundary ;;
     IO/*.h) REPLY=IO ;;
     Distributed/*.h) REPLY=Distributed ;;
-    Arrays/*.h) REPLY=entry ;;
     *) REPLY="no part" ;;
   esac
 }

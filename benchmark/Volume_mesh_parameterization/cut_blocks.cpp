@@ -3,8 +3,8 @@
 #include "write_case.h"
 
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>

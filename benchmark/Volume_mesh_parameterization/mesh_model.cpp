@@ -5,7 +5,7 @@
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 

@@ -1,7 +1,6 @@
 // Makes hexahedra of a surface in a file: a mechanical part is mapped onto a polycube, and a grid pulled back.
 #include "mesh_surface.h"
 
-#include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>

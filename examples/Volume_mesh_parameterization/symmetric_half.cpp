@@ -2,8 +2,8 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 
 #include <CGAL/property_map.h>
 

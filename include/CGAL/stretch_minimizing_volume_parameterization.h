@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Arrays/volume_parameterization_of_arrays.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Vertex_insertion_3.h>
+#include <CGAL/Volume_mesh_parameterization/volume_parameterization_of_arrays.h>
 
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 #  error "The include directory of Volume_mesh_parameterization must precede the one of CGAL."
@@ -221,9 +221,9 @@ predicates on the written coordinates check that no cell is inverted.
 \return the status, the distortions and the running times. Failures that depend on the complex or on the boundary are
         reported by `Parameterization_result::status` and, in words, by `Parameterization_result::message`, not thrown.
 
-If a named parameter breaks a precondition, `CGAL::Precondition_exception` is thrown, also in programs that are compiled with
-`NDEBUG`. Other named parameters than those listed above do not compile. Exceptions of property maps, energy, solver and visitor
-pass through, with `uvw_map` left alone, and so does `std::bad_alloc`.
+If a named parameter breaks a precondition, \cgal's error handlers throw `CGAL::Precondition_exception`, also in programs that
+are compiled with `NDEBUG`. Other named parameters than those listed above do not compile. Exceptions of property maps, energy,
+solver and visitor pass through, with `uvw_map` left alone, and so does `std::bad_alloc`.
 
 A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
 the number of cells, plus what the solver needs.

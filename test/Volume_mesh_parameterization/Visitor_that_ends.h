@@ -4,8 +4,8 @@
 
 #include "catch.h"
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 
 #include <CGAL/Named_function_parameters.h>
 

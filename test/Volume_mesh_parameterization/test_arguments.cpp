@@ -3,7 +3,6 @@
 #include "complex_checks.h"
 #include "cube_complex.h"
 
-#include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>

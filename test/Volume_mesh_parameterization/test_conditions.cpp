@@ -12,8 +12,8 @@
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 

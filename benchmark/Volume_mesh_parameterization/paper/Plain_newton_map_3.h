@@ -3,7 +3,7 @@
 
 #include "Shifted_newton_3.h"
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 
 #include <Eigen/Dense>

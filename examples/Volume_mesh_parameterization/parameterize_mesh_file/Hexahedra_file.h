@@ -5,7 +5,6 @@
 #include "Mesh_format.h"
 #include "Progress_line.h"
 
-#include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>

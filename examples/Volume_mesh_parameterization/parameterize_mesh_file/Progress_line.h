@@ -3,7 +3,7 @@
 
 #include <CGAL/Real_timer.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 
 #include <signal.h>
 #include <unistd.h>

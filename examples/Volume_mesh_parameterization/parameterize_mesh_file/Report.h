@@ -9,8 +9,8 @@
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

@@ -4,7 +4,6 @@
 
 #include "JSON_object.h"
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 
 #include <iostream>

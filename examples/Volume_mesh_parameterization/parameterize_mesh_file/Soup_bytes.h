@@ -2,7 +2,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_SOUP_BYTES_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_SOUP_BYTES_H
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <array>

@@ -6,7 +6,7 @@
 #include "Named_choices.h"
 #include "mend_source.h"
 
-#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
 #include <algorithm>

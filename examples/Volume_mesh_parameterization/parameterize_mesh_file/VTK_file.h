@@ -2,8 +2,8 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_VTK_FILE_H
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <vtkCallbackCommand.h>

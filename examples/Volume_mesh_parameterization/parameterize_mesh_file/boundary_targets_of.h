@@ -9,7 +9,7 @@
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 

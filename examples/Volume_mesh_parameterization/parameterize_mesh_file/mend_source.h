@@ -6,7 +6,7 @@
 #include "Named_choices.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>

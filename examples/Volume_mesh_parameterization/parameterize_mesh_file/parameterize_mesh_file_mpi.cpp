@@ -9,7 +9,7 @@
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/distributed_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 
 #include <petscsys.h>
 

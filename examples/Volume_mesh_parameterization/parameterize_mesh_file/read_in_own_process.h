@@ -5,7 +5,7 @@
 #include "Progress_line.h"
 #include "Soup_bytes.h"
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <fcntl.h>

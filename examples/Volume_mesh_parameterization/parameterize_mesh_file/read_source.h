@@ -7,8 +7,8 @@
 #include "read_in_own_process.h"
 #include "regions_of_source.h"
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 

@@ -4,7 +4,7 @@
 
 #include "Mesh_format.h"
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <algorithm>

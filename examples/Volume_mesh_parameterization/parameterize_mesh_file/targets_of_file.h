@@ -5,8 +5,8 @@
 #include "Progress_line.h"
 #include "read_source.h"
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
 #include <cmath>

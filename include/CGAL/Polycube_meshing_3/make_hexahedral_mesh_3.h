@@ -13,10 +13,9 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
-#include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>

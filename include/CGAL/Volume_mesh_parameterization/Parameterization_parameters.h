@@ -12,9 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
+
 #include <Eigen/Core>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -46,8 +51,57 @@ enum class Refinement_mode
   NEEDED, ///< only those without which the boundary is not reached
   /// also vertices in bridges that make the map slow or distorted; bridges are interior simplices with prescribed vertices only
   HELPFUL,
-  /// also vertices on the boundary, at edges that `boundary_parameterizer` splits; only the parameterizer for polycubes does so
+  /// also vertices on the boundary, at edges that `boundary_parameterizer` splits; only the parameterizer for polycubes does so.
+  /// New vertices have the surface patch or the curve of the edge. If the refined boundary has no map, the boundary as given is
+  /// mapped
   BOUNDARY
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+The condition of the image of a vertex. The image is at its target, free, or in a plane or on a line through the target with a
+given direction. The value type of the named parameter `vertex_condition_map`.
+
+A vertex at its target has its coordinates to the bit. A plane orthogonal to an axis and a line along an axis prescribe
+coordinates to the bit, too. Other planes and lines are met within rounding.
+*/
+class Vertex_condition_3
+{
+public:
+  /// The kinds of conditions.
+  enum Kind { FREE, IN_PLANE, ON_LINE, AT_TARGET };
+
+  /// constructs the condition of a free vertex, which needs no target.
+  Vertex_condition_3() = default;
+
+  /// returns the condition of a vertex whose image is its target.
+  static Vertex_condition_3 at_target() { return { AT_TARGET, {} }; }
+
+  /// returns the condition of a vertex in the plane through its target with the normal (x, y, z).
+  /// \pre The coordinates are finite, and not all of them are 0.
+  static Vertex_condition_3 in_plane(const double x, const double y, const double z) { return { IN_PLANE, { x, y, z } }; }
+
+  /// returns the condition of a vertex on the line through its target with the direction (x, y, z).
+  /// \pre The coordinates are finite, and not all of them are 0.
+  static Vertex_condition_3 on_line(const double x, const double y, const double z) { return { ON_LINE, { x, y, z } }; }
+
+  /// returns the kind.
+  Kind kind() const { return m_kind; }
+
+  /// returns the normal of the plane or the direction of the line, and otherwise zeros. Its length has no meaning.
+  const std::array<double, 3>& direction() const { return m_direction; }
+
+private:
+  Vertex_condition_3(const Kind kind, const std::array<double, 3>& direction) : m_kind(kind), m_direction(direction)
+  {
+    const double sum = std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]);
+    internal::require(kind == AT_TARGET || (sum > 0 && std::isfinite(sum)),
+                      "The direction of a condition must be finite and not zero.");
+  }
+
+  Kind m_kind = FREE;
+  std::array<double, 3> m_direction = {};
 };
 
 /*!
@@ -151,6 +205,67 @@ struct Linear_constraint_3
 
   std::vector<Term> terms; ///< the left-hand side
   double value = 0;        ///< the right-hand side \f$p\f$, in the unit of the target if the coefficients have none
+};
+
+/// \ingroup PkgVolumeMeshParameterizationResults
+/// The phases of a parameterization. With soft boundary, all steps are minimization.
+enum class Phase
+{
+  START,       ///< before the first step
+  BOUNDARY,    ///< a boundary parameterizer finds the images of the boundary
+  UNTANGLING,  ///< cells are inverted, and an energy that is finite for them is minimized
+  MINIMIZATION, ///< no cell is inverted, and the energy is minimized
+  HEXAHEDRA    ///< `make_hexahedral_mesh_3()` improves hexahedra
+};
+
+/// \ingroup PkgVolumeMeshParameterizationResults
+/// The kinds of steps.
+enum class Step_kind
+{
+  NEWTON, ///< a Newton step over all vertices that move
+  PATCH,  ///< inverted cells with the cells around them are untangled, as a problem of their own
+  ROUND,  ///< a round of a loop over the boundary or over hexahedra begins, of which only name, number and time are told
+  /// an attempt to untangle a patch with edges split, to find the necessary splits
+  SPLIT
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+The report of a step to a visitor: see the named parameter `visitor` of
+`CGAL::stretch_minimizing_volume_parameterization()`.
+*/
+struct Parameterization_step
+{
+  std::size_t iteration = 0;                ///< number of steps so far, in all stages; rounds have numbers of their own
+  Phase phase = Phase::START;               ///< the phase that the step belonged to
+  Step_kind kind = Step_kind::NEWTON;       ///< the kind of the step; only `NEWTON` has energy, gradient, decrement and length
+  std::string attempt;                      ///< the name of the stage or of the attempt to untangle, for a progress bar
+  /// mean over the cells of the energy that the step lowered, with a penalty if the boundary is soft. While cells are untangled,
+  /// it is the mean over the cells with a free vertex. Values of different phases and stages are not comparable
+  double energy = 0;
+  std::size_t number_of_inverted_cells = 0; ///< inverted or flat cells after the step, by floating-point determinants
+  /// the Newton decrement at the beginning of the step: half of its square is about what there is to gain
+  double decrement = 0;
+  double gradient_norm = 0;                 ///< Euclidean norm of the gradient at the beginning of the step
+  double step_length = 0;                   ///< 1 is a full Newton step, 0 means that no step was acceptable
+  double seconds = 0;                       ///< wall-clock time since the beginning
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+The default visitor, which does nothing.
+
+\cgalModels{ParameterizationVisitor_3}
+*/
+struct Default_visitor
+{
+  /// returns `true`: the computation continues.
+  bool after_step(const Parameterization_step&) { return true; }
+
+  /// returns `true`: the computation continues.
+  bool goes_on() { return true; }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

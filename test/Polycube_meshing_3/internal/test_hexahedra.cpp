@@ -3,11 +3,10 @@
 #include "array_of_vtu_file.h"
 #include "hexahedra_of_bodies.h"
 
-#include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>

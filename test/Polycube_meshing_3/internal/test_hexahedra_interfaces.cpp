@@ -3,7 +3,6 @@
 #include "array_of_vtu_file.h"
 #include "hexahedra_of_bodies.h"
 
-#include <CGAL/Polycube_meshing_3/IO/INP.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>

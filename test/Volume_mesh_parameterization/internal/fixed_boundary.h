@@ -2,15 +2,15 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_FIXED_BOUNDARY_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_FIXED_BOUNDARY_H
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Progress_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/harmonic_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Volume_mesh_parameterization/Conjugate_gradient_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
 #include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>

@@ -12,13 +12,72 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
+#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/check_hexahedra.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_writer.h>
 
-namespace CGAL::Volume_mesh_parameterization::IO {
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace CGAL::Volume_mesh_parameterization {
+namespace internal {
+
+// As many digits of a number as its field has room for: all 17 of most.
+inline std::string INP_number(const double number)
+{
+  constexpr std::ptrdiff_t room = 20; // characters of a number that Abaqus and CalculiX read
+  char digits[32];
+  std::to_chars_result end = std::to_chars(digits, digits + sizeof(digits), number);
+  for(int precision = 17; end.ptr - digits > room; --precision)
+    end = std::to_chars(digits, digits + sizeof(digits), number, std::chars_format::general, precision);
+  return std::string(digits, end.ptr);
+}
+
+// The name of a group as Abaqus and CalculiX take it: letters, digits and underscores, of which the first is a letter, and other
+// than the names in capitals, as the case of letters does not count. It joins these.
+inline std::string INP_name(std::string name, std::set<std::string>& names_in_capitals)
+{
+  const auto is_in = [](const char c, const char first, const char last) { return first <= c && c <= last; };
+  for(char& c : name)
+    c = is_in(c, 'a', 'z') || is_in(c, 'A', 'Z') || is_in(c, '0', '9') ? c : '_';
+  if(name.empty() || name[0] == '_' || is_in(name[0], '0', '9'))
+    name = "GROUP_" + name;
+  name.resize((std::min)(name.size(), std::size_t(70))); // of 80 that both programs allow
+  const auto in_capitals = [&](std::string result)
+  {
+    for(char& c : result)
+      c = is_in(c, 'a', 'z') ? static_cast<char>(c - 'a' + 'A') : c;
+    return result;
+  };
+  const std::string begin = name;
+  for(int i = 2; !names_in_capitals.insert(in_capitals(name)).second; ++i)
+    name = begin + "_" + std::to_string(i);
+  return name;
+}
+
+// Numbers from 1, at most 16 a line.
+template <typename Indices>
+void write_INP_set(Text_writer& writer, const std::string& keyword, const Indices& indices)
+{
+  writer << keyword << "\n";
+  std::size_t number_in_line = 0;
+  for(const std::size_t i : indices)
+  {
+    writer << (number_in_line == 0 ? "" : number_in_line % 16 == 0 ? ",\n" : ", ") << i + 1;
+    ++number_in_line;
+  }
+  writer << "\n";
+}
+
+} // namespace internal
+
+namespace IO {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
@@ -126,6 +185,116 @@ inline bool write_MEDIT(const std::string& filename, const Hexahedron_soup_3& me
 inline bool write_VTU(const std::string& filename, const Hexahedron_soup_3& mesh)
 { return internal::write_file(filename, [&](std::ostream& os) { IO::write_VTU(os, mesh); }); }
 
-} // namespace CGAL::Volume_mesh_parameterization::IO
+/// \ingroup PkgPolycubeMeshing3Hexahedra
+///
+/// writes hexahedra as the mesh of an input file for Abaqus and CalculiX (`.inp`). Nodes and elements are numbered from 1. The
+/// element sets are `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ... Each reference of quadrangles but 0 has a set of its nodes,
+/// `SURFACE_1`, ..., for supports. A surface of the same name, of faces of elements, is for pressures. The faces of the polycube
+/// likewise have `FACE_1`, `FACE_2`, ... An interface of two subdomains, such as 1 and 2, has two surfaces. `INTERFACE_1_2`
+/// consists of faces of elements in subdomain 1, and `INTERFACE_2_1` of the same faces of elements in subdomain 2. The node set
+/// `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a reference of
+/// quadrangles has a name, there is also a set of this name. Characters other than letters and digits become `_`.
+///
+/// These programs read at most 20 characters of a number. Coordinates have up to 17 digits, which restore them. If a number has
+/// no room for 17 digits, as with a negative exponent, it has at least 13.
+///
+/// \param os the stream
+/// \param mesh the hexahedra
+/// \param element_type the type of the elements: `C3D8`, of full integration; `C3D8I`, with incompatible modes, for bending;
+///        or `C3D8R`, of reduced integration
+/// \param group_names the names of groups, by their dimension (3 for cells) and reference, as in `Tetrahedron_soup_3`
+///
+/// \return whether the stream has taken everything
+///
+/// \pre The type is one of these; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+///
+/// \exception Input_error tells which arrays do not fit together.
+inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std::string& element_type = "C3D8",
+                      const std::map<std::pair<int, int>, std::string>& group_names = {})
+{
+  internal::require(element_type == "C3D8" || element_type == "C3D8I" || element_type == "C3D8R",
+                    "element_type must be C3D8, C3D8I or C3D8R.");
+  internal::check_hexahedra(mesh);
+  internal::Text_writer writer(os);
+  writer << "*NODE, NSET=NALL\n";
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    writer << v + 1;
+    for(const double x : mesh.points[v])
+      writer << ", " << internal::INP_number(x);
+    writer << "\n";
+  }
+  writer << "*ELEMENT, TYPE=" << element_type << ", ELSET=EALL\n";
+  std::map<int, std::vector<std::size_t> > subdomains;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    writer << c + 1;
+    for(const std::size_t v : mesh.cells[c])
+      writer << ", " << v + 1;
+    writer << "\n";
+    subdomains[mesh.cell_references[c]].push_back(c);
+  }
+  std::set<std::string> names = { "NALL", "EALL" };
+  for(const auto& [reference, cells] : subdomains)
+    internal::write_INP_set(writer, "*ELSET, ELSET=" + *names.insert("SUBDOMAIN_" + std::to_string(reference)).first, cells);
+
+  std::map<std::string, std::vector<internal::Quadrangle_of_hexahedron> > parts;
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    const internal::Quadrangle_of_hexahedron q = { mesh.facet_cells[f], internal::side_of_facet(mesh, f) };
+    parts["FACE_" + std::to_string(mesh.polycube_faces[f])].push_back(q);
+    if(mesh.facet_references[f] != 0)
+      parts["SURFACE_" + std::to_string(mesh.facet_references[f])].push_back(q);
+  }
+  for(std::size_t i = 0; i < mesh.interface_facets.size(); ++i)
+    for(const std::size_t k : { 0, 1 })
+    {
+      const std::size_t c = mesh.interface_cells[i][k];
+      const internal::Quadrangle_of_hexahedron q = { c, internal::side_of_quadrangle(mesh, c, mesh.interface_facets[i]) };
+      const std::array<int, 2> sides = internal::subdomains_at_interface(mesh, i);
+      parts["INTERFACE_" + std::to_string(sides[k]) + "_" + std::to_string(sides[1 - k])].push_back(q);
+      if(k == 0 && mesh.interface_references[i] != 0)
+        parts["SURFACE_" + std::to_string(mesh.interface_references[i])].push_back(q);
+    }
+  const auto write_part = [&](const std::string& name, const std::vector<internal::Quadrangle_of_hexahedron>& quadrangles)
+  {
+    std::set<std::size_t> vertices;
+    for(const internal::Quadrangle_of_hexahedron& q : quadrangles)
+      for(const std::size_t v : internal::vertices_of(mesh, q))
+        vertices.insert(v);
+    internal::write_INP_set(writer, "*NSET, NSET=" + name, vertices);
+    writer << "*SURFACE, TYPE=ELEMENT, NAME=" << name << "\n";
+    for(const internal::Quadrangle_of_hexahedron& q : quadrangles) // the faces of an element are numbered as its quadrangles here
+      writer << q.cell + 1 << ", S" << q.side + 1 << "\n";
+  };
+  for(const auto& [name, quadrangles] : parts)
+    write_part(*names.insert(name).first, quadrangles);
+  for(const auto& [group, name] : group_names)
+  {
+    const auto [dimension, reference] = group;
+    if(const auto cells = subdomains.find(reference); dimension == 3 && cells != subdomains.end())
+      internal::write_INP_set(writer, "*ELSET, ELSET=" + internal::INP_name(name, names), cells->second);
+    if(const auto part = parts.find("SURFACE_" + std::to_string(reference)); dimension == 2 && part != parts.end())
+      write_part(internal::INP_name(name, names), part->second);
+  }
+  return writer.finish();
+}
+
+/// \ingroup PkgPolycubeMeshing3Hexahedra
+///
+/// writes hexahedra to a file, as to a stream. The file is replaced when it is complete.
+///
+/// \param filename the name of the file
+/// \param mesh the hexahedra
+/// \param element_type the type of the elements
+/// \param group_names the names of groups
+///
+/// \return whether the file is complete
+inline bool write_INP(const std::string& filename, const Hexahedron_soup_3& mesh, const std::string& element_type = "C3D8",
+                      const std::map<std::pair<int, int>, std::string>& group_names = {})
+{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_INP(os, mesh, element_type, group_names); }); }
+
+} // namespace IO
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_POLYCUBE_MESHING_3_IO_WRITE_HEXAHEDRON_SOUP_H

@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/compiled_engine.h>
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Error_code.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 

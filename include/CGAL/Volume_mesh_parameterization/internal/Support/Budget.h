@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_step.h>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 

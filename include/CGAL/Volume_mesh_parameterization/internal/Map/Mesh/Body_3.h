@@ -13,7 +13,6 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
