@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs the example program of each energy, and compares the distortions with the table of energies in the manual.
+"""Runs the example program of each energy, and compares the distortions with the table of energies in the reference manual.
 
 Usage: scripts/table_of_energies.py FOLDER [--write]
 
@@ -15,7 +15,7 @@ from pathlib import Path
 
 from run_page import ROOT, is_same
 
-MANUAL = ROOT / "doc/Volume_mesh_parameterization/Volume_mesh_parameterization.txt"
+MANUAL = ROOT / "doc/Volume_mesh_parameterization/PackageDescription.txt"
 ROW = re.compile(r"^\| .*/(\w+)_energy\.cpp\b.* \| [^|]+ \| [^|]+ \|$")
 DISTORTION = re.compile(r"^distortion of (?:angles|volumes): +mean (\S+), max (\S+)$", re.MULTILINE)
 
