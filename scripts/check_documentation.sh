@@ -92,4 +92,12 @@ require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp parameter
 require "example" "$root/doc/$polycubes/examples.txt" < <(cd "$root/examples/$polycubes" && ls ./*.cpp | xargs -n 1 basename)
 require "option" "$doc/Parameterize_mesh_file.txt" < <(
   sed -n 's/^ *("\([a-z-]*\)[,"].*/`--\1/p' "$examples/parameterize_mesh_file/Command_line.h" | grep -v -e --source -e --target)
+# Doxygen would take a number with a period at the beginning of a line for a list.
+while read -r place; do
+  echo "$place: a line of text begins with a number and a period"
+  status=1
+done < <(awk '{ text = $0; sub(/^ *\/\/\/ */, "", text); is_item = text ~ /^[0-9]+[.] / }
+              FNR > 1 && is_item && previous != "" && !was_item { print FILENAME ":" FNR }
+              { previous = text; was_item = is_item }' \
+           "$root"/doc/*/*.{txt,md} "$doc"/Concepts/*.h "${of_package[@]}" "${of_polycubes[@]}")
 exit $status

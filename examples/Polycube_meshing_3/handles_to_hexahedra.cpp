@@ -1,4 +1,4 @@
-// Meshes a body with two handles, maps it onto a polycube, for which edges of the boundary may be split, and makes hexahedra.
+// Meshes a body with two handles, maps it onto a polycube, and makes hexahedra. Edges of the boundary may be split.
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
@@ -24,7 +24,8 @@ int main()
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, manifold(), no_perturb(), no_exude());
   std::unordered_map<C3t3::Vertex_handle, CGAL::Epick::Point_3> uvw;
   const auto map = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw),
-    boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(0.05)).refinement_mode(VMP::Refinement_mode::BOUNDARY));
+    boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(0.05))
+    .refinement_mode(VMP::Refinement_mode::BOUNDARY));
   VMP::Hexahedron_soup_3 hexahedra;
   const auto result = VMP::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), 0.05, hexahedra);
   std::cout << map.message << " " << result.message << " " << hexahedra.cells.size() << " hexahedra" << std::endl;

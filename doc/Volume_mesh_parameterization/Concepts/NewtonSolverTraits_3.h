@@ -10,8 +10,8 @@ each system. Three properties distinguish the concept from `SparseLinearAlgebraW
 pattern, the matrix of 3x3 blocks, and the tolerance. Small systems of patches of the mesh may come in between. The
 pattern of the stage is then analyzed again.
 
-The matrix passed to `factorize()` keeps its address and its values until `solve()` has returned. It may have the size
-0. The thread that called the parameterization makes all calls.
+The matrix passed to `factorize()` keeps its address and its values until `solve()` has returned. Its size may be 0. The
+thread that called the parameterization makes all calls.
 
 A model that is passed by value must be copy constructible. A copy need not share the pattern or the factorization.
 

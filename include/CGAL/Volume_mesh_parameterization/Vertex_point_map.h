@@ -72,7 +72,7 @@ private:
   Container* m_container;
 };
 
-/// \relates Vertex_point_map
+/// \ingroup PkgVolumeMeshParameterizationFunctions
 ///
 /// returns the property map over `container`.
 template <typename Container>

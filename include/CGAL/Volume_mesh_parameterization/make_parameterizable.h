@@ -187,11 +187,8 @@ refines a mesh that is given by arrays in the same way: the same points are inse
 
 \return the number of new points
 */
-template <typename PointRange, typename CellRange, typename CGAL_NP_TEMPLATE_PARAMETERS
-#ifndef DOXYGEN_RUNNING
-          , typename = internal::If_range<CellRange> // other types are for other overloads
-#endif
-          >
+template <typename PointRange, typename CellRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          typename = internal::If_range<CellRange> > // other types are for other overloads
 std::size_t make_parameterizable(PointRange& points, CellRange& cells,
                                  const CGAL_NP_CLASS& np = parameters::default_values())
 {

@@ -57,12 +57,9 @@ the named parameter `boundary_parameterizer` finds them, by default on the unit 
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename PointRange, typename CellRange, typename TargetRange, typename ImageRange,
-          typename NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_range<PointRange>
-          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
-#endif
-          >
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = Volume_mesh_parameterization::internal::If_range<PointRange>,
+          typename = Volume_mesh_parameterization::internal::If_range<ImageRange> > // other types are for other overloads
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cells, const TargetRange& targets,
                                            ImageRange& images, const NamedParameters& np = parameters::default_values())
@@ -88,12 +85,9 @@ array `images` is an output only: its previous values are no targets. To prescri
 constant are refined if this helps, unless `do_refine(false)` is passed.
 */
 template <typename ConcurrencyTag = Sequential_tag,
-          typename PointRange, typename CellRange, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS
-#ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_range<PointRange>
-          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
-#endif
-          >
+          typename PointRange, typename CellRange, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          typename = Volume_mesh_parameterization::internal::If_range<PointRange>,
+          typename = Volume_mesh_parameterization::internal::If_range<ImageRange> > // other types are for other overloads
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cells, ImageRange& images,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
@@ -120,12 +114,9 @@ computes the map of a soup. If the soup may be refined, new cells and marked fac
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename Soup, typename TargetRange, typename ImageRange,
-          typename NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_soup<Soup>
-          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
-#endif
-          >
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = Volume_mesh_parameterization::internal::If_soup<Soup>,
+          typename = Volume_mesh_parameterization::internal::If_range<ImageRange> > // other types are for other overloads
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& targets, ImageRange& images,
                                            const NamedParameters& np = parameters::default_values())
@@ -146,12 +137,9 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
 
 computes a map of a soup to the boundary that a boundary parameterizer finds, as for arrays. The array `images` is an output only.
 */
-template <typename ConcurrencyTag = Sequential_tag, typename Soup, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS
-#ifndef DOXYGEN_RUNNING
-          , typename = Volume_mesh_parameterization::internal::If_soup<Soup>
-          , typename = Volume_mesh_parameterization::internal::If_range<ImageRange> // other types are for other overloads
-#endif
-          >
+template <typename ConcurrencyTag = Sequential_tag, typename Soup, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
+          typename = Volume_mesh_parameterization::internal::If_soup<Soup>,
+          typename = Volume_mesh_parameterization::internal::If_range<ImageRange> > // other types are for other overloads
 Volume_mesh_parameterization::Parameterization_result
 stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
