@@ -2064,7 +2064,7 @@ TEST_CASE("A tangled mesh is improved within its boundary")
   CHECK(folder.run("flat.mesh --improve -o mended.mesh") == 2);
   CHECK(folder.text("stderr").find(" --refine splits such cells.") != std::string::npos);
   REQUIRE(folder.run("flat.mesh --improve --refine -o mended.mesh") == 0);
-  CHECK(folder.text("stdout").find("\n1 cells were inverted or flat\n") != std::string::npos);
+  CHECK(folder.text("stdout").find("\n1 cell was inverted or flat\n") != std::string::npos);
   CHECK(folder.soup("mended.mesh").points.size() > flat.points.size());
   CHECK(folder.run("mended.mesh --to ball --refine") == 0);
   CHECK(folder.run("flat.mesh --improve --refine=all -o mended.vtu") == 0);
@@ -2170,7 +2170,7 @@ TEST_CASE("Targets of vertices inside are met")
   CHECK(folder.run("source.mesh target.txt -o map.mesh --report report.json") == 0);
   CHECK(folder.soup("map.mesh").points[inside] == Point{2.25, 2, 2});
   CHECK(number(folder.text("report.json"), "targets_inside") == 1);
-  CHECK(folder.text("stdout").find("1 targets of interior vertices are met\n") != std::string::npos);
+  CHECK(folder.text("stdout").find("1 target of an interior vertex is met\n") != std::string::npos);
   CHECK(number(folder.text("report.json"), "missed_targets") == 0);
 
   // two vertices inside change places, which no map follows

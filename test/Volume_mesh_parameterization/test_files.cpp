@@ -342,8 +342,8 @@ TEST_CASE("Of second-order cells the corners are read, and it is noted")
 TEST_CASE("A surface is told from a mesh without tetrahedra")
 {
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n1 2 3 4 7", "Triangles\n1\n1 2 3 7"))
-        == "the mesh is a surface with 1 triangles and no tetrahedron; a volume mesher fills it: tetgen -pqg "
-           "FILE.mesh writes FILE.1.mesh");
+        == "the mesh is a surface with 1 triangle and no tetrahedron. A volume mesher fills it: pass it to 'tetgen -pqg', which "
+           "writes a file *.1.mesh");
 }
 
 TEST_CASE("All versions of the format are read, with a byte order mark or without")
@@ -840,7 +840,7 @@ TEST_CASE("Each fault in a binary MEDIT file has a sentence")
   CHECK(reading_error(with(32, 5)) == "vertex 5 does not exist, there are 4, counted from 1");
   CHECK(reading_error(with(32, 0)).find("vertex 0 does not exist") == 0);
   CHECK(reading_error(with(20, 10)) == VMP::internal::sentence_on_other_cells("prisms, hexahedra or pyramids"));
-  CHECK(reading_error(with(20, 12)).find("the mesh is a surface with 1 triangles and no tetrahedron") == 0);
+  CHECK(reading_error(with(20, 12)).find("the mesh is a surface with 1 triangle and no tetrahedron") == 0);
   std::string infinite = file;
   const double infinity = std::numeric_limits<double>::infinity();
   std::memcpy(&infinite[file.find(std::string("\0\0\0\0\0\0\xD0\x3F", 8))], &infinity, sizeof(infinity));

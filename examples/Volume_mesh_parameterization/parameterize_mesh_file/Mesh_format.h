@@ -25,6 +25,10 @@ inline std::string shell_quoted(const std::string& word)
   return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
 }
 
+// Returns a number with the singular or the plural of the words behind it.
+inline std::string counted(const std::size_t number, const std::string& singular, const std::string& plural)
+{ return std::to_string(number) + " " + (number == 1 ? singular : plural); }
+
 // LIBRARY: the library reads it, whatever its name is; MESHIO: meshio converts it.
 enum class Mesh_format { LIBRARY, GMSH, VTK, SURFACE, MESHIO, OTHER };
 

@@ -166,8 +166,9 @@ inline void print_notes(const Options& options, const CGAL::Volume_mesh_paramete
     std::cerr << "note: " << options.source << ":" << result.message.substr(success.size()) << std::endl;
   if(result.number_of_added_vertices > 0 && !options.output.empty() && extension_of(options.output) != ".vtu"
      && options.refined_source.empty() && !options.do_improve)
-    std::cerr << "note: " << options.output << ": refinement added " << result.number_of_added_vertices
-              << " vertices. --refined-source FILE writes the source with these vertices." << std::endl;
+    std::cerr << "note: " << options.output << ": refinement added "
+              << counted(result.number_of_added_vertices, "vertex", "vertices")
+              << ". --refined-source FILE writes the refined source." << std::endl;
 }
 
 // Prints the last lines.

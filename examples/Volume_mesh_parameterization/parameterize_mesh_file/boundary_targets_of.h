@@ -2,6 +2,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H
 
+#include "Mesh_format.h"
 #include "Named_choices.h"
 #include "Progress_line.h"
 #include "targets_of_file.h"
@@ -120,8 +121,8 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
   if(vertices.empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY);
   const std::string first = std::to_string(vertices.front());
-  const std::string sentence = "The boundary is not a manifold at " + std::to_string(vertices.size())
-    + (vertices.size() == 1 ? " vertex, number " : " vertices, among them number ") + first + " (counted from 0).";
+  const std::string sentence = "The boundary is not a manifold at "
+    + counted(vertices.size(), "vertex, number ", "vertices, among them number ") + first + " (counted from 0).";
   if(!VMP::separate_pinched_vertices(mesh).empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY) + (" " + sentence)
       + " If only vertices or edges join cells there, --separate separates them.";

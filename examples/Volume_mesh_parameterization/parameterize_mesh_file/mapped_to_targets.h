@@ -128,7 +128,6 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
 // Tells how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
 inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
 {
-  namespace internal = CGAL::Volume_mesh_parameterization::internal;
   if(polycube.features_given_up.empty())
     return "";
   const std::size_t lines = polycube.features_given_up.size();
@@ -136,7 +135,7 @@ inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameteriz
   const auto& [x, y, z] = longest[longest.size() / 2];
   std::ostringstream result;
   result << polycube.number_of_edges_given_up() << " of " << polycube.number_of_sharp_edges
-         << " sharp edges follow no axis of the polycube, in " << lines << (lines == 1 ? " line" : " lines")
+         << " sharp edges follow no axis of the polycube, in " << counted(lines, "line", "lines")
          << ". Hexahedra do not follow these edges. The longest line goes through (" << x << ", " << y << ", " << z << ")";
   return result.str();
 }

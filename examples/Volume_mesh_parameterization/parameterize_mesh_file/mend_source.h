@@ -3,6 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MEND_SOURCE_H
 
 #include "Command_line.h"
+#include "Mesh_format.h"
 #include "Named_choices.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -74,8 +75,8 @@ inline void merge_points(Source& source)
   source.unmended = source.soup;
   source.first_points = VMP::merge_coinciding_points(source.soup);
   source.number_of_merged_points = repeated(source.first_points).size();
-  source.notes.push_back(std::to_string(source.number_of_merged_points)
-                         + " points have the position of another point, and are merged with it");
+  source.notes.push_back(counted(source.number_of_merged_points, "point has the position of another point, and is",
+                                 "points have the position of another point, and are") + " merged with it");
 }
 
 // Advice for cells that are inverted or flat, behind the reason.
@@ -138,7 +139,7 @@ inline void separate(Source& source)
   source.origins = CGAL::Volume_mesh_parameterization::separate_pinched_vertices(source.soup);
   source.notes.push_back(source.origins.empty()
     ? "there are no parts to separate, because facets join the cells around each vertex"
-    : std::to_string(source.origins.size()) + " vertices were added to separate parts of the body");
+    : counted(source.origins.size(), "vertex was", "vertices were") + " added to separate parts of the body");
 }
 
 // Leaves out cells with the vertices of one before them. Numbers of cells in messages do not count them.
@@ -167,10 +168,9 @@ inline void count_coinciding_points(Source& source)
   const std::vector<std::size_t> first = VMP::first_coinciding_points(points), others = repeated(first);
   source.number_of_coinciding_points = others.size();
   if(!others.empty())
-    source.notes.push_back(std::to_string(others.size()) + " vertices of the boundary have the position of another one. For "
-                           "example, vertex "
-      + std::to_string(vertices[others.back()]) + " has the position of vertex " + std::to_string(vertices[first[others.back()]])
-      + " (counted from 0). The body is torn there; --merge-points joins it");
+    source.notes.push_back(counted(others.size(), "vertex of the boundary has", "vertices of the boundary have")
+      + " the position of another one. For example, vertex " + std::to_string(vertices[others.back()])
+      + " has the position of vertex " + std::to_string(vertices[first[others.back()]]) + " (counted from 0). The body is torn there; --merge-points joins it");
 }
 
 inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup, const Options& options)

@@ -261,19 +261,20 @@ int main(int argc, char* argv[])
     {
       print(result);
       if(options.do_improve)
-        std::cout << outcome.number_of_tangled_cells << " cells were inverted or flat\n";
+        std::cout << counted(outcome.number_of_tangled_cells, "cell was", "cells were") << " inverted or flat\n";
+      const auto inside = [](const std::size_t number)
+      { return counted(number, "target of an interior vertex is", "targets of interior vertices are"); };
       if(outcome.number_of_targets_inside > 0)
-        std::cout << outcome.number_of_targets_inside << " targets of interior vertices are met\n";
+        std::cout << inside(outcome.number_of_targets_inside) << " met\n";
       if(outcome.number_of_missed_targets > 0)
-        std::cout << outcome.number_of_missed_targets << " targets of interior vertices are missed\n";
+        std::cout << inside(outcome.number_of_missed_targets) << " missed\n";
       if(const auto& [free, in_planes, on_lines, at_targets] = outcome.numbers_of_conditions; free + in_planes + on_lines > 0)
         std::cout << "boundary vertices: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
                   << " on lines, " << free << " free\n";
       if(result.boundary_crosses_itself)
         std::cout << "the image of the free boundary intersects itself\n";
       if(outcome.number_of_free_targets > 0)
-        std::cout << outcome.number_of_free_targets
-                  << " targets of interior vertices are ignored; --inside met prescribes them\n";
+        std::cout << inside(outcome.number_of_free_targets) << " ignored; --inside met prescribes them\n";
       if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
         print(*outcome.hexahedra);
     }

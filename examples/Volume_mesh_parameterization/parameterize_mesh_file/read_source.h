@@ -107,10 +107,9 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
   std::vector<std::array<std::size_t, 2> > unmarked;
   std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
   return unmarked.empty() ? std::string()
-    : std::to_string(unmarked.size()) + " sharp edges of the boundary are not marked and are not followed, for example the edge "
-      "between the vertices "
-      + std::to_string(unmarked[0][0]) + " and " + std::to_string(unmarked[0][1])
-      + " (counted from 0). --features FILE marks other edges";
+    : counted(unmarked.size(), "sharp edge of the boundary is", "sharp edges of the boundary are")
+      + " not marked and not followed, for example the edge between the vertices " + std::to_string(unmarked[0][0]) + " and "
+      + std::to_string(unmarked[0][1]) + " (counted from 0). --features FILE marks other edges";
 }
 
 inline Source read_source(const Options& options, Progress_line& progress)

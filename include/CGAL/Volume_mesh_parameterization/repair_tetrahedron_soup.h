@@ -203,9 +203,10 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
   keep(soup.cell_references, 1);
   for(auto& array : soup.cell_data)
     keep(array.values, array.number_of_components);
-  soup.notes.push_back(std::to_string(repeated.size()) + " cells have the vertices of an earlier cell and are left out. For "
-                       "example, cell "
-    + std::to_string(repeated[0]) + " has those of cell " + std::to_string(first[repeated[0]]) + " (counted from 0)"
+  soup.notes.push_back(internal::counted(repeated.size(), "cell has the vertices of an earlier cell and is",
+                                         "cells have the vertices of an earlier cell and are")
+    + " left out. For example, cell " + std::to_string(repeated[0]) + " has those of cell "
+    + std::to_string(first[repeated[0]]) + " (counted from 0)"
     + (number_of_references == 1 ? "" : ". Their references are the cell data '" + internal::name_of_reference(2)
         + (number_of_references == 2 ? "'" : "' to '" + internal::name_of_reference(number_of_references) + "'")
         + ", which files *.vtu and *.msh contain"));

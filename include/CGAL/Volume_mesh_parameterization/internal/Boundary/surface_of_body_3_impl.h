@@ -52,8 +52,8 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const 
   if(status != ERROR_NON_MANIFOLD_BOUNDARY)
     return "";
   const std::vector<std::size_t> points = non_manifold_points(body);
-  return sentence(" The boundary is not a manifold at ", points.size(), points.size() == 1 ? " vertex, the one at "
-                                                                              : " vertices, among them the one at ",
+  return sentence(" The boundary is not a manifold at ",
+                  counted(points.size(), "vertex, the one at ", "vertices, among them the one at "),
                   describe(to_vector(body.soup.points[points.front()])), ".");
 }
 

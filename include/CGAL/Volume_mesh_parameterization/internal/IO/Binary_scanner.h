@@ -105,7 +105,7 @@ public:
     check_vertices(soup.edges, soup.points.size());
     check_vertices(soup.facets, soup.points.size());
     check_vertices(soup.cells, soup.points.size());
-    require_tetrahedra(soup.cells.size(), soup.facets.size(), mesher_of_MEDIT);
+    require_tetrahedra(soup.cells.size(), soup.facets.size());
     if(m_has_second_order)
       remove_nodes_of_higher_order(soup);
     return soup;

@@ -77,9 +77,7 @@ public:
     gmsh::model::getEntities(entities);
     for(const auto& [dimension, tag] : entities)
       read_entity(dimension, has_groups[dimension] ? groups_of(dimension, tag) : std::vector<int>{ tag }, tag);
-    require_tetrahedra(
-      m_soup.cells.size(), m_soup.facets.size(),
-      "gmsh FILE.msh -save -o FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
+    require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(), "gmsh -save -o");
     read_data();
     if(m_has_higher_order)
       remove_nodes_of_higher_order(m_soup);

@@ -28,9 +28,6 @@ inline std::array<double, 3> next_point(Text_scanner& scanner)
   return point;
 }
 
-// The command that makes a tetrahedral mesh of a surface in a MEDIT file.
-constexpr const char* mesher_of_MEDIT = "tetgen -pqg FILE.mesh writes FILE.1.mesh";
-
 // Reads an ASCII MEDIT file, or the lines of it that this process has. A first pass only finds the keywords that have a
 // meaning here, so that their order is free. A section goes on until the next keyword, in whichever slice that is. Sections
 // with the same keyword are joined.
@@ -71,7 +68,7 @@ public:
     read_simplices(TRIANGLES_P2, number_of_points, 6, soup.facets, soup.facet_references);
     read_simplices(TETRAHEDRA_P2, number_of_points, 10, soup.cells, soup.cell_references);
     if(!may_be_surface)
-      require_tetrahedra(sum(soup.cells.size()), sum(soup.facets.size()), mesher_of_MEDIT);
+      require_tetrahedra(sum(soup.cells.size()), sum(soup.facets.size()));
     const std::size_t number_of_second_order
       = sum(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
     if(number_of_second_order > 0 && m_is_slice)

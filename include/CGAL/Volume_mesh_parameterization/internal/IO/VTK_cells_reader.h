@@ -70,8 +70,7 @@ public:
   // Removes what only cells of a higher order have.
   void finish()
   {
-    require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(),
-                       "meshio convert FILE.vtu FILE.stl, and then tetgen -pqg FILE.stl writes FILE.1.mesh");
+    require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(), "meshio convert");
     if(m_has_higher_order)
       remove_nodes_of_higher_order(m_soup);
     name_sets();
@@ -83,8 +82,8 @@ private:
            std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references, std::vector<Data_array_3>& copies)
   {
     if(number_of_vertices < N)
-      throw Input_error("cell " + std::to_string(c) + " (counted from 0) has only " + std::to_string(number_of_vertices)
-                        + " vertices");
+      throw Input_error("cell " + std::to_string(c) + " (counted from 0) has only "
+                        + counted(number_of_vertices, "vertex", "vertices"));
     m_has_higher_order = m_has_higher_order || number_of_vertices > N;
     simplices.emplace_back();
     for(std::size_t i = 0; i < N; ++i)

@@ -14,21 +14,23 @@
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Throws `Input_error` if there is no tetrahedron. `command` makes a surface in such a file a tetrahedral mesh.
+// Throws `Input_error` if there is no tetrahedron. `converter` makes the file one that TetGen reads, if it is not empty.
 inline void require_tetrahedra(const std::size_t number_of_cells, const std::size_t number_of_facets,
-                               const std::string& command)
+                               const std::string& converter = "")
 {
   if(number_of_cells > 0)
     return;
   if(number_of_facets == 0)
     throw Input_error("the file contains no tetrahedron");
-  throw Input_error("the mesh is a surface with " + std::to_string(number_of_facets) + " triangles and no tetrahedron; a volume "
-                    "mesher fills it: " + command);
+  throw Input_error("the mesh is a surface with " + counted(number_of_facets, "triangle", "triangles") + " and no tetrahedron. A "
+                    "volume mesher fills it: " + (converter.empty() ? "" : "convert your mesh to STL by '" + converter + "', and ")
+                    + "pass it to 'tetgen -pqg', which writes a file *.1.mesh");
 }
 
 // Refuses a mesh with other cells, named in the plural. The remedy depends on the format.
@@ -66,7 +68,7 @@ inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
     values.resize(number_of_points * number_of_components);
   };
   soup.notes.push_back("the mesh has cells of a higher order. Only their corners are used; "
-                       + std::to_string(indices.size() - number_of_points) + " other points are left out");
+                       + counted(indices.size() - number_of_points, "other point is", "other points are") + " left out");
   move_entries(soup.points, 1);
   for(Data_array_3& array : soup.point_data)
     move_entries(array.values, array.number_of_components);

@@ -65,8 +65,8 @@ inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const M
 inline std::string describe_distorted_prescribed_cells(const Numbered_mesh_3& mesh)
 {
   const std::size_t number = distorted_prescribed_cells_3(mesh).size();
-  return number == 0 ? "" : sentence(" The prescribed vertices alone distort the angles of ", number,
-                                     number == 1 ? " cell" : " cells", " by a factor above ", large_prescribed_distortion,
+  return number == 0 ? "" : sentence(" The prescribed vertices alone distort the angles of ",
+                                     counted(number, "cell", "cells"), " by a factor above ", large_prescribed_distortion,
                                      ". Refinement (", way_to_refine, ") may lower the distortion much.");
 }
 

@@ -32,6 +32,11 @@ std::string sentence(const Parts&... parts)
   return out.str();
 }
 
+// Returns a number with the singular or the plural of the words behind it, for instance "cell is" and "cells are".
+template <typename Number>
+std::string counted(const Number number, const char* const singular, const char* const plural)
+{ return sentence(number, " ", number == 1 ? singular : plural); }
+
 inline std::string describe(const Eigen::Vector3d& point)
 { return sentence("(", point[0], ", ", point[1], ", ", point[2], ")"); }
 

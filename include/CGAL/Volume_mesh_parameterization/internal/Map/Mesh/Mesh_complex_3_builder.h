@@ -56,7 +56,7 @@ private:
   // Clears the complex. An empty triangulation is the infinite vertex in a cell of dimension -1.
   void clear()
   {
-    m_c3t3.clear();
+    m_c3t3 = C3t3();
     const Vertex_handle infinite = triangulation().infinite_vertex();
     tds().delete_cell(infinite->cell());
     infinite->set_cell(Cell_handle());

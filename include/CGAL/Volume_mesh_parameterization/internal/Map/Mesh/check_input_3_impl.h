@@ -59,8 +59,9 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
   const double number_of_cells = mesh.global_number_of_cells();
   if(!inverted.first || mesh.regular_cell)
     return {};
-  return failed_check(ERROR_INVERTED_SOURCE_CELL, inverted.number,
-                      " cells of the source have no positive volume. The first one is cell ", mesh.user_number(*inverted.first),
+  return failed_check(ERROR_INVERTED_SOURCE_CELL,
+                      counted(inverted.number, "cell of the source has", "cells of the source have"),
+                      " no positive volume. The first one is cell ", mesh.user_number(*inverted.first),
                       " with volume ", edge_matrix(mesh.source, mesh.cells[*inverted.first]).determinant() / 6,
                       static_cast<double>(inverted.number) == number_of_cells ? ". Exchange two vertices of each cell." : ".");
 }
@@ -131,8 +132,8 @@ inline Input_check_3 check_prescribed_facets(const Numbered_mesh_3& mesh)
   if(!flat_cells.first)
     return {};
   Input_check_3 result
-    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, flat_cells.number, " cells have a facet whose three vertices are prescribed "
-                   "on a line. The first one is cell ", mesh.user_number(*flat_cells.first), ".");
+    = failed_check(ERROR_PRESCRIBED_CELL_INVERTED, counted(flat_cells.number, "cell has", "cells have"), " a facet whose three "
+                   "vertices are prescribed on a line. The first one is cell ", mesh.user_number(*flat_cells.first), ".");
   if(!mesh.is_whole())
     return result; // which facets are on the boundary is known to all processes together only
   for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
@@ -156,8 +157,8 @@ inline Input_check_3 check_prescribed_cells(const Numbered_mesh_3& mesh)
   });
   if(!inverted.first)
     return {};
-  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, inverted.number,
-                      " cells have four prescribed vertices and no positive volume in the target. The first one is cell ",
+  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, counted(inverted.number, "cell has", "cells have"),
+                      " four prescribed vertices and no positive volume in the target. The first one is cell ",
                       mesh.user_number(*inverted.first), ".");
 }
 
@@ -172,9 +173,9 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
   });
   if(!flat.first)
     return {};
-  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, "The conditions keep all vertices of ", flat.number,
-                      " cells in one plane. The first one is cell ", mesh.user_number(*flat.first), ", with a vertex at ",
-                      describe(mesh.source.col(mesh.cells[*flat.first][0])),
+  return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, "The conditions keep all vertices of ",
+                      counted(flat.number, "cell", "cells"), " in one plane. The first one is cell ", mesh.user_number(*flat.first),
+                      ", with a vertex at ", describe(mesh.source.col(mesh.cells[*flat.first][0])),
                       ". Allow refinement (", way_to_refine, "), or free one of its vertices.");
 }
 
