@@ -166,8 +166,8 @@ inline Command_line command_line(Options& options)
      "TARGET, or keeps its position. A plane with a normal goes through the same point")
     ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
      "the treatment of interior vertices with a target. met: they meet the target. free: they ignore it. auto: they meet it if "
-     "some vertices have no target. If all vertices have one, as in a copy of SOURCE.mesh, vertices between cells of different "
-     "references meet it if one of these vertices has moved")
+     "some vertices have no target. A copy of SOURCE.mesh has one for all. Vertices between cells of different references then "
+     "meet it if one of them has moved")
     ("initial", po::value(&options.initial)->value_name("FILE"),
      "an initial map, as a file like TARGET; for example, the --output for other targets nearby")
     ("boundary", po::value(&options.boundary)->value_name("NAME")->default_value("auto"),

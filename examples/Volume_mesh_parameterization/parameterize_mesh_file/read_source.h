@@ -108,7 +108,7 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
   std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
   return unmarked.empty() ? std::string()
     : counted(unmarked.size(), "sharp edge of the boundary is", "sharp edges of the boundary are")
-      + " not marked and not followed, for example the edge between the vertices " + std::to_string(unmarked[0][0]) + " and "
+      + " not marked and not followed, such as the edge between the vertices " + std::to_string(unmarked[0][0]) + " and "
       + std::to_string(unmarked[0][1]) + " (counted from 0). --features FILE marks other edges";
 }
 

@@ -25,8 +25,8 @@ Chao et al.\ \cgalCite{cgal:cpss-sgmed-10}, the squared distance of the differen
 
 Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It has no barrier: cells may collapse or invert, unless the step length or
-`Barrier_energy_3` forbids it. It is smooth where \f$\sigma_2 + \sigma_3 > 0\f$, that is, for all
-cells that are not inverted.
+`Barrier_energy_3` forbids it. It is smooth if \f$\sigma_2 + \sigma_3 > 0\f$, hence for all cells
+that are not inverted.
 
 To be used for deformations that are close to rigid.
 

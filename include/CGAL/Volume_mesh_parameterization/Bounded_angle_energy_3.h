@@ -24,8 +24,8 @@ Any energy, plus a barrier that bounds the distortion of angles \f$k = \sigma_1/
 \f[ \psi = \psi_0 + \sum_{i<j} \varphi\left(2 - 2\,\frac{k_{ij}}{K}\right), \qquad
     k_{ij} = \frac{\sigma_i}{\sigma_j} + \frac{\sigma_j}{\sigma_i}, \f]
 with the inverse spline \f$\varphi\f$ of `Barrier_energy_3`. The largest \f$k_{ij}\f$ is \f$k\f$, which has kinks at equal
-singular values. The sum over all pairs has no kinks: it is twice continuously differentiable. It is equal to \f$\psi_0\f$ where
-\f$k \le K/2\f$, finite where \f$k < K\f$, and infinite from there on. The minimization accepts only steps that lower the energy.
+singular values. The sum over all pairs has no kinks: it is twice continuously differentiable. It is equal to \f$\psi_0\f$ if
+\f$k \le K/2\f$, finite if \f$k < K\f$, and infinite otherwise. The minimization accepts only steps that lower the energy.
 Therefore, it never exceeds the bound if it starts below it.
 
 For a start above the bound, \f$\varphi\f$ can be relaxed: below an argument \f$\varepsilon > 0\f$, the function is

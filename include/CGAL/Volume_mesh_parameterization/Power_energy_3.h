@@ -25,7 +25,7 @@ The worst cells dominate the sum over the cells. A larger \f$p\f$ lowers the lar
 For \f$p \to \infty\f$ the largest one is minimized. To lower the maximal distortion of angles, take the power of an energy that
 measures angles.
 
-The Hessian is positive semi-definite where that of \f$\psi_0\f$ is. It is homogeneous of degree
+The Hessian is positive semi-definite if that of \f$\psi_0\f$ is. It is homogeneous of degree
 \f$d p\f$ if \f$\psi_0\f$ is so of degree \f$d\f$, and has its minima at the same singular values.
 
 The range of the values is that of \f$\psi_0\f$ to the power \f$p\f$, and about that of the condition of the linear systems.

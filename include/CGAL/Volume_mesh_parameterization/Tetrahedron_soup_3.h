@@ -37,7 +37,7 @@ struct Data_array_3
 /// A tetrahedral mesh as a file holds it: arrays in the order of the file, indices that start at 0. References are the
 /// numbers by which a file tells materials or patches apart, 0 if there is none.
 ///
-/// Where a mesh is refined, parts of cells, facets and edges have the references and data of these. Point data of a new
+/// If a mesh is refined, parts of cells, facets and edges have the references and data of these. Point data of a new
 /// vertex are interpolated, but integers are those of a vertex beside it.
 struct Tetrahedron_soup_3
 {

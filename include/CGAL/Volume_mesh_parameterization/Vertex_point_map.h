@@ -50,7 +50,7 @@ public:
   /// stores a reference to the container, which must outlive the map.
   explicit Vertex_point_map(Container& container) : m_container(&container) {}
 
-  /// returns the point of a vertex, or one with coordinates that are not numbers. Where the type of the coordinates
+  /// returns the point of a vertex, or one with coordinates that are not numbers. If the type of the coordinates
   /// has no such value, as in exact kernels, `std::out_of_range` is thrown instead.
   friend value_type get(const Vertex_point_map& map, const key_type& vertex)
   {

@@ -35,7 +35,7 @@ What the images of the vertices of a surface patch may do: they stay where they 
 class Patch_condition_3
 {
 public:
-  /// returns the condition of vertices that stay where they are.
+  /// returns the condition of vertices that keep their positions.
   static Patch_condition_3 in_place() { return Patch_condition_3(); }
 
   /// returns the condition of vertices with the coordinate `value` along an axis, 0 for x, 1 for y, 2 for z.

@@ -99,8 +99,8 @@ std::size_t make_parameterizable_soup_3(Tetrahedron_soup_3& soup, const Coordina
 
 refines a complex so that no interior edge, facet or cell has all its vertices on the boundary.
 
-Where the boundary is mapped to something flat, such simplices become degenerate, whatever the images of the
-vertices inside the complex are. Meshes made by \ref PkgMesh3 "Mesh_3" have many of them.
+If this part of the boundary is mapped into a plane, such simplices become degenerate for all images of the interior
+vertices. Meshes made by \ref PkgMesh3 "Mesh_3" have many of them.
 
 A vertex is inserted into such simplices, at the midpoint of an edge or at the centroid of a facet or cell. Edges come first, and
 among edges those that the boundary map degenerates. The next criterion is the number of simplices to be removed that contain the

@@ -40,8 +40,8 @@ namespace CGAL::Volume_mesh_parameterization {
 /// \param vertices gets the vertex handle of each point, in the order of the soup
 /// \param cells gets the cell handle of each cell, in the order of the soup
 ///
-/// \exception Input_error is thrown for a coordinate that is not finite, an index out of range, or a cell with a vertex twice or
-///            with zero volume. A facet must not have more than two cells, or two cells on one side. It is also thrown if some
+/// \exception Input_error is thrown for a coordinate that is not finite, or an index out of range. No cell may have a vertex twice
+///            or zero volume. A facet must not have more than two cells, or two cells on one side. It is also thrown if some
 ///            cells are positive and others negative, by exact predicates on the coordinates in the number type of the kernel.
 ///            The other parameters are then unchanged.
 template <typename C3t3>

@@ -108,8 +108,8 @@ template <typename Energy, typename Pack = internal::Pack>
 class Cell_energy_of final : public Cell_energy_3
 {
   static_assert(Is_energy<Energy, Pack>::value,
-                "energy must be a model of DistortionEnergy_3: value(), gradient() and hessian() are const, and templates "
-                "of a type T with an argument of the type Eigen::Matrix<T, 3, 1>.");
+                "energy must be a model of DistortionEnergy_3: value(), gradient() and hessian() are const templates of a type T, "
+                "with an argument of the type Eigen::Matrix<T, 3, 1>.");
 
 public:
   explicit Cell_energy_of(const Energy& energy) : m_energy(energy) {}
