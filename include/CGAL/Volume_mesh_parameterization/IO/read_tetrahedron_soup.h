@@ -33,12 +33,15 @@ namespace IO {
 ///
 /// In a VTK file, triangles become marked facets, and lines become marked edges. Other cells of lower dimension are skipped.
 /// Volume elements other than tetrahedra are an error. Of cells of a higher order the corners are read. References are the first
-/// of the following cell data that are integers: `reference`, `medit:ref`, `gmsh:physical`, `material`, `attribute`, `mat_id`,
-/// `material_id`, `MaterialIDs`, `su2:tag`, `tetgen:ref`, `nastran:ref`, `netgen:index`, `avsucd:material`, `ugrid:ref`,
-/// `cell_tags`, `ModelRegionID`, `RegionId`, `CellEntityIds`, `elemTag`, `elset`, `block_id`, `region`, `regions`, `subdomain`,
-/// `subdomains`, `label`, `labels`, `grain_id`, `part_id`, `gmsh:geometrical`. Capitals and signs between letters do not matter.
-/// Otherwise, they are the sets that meshio has joined to one array, numbered from 1 on and with their names; or else 0. Arrays
-/// of the section `FieldData` with two integers, a reference and a dimension from 1 to 3, are names of groups.
+/// of the cell data below that are integers. Capitals and signs between letters do not matter. If there are none, references are
+/// the sets that meshio has joined to one array, numbered from 1 on and with their names. Otherwise, they are 0. Arrays of the
+/// section `FieldData` with two integers, a reference and a dimension from 1 to 3, are names of groups.
+///
+/// - `reference`, `medit:ref`, `gmsh:physical`,
+/// - `material`, `attribute`, `mat_id`, `material_id`, `MaterialIDs`,
+/// - `su2:tag`, `tetgen:ref`, `nastran:ref`, `netgen:index`, `avsucd:material`, `ugrid:ref`,
+/// - `cell_tags`, `ModelRegionID`, `RegionId`, `CellEntityIds`, `elemTag`, `elset`, `block_id`,
+/// - `region`, `regions`, `subdomain`, `subdomains`, `label`, `labels`, `grain_id`, `part_id`, `gmsh:geometrical`.
 ///
 /// \param filename the name of the file, which may be a pipe
 /// \param soup gets the mesh
