@@ -109,11 +109,7 @@ public:
     return M;
   }
 
-  Matrix3d rotation()
-  {
-    const Matrix3d Q = Eigen::JacobiSVD<Matrix3d, Eigen::NoQRPreconditioner>(matrix(), Eigen::ComputeFullU).matrixU();
-    return Q * Q.determinant();
-  }
+  Matrix3d rotation() { return Eigen::Affine3d(matrix()).rotation(); }
 
   // far from singular
   Matrix3d source() { return 2 * Matrix3d::Identity() + 0.5 * matrix(); }
