@@ -29,7 +29,7 @@ struct Data_array_3
   std::string name;                     ///< the name in the file
   std::size_t number_of_components = 1; ///< numbers of each element
   bool has_integers = false;            ///< whether the file has integers, which are not interpolated
-  std::vector<double> values;           ///< the components of the first element, then those of the second, ...
+  std::vector<double> values = {};      ///< the components of the first element, then those of the second, ...
 };
 
 /// \ingroup PkgVolumeMeshParameterizationIO
