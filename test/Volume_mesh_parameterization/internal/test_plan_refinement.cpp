@@ -446,7 +446,7 @@ TEST_CASE("Once edges at the boundary are split, only new vertices inside are jo
     volume += of_cell;
     if(std::any_of(cell.begin(), cell.end(), [&](const std::size_t v) { return is_outer[v]; }))
       for(const std::size_t v : cell)
-        CHECK((is_outer[v] || v >= mesh.source.cols()));
+        CHECK((is_outer[v] || v >= static_cast<std::size_t>(mesh.source.cols())));
   }
   CHECK(std::abs(volume - 27) < 1e-9);
 }
