@@ -17,11 +17,16 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Eigen's solver, which knows the number of entries of each column of the factor before it computes them.
+// Eigen's solver, which knows where each column of the factor begins before it computes the factor.
 class Simplicial_solver : public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> >
 {
 public:
-  double cost() const { return m_nonZerosPerCol.cast<double>().squaredNorm() / 2; }
+  double cost() const
+  {
+    const Eigen::Index n = m_matrix.cols();
+    const Eigen::VectorXd begins = Eigen::Map<const Eigen::VectorXi>(m_matrix.outerIndexPtr(), n + 1).cast<double>();
+    return (begins.tail(n) - begins.head(n)).squaredNorm() / 2;
+  }
 };
 
 // The type of the solver keeps the functions apart from those of units with another Eigen.
