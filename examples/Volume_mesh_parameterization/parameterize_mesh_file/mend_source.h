@@ -170,7 +170,8 @@ inline void count_coinciding_points(Source& source)
   if(!others.empty())
     source.notes.push_back(counted(others.size(), "vertex of the boundary has", "vertices of the boundary have")
       + " the position of another one. For example, vertex " + std::to_string(vertices[others.back()])
-      + " has the position of vertex " + std::to_string(vertices[first[others.back()]]) + " (counted from 0). The body is torn there; --merge-points joins it");
+      + " has the position of vertex " + std::to_string(vertices[first[others.back()]]) + " (counted from 0). The "
+        "body is torn there; --merge-points joins it");
 }
 
 inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup, const Options& options)

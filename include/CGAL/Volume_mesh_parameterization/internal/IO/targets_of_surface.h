@@ -127,7 +127,8 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
         matchings[i] = best_matching(parts[i], points, boundary, budget);
       if(!matchings[i].matching)
         throw Input_error("the surface has "
-                          + counted(parts[i].number_of_triangles(), "triangle that matches", "triangles that match") + " no part of the boundary of the source with "
+                          + counted(parts[i].number_of_triangles(), "triangle that matches", "triangles that match")
+                          + " no part of the boundary of the source with "
                           + counted(boundary.surfaces[0].number_of_triangles(), "triangle", "triangles"));
       if(best == nullptr || matchings[i].matching->displacement < best->matching->displacement)
         best = &matchings[i];

@@ -174,8 +174,8 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
   if(!flat.first)
     return {};
   return failed_check(ERROR_PRESCRIBED_CELL_INVERTED, "The conditions keep all vertices of ",
-                      counted(flat.number, "cell", "cells"), " in one plane. The first one is cell ", mesh.user_number(*flat.first),
-                      ", with a vertex at ", describe(mesh.source.col(mesh.cells[*flat.first][0])),
+                      counted(flat.number, "cell", "cells"), " in one plane. The first one is cell ",
+                      mesh.user_number(*flat.first), ", with a vertex at ", describe(mesh.source.col(mesh.cells[*flat.first][0])),
                       ". Allow refinement (", way_to_refine, "), or free one of its vertices.");
 }
 
