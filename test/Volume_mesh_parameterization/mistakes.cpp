@@ -1,15 +1,15 @@
 // One mistake of a caller, chosen by a macro, which the compiler answers with a sentence of this package.
+#ifdef COMPLEX_IS_PERIODIC // CGAL wants its header before all others that mesh
+#  include <CGAL/Periodic_3_mesh_triangulation_3.h>
+#  include <CGAL/Labeled_mesh_domain_3.h>
+#endif
+
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #if defined HEXAHEDRA_OF_A_CONTAINER || defined MAP_OF_A_CONTAINER || defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
 #  include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #elif defined SOLVER_OF_EIGEN
 #  include <CGAL/Eigen_solver_traits.h>
-#endif
-
-#ifdef COMPLEX_IS_PERIODIC
-#  include <CGAL/Periodic_3_mesh_triangulation_3.h>
-#  include <CGAL/Labeled_mesh_domain_3.h>
 #endif
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
