@@ -112,7 +112,7 @@ pulled_cube(const int n, const double jitter, const double distance)
   const int last = --mesh.number_of_free_vertices;
   int middle = 0;
   (mesh.source.colwise() - Eigen::Vector3d::Constant(n / 2.)).colwise().norm().minCoeff(&middle);
-  mesh.source.col(middle).swap(mesh.source.col(last));
+  std::swap(mesh.source.col(middle), mesh.source.col(last));
   for(std::array<int, 4>& cell : mesh.cells)
     for(int& v : cell)
       v = v == middle ? last : (v == last ? middle : v);

@@ -169,7 +169,7 @@ TEST_CASE("One component turned inside out is not hidden by another one")
   Numbered_mesh_3 mesh = doubled(cube_mesh(2), Vector3d(10, 0, 0));
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
     if(mesh.source(0, v) < 5)
-      mesh.target.col(v) *= 3;
+      mesh.target.col(v) = 3 * mesh.target.col(v);
     else
       mesh.target(2, v) *= -1;
   Cube_complex<> complex(mesh);

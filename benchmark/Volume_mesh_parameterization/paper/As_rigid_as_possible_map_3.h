@@ -42,7 +42,8 @@ private:
     for(Eigen::Index column = 0; column < jacobians.cols(); column += 3)
     {
       const double weight = m_system.weight(static_cast<std::size_t>(column / 3));
-      result.middleCols<3>(column) = std::sqrt(weight) * rotation_and_stretch_3(jacobians.middleCols<3>(column)).rotation;
+      const Eigen::Matrix3d rotation = rotation_and_stretch_3(jacobians.middleCols<3>(column)).rotation;
+      result.middleCols<3>(column) = std::sqrt(weight) * rotation;
     }
     return result;
   }

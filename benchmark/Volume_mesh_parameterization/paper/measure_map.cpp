@@ -35,8 +35,8 @@ std::string measure(const Map_problem::Mesh& mesh, const Eigen::Matrix3Xd& image
       ++number_of_inverted_cells;
       continue;
     }
-    const Eigen::Matrix3d X = VMP::internal::edge_matrix(mesh.source, cell);
-    const Eigen::Matrix3d J = VMP::internal::edge_matrix(image, cell) * X.inverse();
+    const VMP::internal::Matrix_3 X = VMP::internal::edge_matrix(mesh.source, cell);
+    const VMP::internal::Matrix_3 J = VMP::internal::edge_matrix(image, cell) * X.inverse();
     VMP::internal::add_cell(distortion, X.determinant() / 6 / source_volume,
                             VMP::internal::signed_singular_values_3(J));
   }

@@ -92,9 +92,9 @@ Outcome run(const Numbered_mesh_3& mesh, const Energy& energy = Energy())
 // Many steps, and no end.
 inline VMP::internal::Progress_3 patient_progress() { return VMP::internal::Progress_3(VMP::internal::Budget(), 1000); }
 
-inline std::vector<Matrix3d> inverse_sources(const Numbered_mesh_3& mesh)
+inline std::vector<VMP::internal::Matrix_3> inverse_sources(const Numbered_mesh_3& mesh)
 {
-  std::vector<Matrix3d> result;
+  std::vector<VMP::internal::Matrix_3> result;
   for(const std::array<int, 4>& cell : mesh.cells)
     result.push_back(VMP::internal::edge_matrix(mesh.source, cell).inverse());
   return result;

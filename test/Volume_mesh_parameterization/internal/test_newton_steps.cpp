@@ -193,7 +193,7 @@ Matrix3Xd harmonic_map(const Numbered_mesh_3& mesh)
   for(const std::array<int, 4>& cell : mesh.cells)
   {
     Eigen::Matrix<double, 3, 4> gradients; // gradients of the barycentric coordinates
-    gradients.rightCols(3) = VMP::internal::edge_matrix(mesh.source, cell).inverse().transpose();
+    gradients.rightCols(3) = Matrix3d(VMP::internal::edge_matrix(mesh.source, cell)).inverse().transpose();
     gradients.col(0) = -gradients.rightCols(3).rowwise().sum();
     const Eigen::Matrix4d products = gradients.transpose() * gradients;
     for(int i = 0; i < 4; ++i)
@@ -269,7 +269,7 @@ TEST_CASE("A system of some of the unknowns is a part of that of all")
     const Matrix3Xd of_all = whole.gradient(energy, positions);
     Eigen::VectorXd result(3 * some.size());
     for(int row = 0; row < some.size(); ++row)
-      result.segment<3>(3 * row) = of_all.col(whole.unknowns().row(some.vertex(row)));
+      result.segment<3>(3 * row) = Vector3d(of_all.col(whole.unknowns().row(some.vertex(row))));
     return result;
   };
   const Matrix3Xd own = part.gradient(energy, u);
@@ -292,7 +292,7 @@ TEST_CASE("A system of some of the unknowns is a part of that of all")
     if(some.contains(v))
       CHECK((direction.vectors.col(v) - expected.segment<3>(3 * some.row(v))).norm() < 1e-5 * expected.norm());
     else
-      CHECK(direction.vectors.col(v).isZero(0));
+      CHECK(direction.vectors.col(v) == Vector3d::Zero());
   CHECK(direction.slopes.sum() == Approx(direction.slope));
   CHECK(direction.slope == Approx(gradient(u).dot(expected)).epsilon(1e-5));
 }
@@ -307,7 +307,7 @@ TEST_CASE("A cell that is nearly flat takes steps of a few vertices, and hardly 
   Vector3d center = Vector3d::Zero();
   for(const int w : *flat_cell)
     if(w != v)
-      center += mesh.source.col(w) / 3;
+      center += Vector3d(mesh.source.col(w) / 3);
   Matrix3Xd start = mesh.source;
   start.col(v) = center + 1e-9 * (mesh.source.col(v) - center);
   REQUIRE(number_of_inverted_cells(mesh, start) == 0);
@@ -379,7 +379,7 @@ TEST_CASE("Steps of vertices in planes and on lines stay there, and solve the pr
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
     const Matrix3d P = mesh.projector(v);
-    CHECK((direction.vectors.col(v) - P * direction.vectors.col(v)).norm() < 1e-12);
+    CHECK((direction.vectors.col(v) - P * Vector3d(direction.vectors.col(v))).norm() < 1e-12);
     CHECK(system.unknowns().contains(v) == !mesh.is_fixed(v));
     if(mesh.is_fixed(v))
       continue;

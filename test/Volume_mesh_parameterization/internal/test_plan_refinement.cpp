@@ -43,7 +43,7 @@ Numbered_mesh_3 impossible_cube()
     (mesh.source.colwise() - p).colwise().norm().minCoeff(&v);
     return v;
   };
-  mesh.target.col(vertex_at({ 1, 1, 0 })).swap(mesh.target.col(vertex_at({ 2, 1, 0 })));
+  std::swap(mesh.target.col(vertex_at({ 1, 1, 0 })), mesh.target.col(vertex_at({ 2, 1, 0 })));
   return mesh;
 }
 
@@ -213,7 +213,7 @@ Found_map_3 stuck_map(const Numbered_mesh_3& mesh, const std::size_t number_of_i
   Found_map_3 found;
   Matrix3Xd positions = mesh.source;
   for(std::size_t c = 0; c < number_of_inverted_cells; ++c) // the cells are apart
-    positions.col(mesh.cells[c][0]).swap(positions.col(mesh.cells[c][1]));
+    std::swap(positions.col(mesh.cells[c][0]), positions.col(mesh.cells[c][1]));
   found.map = evaluated_map(mesh, positions);
   REQUIRE(found.map.number_of_inverted_cells == number_of_inverted_cells);
   for(std::size_t c = 0; c < number_of_inverted_cells; ++c)

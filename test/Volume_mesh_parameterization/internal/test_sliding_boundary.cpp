@@ -230,7 +230,7 @@ TEST_CASE("The normals of planes along the axes have no rounding error")
     const auto facets = VMP::internal::boundary_facets_3(mesh.cells);
     const VMP::internal::Planar_regions_3 regions(mesh.target, facets, 0);
     for(std::size_t f = 0; f < facets.size(); ++f)
-      CHECK(regions.normal(regions.region(f)).cwiseAbs().sum() == 1);
+      CHECK(Vector3d(regions.normal(regions.region(f))).cwiseAbs().sum() == 1);
   }
 }
 

@@ -280,11 +280,11 @@ TEST_CASE("A vertex is held on a plane")
   run(unconstrained, mesh);
 
   const Eigen::Vector3d normal = Eigen::Vector3d(1, 1, 1).normalized();
-  const double value = normal.dot(unconstrained.positions().col(0)) + 0.1;
+  const double value = unconstrained.positions().col(0).dot(normal) + 0.1;
   Search search(mesh, without_snapping(), {{{{0, normal}}, value}});
   run(search, mesh);
   CHECK(search.status() == VMP::OK);
-  CHECK(normal.dot(search.positions().col(0)) == Approx(value).epsilon(1e-5));
+  CHECK(search.positions().col(0).dot(normal) == Approx(value).epsilon(1e-5));
   CHECK(!search.can_snap()); // which would give the constraint up
 }
 
@@ -312,7 +312,7 @@ internal::Numbered_mesh_3 cube_with_exchanged_targets()
 {
   internal::Numbered_mesh_3 mesh = cube_mesh(2);
   const int last = mesh.number_of_vertices() - 1;
-  mesh.target.col(last).swap(mesh.target.col(last - 1));
+  std::swap(mesh.target.col(last), mesh.target.col(last - 1));
   return mesh;
 }
 

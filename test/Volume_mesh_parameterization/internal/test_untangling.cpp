@@ -87,7 +87,7 @@ TEST_CASE("Patches leave a map without inverted cells as it is, and end where th
     (mesh.source.colwise() - p).colwise().norm().minCoeff(&v);
     return v;
   };
-  mesh.target.col(vertex_at({ 1, 1, 0 })).swap(mesh.target.col(vertex_at({ 2, 1, 0 })));
+  std::swap(mesh.target.col(vertex_at({ 1, 1, 0 })), mesh.target.col(vertex_at({ 2, 1, 0 })));
   const Matrix3Xd start = snapped(mesh, mesh.source);
   const VMP::internal::Newton_result_3 stuck = untangle_patches_3(mesh, linear_solver, start, progress);
   CHECK(stuck.status == VMP::ERROR_NOT_FLIP_FREE);
@@ -112,8 +112,8 @@ Numbered_mesh_3 prism_to_U()
     for(int z = 0; z < 2; ++z)
     {
       const double angle = (2 * i + 1) * 3.14159265358979 / n;
-      mesh.source.col(1 + i + n * z) << std::cos(angle), std::sin(angle), z - 0.5;
-      mesh.target.col(1 + i + n * z) << U[i][0], U[i][1], z;
+      mesh.source.col(1 + i + n * z) = Vector3d(std::cos(angle), std::sin(angle), z - 0.5);
+      mesh.target.col(1 + i + n * z) = Vector3d(U[i][0], U[i][1], z);
     }
   const auto add_cell = [&](const int a, const int b, const int c) { mesh.cells.push_back({ 0, 1 + a, 1 + b, 1 + c }); };
   for(const auto& [a, b, c] : triangles)
@@ -243,7 +243,7 @@ Numbered_mesh_3 tangled_cube(const bool has_few_inverted_cells)
     const Vector3d p = mesh.source.col(v);
     const bool is_in_middle = p[2] == size && p.head(2).minCoeff() > 0 && p.head(2).maxCoeff() < size;
     if(has_few_inverted_cells && p.isZero())
-      mesh.target.col(v).setConstant(1.5 * size);
+      mesh.target.col(v) = Vector3d::Constant(1.5 * size);
     else if(!has_few_inverted_cells && is_in_middle)
       mesh.target(2, v) = -0.5 * size;
   }
@@ -374,7 +374,7 @@ TEST_CASE("An edge between prescribed vertices is split where it leaves the targ
                  0, 0, 0, -1, 1, 0, 0,
                  -0.5, 0, 0, 0, 0, 1, -1;
   mesh.target = mesh.source;
-  mesh.target.col(0).setZero();
+  mesh.target.col(0) = Vector3d::Zero();
   mesh.target(2, 6) = 0.3;
   mesh.cells = { { 1, 2, 4, 5 }, { 1, 3, 2, 5 }, { 1, 4, 2, 0 }, { 1, 2, 3, 0 },
                  { 1, 4, 0, 6 }, { 4, 2, 0, 6 }, { 2, 3, 0, 6 }, { 3, 1, 0, 6 } };
@@ -458,8 +458,8 @@ TEST_CASE("Untangling ends without success where there is no map")
 {
   Numbered_mesh_3 mesh = cube_mesh(2); // a corner is drawn beyond the opposite one
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
-    if(mesh.source.col(v).isZero())
-      mesh.target.col(v).setConstant(3);
+    if(mesh.source.col(v).norm() <= 1e-12)
+      mesh.target.col(v) = Vector3d::Constant(3);
   const Outcome outcome = run(mesh);
   CHECK(outcome.status == VMP::ERROR_NOT_FLIP_FREE);
   CHECK(number_of_inverted_cells(mesh, outcome.positions) > 0);

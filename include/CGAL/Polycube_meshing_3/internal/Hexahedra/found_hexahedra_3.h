@@ -152,9 +152,9 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, co
     const auto& [a, b, c, d] = mesh.facets[f];
     for(const std::array<std::size_t, 3>& triangle : { std::array<std::size_t, 3>{ a, b, c }, { a, c, d } })
     {
-      const Small_matrix<3, 2> X = edges_of_facet(triangle, [&](const std::size_t v) { return mesh.points[v]; });
-      sum.center += area_of_facet(X) * (mesh.points[triangle[0]] + X.rowwise().sum() / 3);
-      sum.normal += X.col(0).cross(X.col(1)) / 2;
+      const Facet_edges_3 X = edges_of_facet(triangle, [&](const std::size_t v) { return mesh.points[v]; });
+      sum.center += Eigen::Vector3d(area_of_facet(X) * (mesh.points[triangle[0]] + (X[0] + X[1]) / 3));
+      sum.normal += Eigen::Vector3d(X[0].cross(X[1]) / 2);
       sum.patch.area += area_of_facet(X);
     }
     ++sum.patch.number_of_quadrangles;

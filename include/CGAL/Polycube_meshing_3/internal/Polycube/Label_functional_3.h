@@ -34,8 +34,8 @@ public:
   {
     for(const Face f : mesh.faces())
     {
-      const Small_matrix<3, 2> X = edges_of_face(mesh, f);
-      m_area_vectors.push_back(X.col(0).cross(X.col(1)) / 2);
+      const Facet_edges_3 X = edges_of_face(mesh, f);
+      m_area_vectors.push_back(X[0].cross(X[1]) / 2);
     }
   }
 

@@ -78,9 +78,10 @@ inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Eigen:
   double area = 0, sum = 0, sum_of_squares = 0;
   for(const auto f : mesh.faces())
   {
-    const Small_matrix<3, 2> X = edges_of_face(mesh, f);
-    const Small_matrix<3, 2> U = edges_of_facet(vertices_of_face(mesh, f), [&](const auto v) { return images[v]; });
-    const Small_array_2 logarithms = squared_singular_values_of_facet(X, U).log() / 2;
+    const Facet_edges_3 X = edges_of_face(mesh, f);
+    const Facet_edges_3 U = edges_of_facet(vertices_of_face(mesh, f), [&](const auto v) { return images[v]; });
+    const auto [a, b] = squared_singular_values_of_facet(X, U);
+    const Small_array_2 logarithms = Small_array_2(a, b).log() / 2;
     area += area_of_facet(X);
     sum += area_of_facet(X) * logarithms.sum();
     sum_of_squares += area_of_facet(X) * logarithms.square().sum();

@@ -37,8 +37,8 @@ public:
     double area = 0;
     for(const auto f : mesh.faces())
     {
-      const Small_matrix<3, 2> X = edges_of_face(mesh, f);
-      const Eigen::Vector3d normal = X.col(0).cross(X.col(1));
+      const Facet_edges_3 X = edges_of_face(mesh, f);
+      const Eigen::Vector3d normal = X[0].cross(X[1]);
       const Eigen::Vector3d bin = (resolution * normal.normalized()).array().round();
       sums.emplace(std::array{ bin.x(), bin.y(), bin.z() }, Eigen::Vector3d::Zero()).first->second += normal;
       area += normal.norm();

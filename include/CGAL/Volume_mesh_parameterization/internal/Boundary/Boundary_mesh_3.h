@@ -105,7 +105,7 @@ inline std::array<Boundary_mesh_3::Vertex_index, 3> vertices_of_face(const Bound
   return { mesh.source(h), mesh.target(h), mesh.target(mesh.next(h)) };
 }
 
-inline Small_matrix<3, 2> edges_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)
+inline Facet_edges_3 edges_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)
 { return edges_of_facet(vertices_of_face(mesh, f), [&](const Boundary_mesh_3::Vertex_index v) { return eigen_point(mesh, v); }); }
 
 inline double area_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)

@@ -61,8 +61,8 @@ private:
       }
       t.vertices[i] = number[v[i]];
     }
-    const Small_matrix<3, 2> X = edges_of_face(mesh, f);
-    const Eigen::Vector3d a = X.col(0), b = X.col(1);
+    const Facet_edges_3 X = edges_of_face(mesh, f);
+    const Eigen::Vector3d a = X[0], b = X[1];
     Small_matrix<2, 2> rest;
     rest << a.norm(), a.dot(b) / a.norm(), 0, a.cross(b).norm() / a.norm();
     t.to_rest = rest.inverse();

@@ -89,7 +89,7 @@ public:
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     std::vector<Point> own(m_own_numbers.size()), slice(m_size_of_slice, {nan, nan, nan});
     for(std::size_t i = 0; i < own.size(); ++i)
-      Eigen::Map<Eigen::Vector3d>(own[i].data()) = positions.col(m_own_numbers[i]);
+      own[i] = coordinates(positions.col(m_own_numbers[i]));
     m_own->put(own, slice);
     images.swap(slice);
   }

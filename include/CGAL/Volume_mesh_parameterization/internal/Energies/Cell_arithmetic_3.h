@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 #include <CGAL/Volume_mesh_parameterization/select.h>
 
 #include <Eigen/Core>
@@ -105,7 +106,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 namespace arithmetic_of_unit = CGAL_VOLUME_MESH_PARAMETERIZATION_INSTRUCTIONS;
 
-inline arithmetic_of_unit::Signed_singular_values_3<double> decomposed(const Eigen::Matrix3d& J)
+inline arithmetic_of_unit::Signed_singular_values_3<double> decomposed(const Matrix_3& J)
 {
   arithmetic_of_unit::Matrix_3<double> matrix;
   for(int j = 0; j < 3; ++j)
@@ -117,20 +118,20 @@ inline arithmetic_of_unit::Signed_singular_values_3<double> decomposed(const Eig
 }
 
 // Returns the signed singular values of a matrix, the smallest of which has the sign of its determinant.
-inline Eigen::Vector3d signed_singular_values_3(const Eigen::Matrix3d& J)
+inline Vector_3 signed_singular_values_3(const Matrix_3& J)
 {
   const auto s = decomposed(J).s;
-  return Eigen::Vector3d(s[0], s[1], s[2]);
+  return Vector_3(s[0], s[1], s[2]);
 }
 
 // Rotation R Q^T nearest to a matrix R diag(s) Q^T, and the sum of s.
 struct Rotation_and_stretch_3
 {
-  Eigen::Matrix3d rotation;
+  Matrix_3 rotation;
   double stretch;
 };
 
-inline Rotation_and_stretch_3 rotation_and_stretch_3(const Eigen::Matrix3d& J)
+inline Rotation_and_stretch_3 rotation_and_stretch_3(const Matrix_3& J)
 {
   const auto d = decomposed(J);
   const auto R = product(d.R, transposed(d.Q));

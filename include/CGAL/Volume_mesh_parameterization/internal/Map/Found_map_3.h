@@ -33,7 +33,7 @@ using Edges_3 = std::vector<std::array<int, 2> >;
 struct Splits_3
 {
   Edges_3 edges;
-  std::vector<Eigen::Vector3d> new_images;
+  std::vector<Vector_3> new_images;
   Matrix3Xd positions;
 };
 

@@ -102,12 +102,12 @@ private:
   {
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
     {
-      const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - m_mesh.projector(v);
+      const Matrix_3 Q = Matrix_3::Identity() - m_mesh.projector(v);
       for(int i = 0; i < 3; ++i)
-        if(Q.col(i) == Eigen::Vector3d::Unit(i))
-          constraints.push_back({{{v, Eigen::Vector3d::Unit(i)}}, m_mesh.target(i, v)});
-        else if(!Q.col(i).isZero(0))
-          constraints.push_back({{{v, Eigen::Vector3d(Q.col(i))}}, Q.col(i).dot(m_mesh.target.col(v))});
+        if(Q.col(i) == Vector_3::Unit(i))
+          constraints.push_back({{{v, Vector_3::Unit(i)}}, m_mesh.target(i, v)});
+        else if(Q.col(i) != Vector_3::Zero())
+          constraints.push_back({{{v, Q.col(i)}}, Q.col(i).dot(m_mesh.target.col(v))});
     }
     return constraints;
   }
@@ -118,7 +118,7 @@ private:
   // Returns the diameter of the bounding box of the source, where that has volume 1.
   double diameter() const
   {
-    const Eigen::Vector3d box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
+    const Vector_3 box = m_mesh.source.rowwise().maxCoeff() - m_mesh.source.rowwise().minCoeff();
     return box.norm() / std::cbrt(volume(m_mesh, m_mesh.source));
   }
 

@@ -114,14 +114,14 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
   if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole())
     result.message += describe_distorted_prescribed_cells(mesh);
   result.number_of_sliding_vertices = found.number_of_sliding_vertices
-    + std::count_if(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return !projector.isZero(0); });
+    + std::count_if(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return !projector.is_zero(); });
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
   result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
   result.number_of_inverted_cells = found.map.number_of_inverted_cells;
   result.untangling_method = found.untangling_method;
   if(result.has_valid_map)
   {
-    const std::vector<Eigen::Vector3d> s = singular_values_of_cells_3(mesh, found.map.positions);
+    const std::vector<Vector_3> s = singular_values_of_cells_3(mesh, found.map.positions);
     const double to_source_volume = factor_to_source_volume(mesh, found.map.positions);
     result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
     result.distortion = measure_distortion_3(mesh, s);

@@ -21,7 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 struct Refinement_plan_3
 {
   Edges_3 edges;
-  std::vector<Eigen::Vector3d> new_images; // of their new vertices, or empty
+  std::vector<Vector_3> new_images; // of their new vertices, or empty
   Search_start_3 start;
 };
 

@@ -57,7 +57,7 @@ inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, cons
   Numbered_mesh_3& mesh = numbered.mesh;
   for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
     mesh.projectors.push_back(projector_3(conditions[numbered.points[v]]));
-  if(std::all_of(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return projector.isZero(0); }))
+  if(std::all_of(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return projector.is_zero(); }))
     mesh.projectors.clear();
   const auto is_fixed = [&](const std::size_t p) { return conditions[p].kind() == Vertex_condition_3::AT_TARGET; };
   if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
@@ -98,9 +98,9 @@ inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3&
 // similar cells, which are neither regular nor far from it, is at an end of the line.
 inline Input_check_3 check_energy_3(const Cell_energy_3& energy)
 {
-  std::vector<Eigen::Vector3d> s;
+  std::vector<Vector_3> s;
   for(int k = -20; k <= 20; ++k)
-    s.push_back(std::exp2(k) * Eigen::Vector3d(1.1, 1, 0.9));
+    s.push_back(std::exp2(k) * Vector_3(1.1, 1, 0.9));
   const std::vector<double> psi = energies_of_cells_3(s, energy, 1);
   const double lowest_inside = *std::min_element(psi.begin() + 1, psi.end() - 1);
   const bool grows = psi.back() < lowest_inside, shrinks = psi.front() < lowest_inside;

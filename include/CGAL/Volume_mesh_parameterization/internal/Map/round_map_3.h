@@ -22,7 +22,7 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns the distance of neighboring numbers of a narrow type at the largest coordinate of a point.
-inline double spacing(const Coordinate_type& type, const Eigen::Vector3d& p)
+inline double spacing(const Coordinate_type& type, const Vector_3& p)
 { return std::ldexp(type.epsilon, std::ilogb((std::max)(p.cwiseAbs().maxCoeff(), (std::numeric_limits<double>::min)()))); }
 
 // Moves free vertices of a small mesh by up to two spacings of a narrow type in each coordinate. Each move lowers the number
@@ -69,15 +69,15 @@ private:
   // Moves a vertex to the best place nearby, and returns whether that is another one.
   bool improve(const int v)
   {
-    const Eigen::Vector3d old = m_positions.col(v);
+    const Vector_3 old = m_positions.col(v);
     const double step = spacing(m_type, old);
-    Eigen::Vector3d best = old;
+    Vector_3 best = old;
     std::pair<std::size_t, double> smallest = defect(v);
     for(int x = -2; x <= 2; ++x)
       for(int y = -2; y <= 2; ++y)
         for(int z = -2; z <= 2; ++z)
         {
-          m_positions.col(v) = (old + step * Eigen::Vector3d(x, y, z)).unaryExpr(m_type.rounded);
+          m_positions.col(v) = (old + step * Vector_3(x, y, z)).unaryExpr(m_type.rounded);
           if(const auto found = defect(v); found < smallest)
           {
             smallest = found;

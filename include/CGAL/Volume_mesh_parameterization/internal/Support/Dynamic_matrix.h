@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -42,6 +44,8 @@ class Dynamic_matrix : public Eigen::Map<Eigen::Matrix<NT, rows, columns>, Eigen
   static constexpr std::align_val_t alignment{64};
   static_assert(std::is_trivially_copyable<NT>::value && std::is_trivially_destructible<NT>::value);
 
+  static constexpr bool has_vectors = std::is_same<NT, double>::value && rows == 3 && columns == Eigen::Dynamic;
+
   template <typename Expression>
   using If_expression = decltype(std::declval<const Expression&>().derived());
 
@@ -65,6 +69,22 @@ public:
   }
   template <typename Expression, typename = If_expression<Expression> >
   Dynamic_matrix& operator=(const Expression& other) { return assign(other); }
+
+  // A column of three numbers is a vector that returns values.
+  decltype(auto) col(const Index j)
+  {
+    if constexpr(has_vectors)
+      return reinterpret_cast<Vector_3*>(this->m_data)[j];
+    else
+      return Base::col(j);
+  }
+  decltype(auto) col(const Index j) const
+  {
+    if constexpr(has_vectors)
+      return reinterpret_cast<const Vector_3*>(this->m_data)[j];
+    else
+      return Base::col(j);
+  }
 
   // Numbers are kept only if their number is.
   void resize(const Index number_of_rows, const Index number_of_columns)

@@ -35,14 +35,14 @@ inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
       if(!points[v].allFinite() || !images[v].allFinite())
         return failed_check(ERROR_NON_FINITE_COORDINATE, "Point ", v, " has the coordinates ", describe(points[v]),
                             " and the image ", describe(images[v]), ".");
-  Eigen::AlignedBox3d source, image;
+  Box_3 source, image;
   for(const std::array<std::size_t, 4>& cell : soup.cells)
     for(const std::size_t v : cell)
     {
       source.extend(points[v]);
       image.extend(images[v]);
     }
-  if(source.sizes().isZero(0))
+  if(source.diagonal() == Vector_3::Zero())
     return failed_check(ERROR_INVERTED_SOURCE_CELL, "All points of the source coincide.");
   const Input_check_3 check = check_size(source, "source");
   return check.status == OK ? check_size(image, "images") : check;

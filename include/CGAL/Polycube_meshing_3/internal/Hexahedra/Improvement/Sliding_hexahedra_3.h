@@ -121,7 +121,7 @@ public:
     for(double weight = first_weight;
         weight <= last_weight && m_budget.may_begin_round(Phase::HEXAHEDRA, "return to the surface"); weight *= growth)
     {
-      Corner_goals_3 goals = { std::vector<Eigen::Matrix3d>(m_order.size(), Eigen::Matrix3d::Identity()), {}, 1, {}, pull, 1,
+      Corner_goals_3 goals = { std::vector<Matrix_3>(m_order.size(), Matrix_3::Identity()), {}, 1, {}, pull, 1,
                                number_of_steps };
       set_edges(m_numbered, false, goals);
       hold_boundary(m_numbered.source, 1, goals);

@@ -23,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // The aims for the corners of hexahedra, and how they are pursued.
 struct Corner_goals_3
 {
-  std::vector<Eigen::Matrix3d> projectors; // of each vertex, onto the directions in which it moves
+  std::vector<Matrix_3> projectors; // of each vertex, onto the directions in which it moves
   std::vector<Eigen::Vector3d> edges;      // of each corner: the lengths of its edges where it has right angles
   double mean_edge = 1;
   std::vector<Linear_constraint_3<int> > constraints; // where vertices are wanted

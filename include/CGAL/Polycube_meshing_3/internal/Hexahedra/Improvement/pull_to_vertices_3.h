@@ -30,13 +30,14 @@ inline void pull_point_3(const Eigen::Vector3d& q, const std::array<int, 3>& tri
   if(distance < tolerance * goals.mean_edge)
     return;
   const auto& [a, b, c] = triangle;
+  const Eigen::Vector3d origin = positions.col(a);
   Small_matrix<3, 2> sides;
-  sides << positions.col(b) - positions.col(a), positions.col(c) - positions.col(a);
+  sides << Eigen::Vector3d(positions.col(b)) - origin, Eigen::Vector3d(positions.col(c)) - origin;
   const Small_matrix<2, 2> products = sides.transpose() * sides;
   if(!(products.determinant() > 0))
     return;
   const Small_matrix<2, 2> inverse = products.inverse();
-  const Small_matrix<2, 1> st = inverse * (sides.transpose() * (q - positions.col(a)));
+  const Small_matrix<2, 1> st = inverse * (sides.transpose() * (q - origin));
   const Eigen::Vector3d way = factor * (p - q) / distance;
   goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
                                 way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });

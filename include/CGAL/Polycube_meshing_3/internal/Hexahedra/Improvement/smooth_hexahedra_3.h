@@ -86,7 +86,7 @@ inline double mean_length_of_edges(const Matrix3Xd& positions, const Corners_of_
 {
   double sum = 0;
   for(const std::array<int, 4>& corner : corners)
-    sum += edge_matrix(positions, corner).colwise().norm().sum();
+    sum += Eigen::Matrix3d(edge_matrix(positions, corner)).colwise().norm().sum();
   return sum / (3. * static_cast<double>(corners.size()));
 }
 

@@ -29,22 +29,22 @@ Similarity_3 similarity_of_points_3(const Points& source, const Images& target, 
   if(source.cols() == 0)
     return { scale.value_or(1) };
   Similarity_3 result;
-  const Eigen::Vector3d source_mean = source.rowwise().mean(), target_mean = target.rowwise().mean();
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  const Vector_3 source_mean = source.rowwise().mean(), target_mean = target.rowwise().mean();
+  Matrix_3 covariance = Matrix_3::Zero();
   double variance = 0;
   for(Eigen::Index i = 0; i < source.cols(); ++i)
   {
-    const Eigen::Vector3d x = source.col(i) - source_mean;
-    covariance += (target.col(i) - target_mean) * x.transpose();
+    const Vector_3 x = source.col(i) - source_mean;
+    covariance += Matrix_3::outer_product(target.col(i) - target_mean, x);
     variance += x.squaredNorm();
   }
-  covariance += regularization * covariance.norm() * Eigen::Matrix3d::Identity();
+  covariance += regularization * covariance.norm() * Matrix_3::Identity();
   const Rotation_and_stretch_3 polar = rotation_and_stretch_3(covariance);
   const double best_scale = polar.stretch / variance;
   if(best_scale > 0) // without a correlation of source and target the best scale would be zero
     result = { scale.value_or(best_scale), polar.rotation, source_mean, target_mean };
   else if(scale)
-    result = { *scale, Eigen::Matrix3d::Identity(), source_mean, target_mean };
+    result = { *scale, Matrix_3::Identity(), source_mean, target_mean };
   return result;
 }
 
@@ -102,13 +102,13 @@ inline std::optional<double> stretch_between_conditions_3(const Numbered_mesh_3&
   std::vector<double> ratios;
   for(int v = first; v < n; v += 1 + mesh.number_of_prescribed_vertices() / many_vertices)
   {
-    const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - mesh.projector(v);
+    const Matrix_3 Q = Matrix_3::Identity() - mesh.projector(v);
     double largest = 0;
     for(int w = first; w < n; ++w)
     {
-      const Eigen::Matrix3d both = Q - Q * mesh.projector(w); // onto what both prescribe, if the factors commute
+      const Matrix_3 both = Q - Q * mesh.projector(w); // onto what both prescribe, if the factors commute
       const double distance = length_3(mesh.source.col(w) - mesh.source.col(v));
-      if(distance > 0 && both.isApprox(both.transpose()))
+      if(distance > 0 && Eigen::Matrix3d(both).isApprox(Eigen::Matrix3d(both.transpose())))
         largest = (std::max)(largest, (both * (mesh.target.col(w) - mesh.target.col(v))).norm() / distance);
     }
     ratios.push_back(largest);
@@ -145,7 +145,8 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& sim
 {
   constexpr int maximum_number_of_steps = 50; // a guess
   const int n = mesh.number_of_vertices(), first = mesh.number_of_free_vertices;
-  const double radius = std::sqrt((mesh.source.colwise() - similarity.source_center).colwise().squaredNorm().mean());
+  const Eigen::Vector3d center = similarity.source_center;
+  const double radius = std::sqrt((mesh.source.colwise() - center).colwise().squaredNorm().mean());
   const double unit = similarity.scale * radius; // of translations
   double squares = 0;
   for(int step = 0; step < maximum_number_of_steps; ++step)
@@ -155,12 +156,12 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& sim
     squares = 0;
     for(int v = first; v < n; ++v)
     {
-      const Eigen::Vector3d y = similarity(mesh.source.col(v)), x = y - similarity.image_center;
-      const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - mesh.projector(v);
+      const Eigen::Vector3d y = similarity(mesh.source.col(v)), x = y - Eigen::Vector3d(similarity.image_center);
+      const Eigen::Matrix3d Q = Matrix_3::Identity() - mesh.projector(v);
       Small_matrix<3, 6> J;
       J << Eigen::Vector3d::UnitX().cross(x), Eigen::Vector3d::UnitY().cross(x), Eigen::Vector3d::UnitZ().cross(x),
            unit * Eigen::Matrix3d::Identity();
-      const Eigen::Vector3d r = Q * (y - mesh.target.col(v));
+      const Eigen::Vector3d r = Q * (y - Eigen::Vector3d(mesh.target.col(v)));
       A += J.transpose() * Q * J;
       b -= J.transpose() * r;
       squares += r.squaredNorm();
@@ -170,8 +171,9 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& sim
       break;
     d *= (std::min)(1., 0.5 / d.head<3>().norm()); // no turn is larger than half a radian
     if(const double angle = d.head<3>().norm(); angle > 0)
-      similarity.rotation = Eigen::AngleAxisd(angle, d.head<3>() / angle) * similarity.rotation;
-    similarity.image_center += unit * d.tail<3>();
+      similarity.rotation
+        = Eigen::AngleAxisd(angle, d.head<3>() / angle).toRotationMatrix() * Eigen::Matrix3d(similarity.rotation);
+    similarity.image_center += Vector_3(unit * d.tail<3>());
   }
   return squares;
 }
@@ -203,8 +205,7 @@ inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
   {
     Similarity_3 similarity = start;
     if(turn > 0)
-      similarity.rotation = Eigen::Vector3d(2 * Eigen::Vector3d::Unit(turn - 1) - Eigen::Vector3d::Ones()).asDiagonal()
-                            * similarity.rotation;
+      similarity.rotation = Matrix_3::diagonal(2 * Vector_3::Unit(turn - 1) - Vector_3::Ones()) * similarity.rotation;
     const double squares = fit_to_conditions_3(mesh, similarity);
     if(!(squares < 0.9 * fewest_squares)) // a turn has to pay off
       continue;

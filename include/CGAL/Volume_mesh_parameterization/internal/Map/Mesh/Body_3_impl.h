@@ -83,9 +83,9 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> fixed_points(const Bo
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition)
 {
-  const Eigen::Matrix3d P = projector_3(condition);
+  const Matrix_3 P = projector_3(condition);
   for(int i = 0; i < 3; ++i)
-    if(std::isnan(target[i]) && P.col(i) == Eigen::Vector3d::Unit(i))
+    if(std::isnan(target[i]) && P.col(i) == Vector_3::Unit(i))
       target[i] = 0;
   return target;
 }

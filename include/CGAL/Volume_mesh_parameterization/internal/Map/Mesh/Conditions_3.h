@@ -13,28 +13,30 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
-
-#include <Eigen/Core>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns the unit vector of a direction. Along an axis, it is exact: a division may be a product with a rounded reciprocal.
-inline Eigen::Vector3d unit_vector_3(const Eigen::Vector3d& n)
-{ return (n.array() != 0).count() == 1 ? Eigen::Vector3d(n.array().sign()) : n.stableNormalized(); }
+inline Vector_3 unit_vector_3(const Vector_3& n)
+{
+  const auto sign = [](const double x) { return double(x > 0) - double(x < 0); };
+  return (n[0] != 0) + (n[1] != 0) + (n[2] != 0) == 1 ? n.unaryExpr(sign) : n.stableNormalized();
+}
 
 // Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point.
-inline Eigen::Matrix3d projector_3(const Vertex_condition_3& condition)
+inline Matrix_3 projector_3(const Vertex_condition_3& condition)
 {
   const auto& [x, y, z] = condition.direction();
-  const Eigen::Vector3d n = unit_vector_3(Eigen::Vector3d(x, y, z));
+  const Vector_3 n = unit_vector_3(Vector_3(x, y, z));
   switch(condition.kind())
   {
-    case Vertex_condition_3::FREE: return Eigen::Matrix3d::Identity();
-    case Vertex_condition_3::IN_PLANE: return Eigen::Matrix3d::Identity() - n * n.transpose();
-    case Vertex_condition_3::ON_LINE: return n * n.transpose();
-    case Vertex_condition_3::AT_TARGET: return Eigen::Matrix3d::Zero();
+    case Vertex_condition_3::FREE: return Matrix_3::Identity();
+    case Vertex_condition_3::IN_PLANE: return Matrix_3::Identity() - Matrix_3::outer_product(n, n);
+    case Vertex_condition_3::ON_LINE: return Matrix_3::outer_product(n, n);
+    case Vertex_condition_3::AT_TARGET: return Matrix_3::Zero();
   }
-  return Eigen::Matrix3d::Zero();
+  return Matrix_3::Zero();
 }
 
 // Tells whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane
@@ -43,23 +45,23 @@ template <typename Vertices, typename ProjectorOf, typename TargetOf>
 bool are_kept_in_one_plane(const Vertices& vertices, const ProjectorOf& projector, const TargetOf& target)
 {
   constexpr double rounding = 1e-12;
-  std::vector<Eigen::Vector3d> normals = { Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ() };
+  std::vector<Vector_3> normals = { Vector_3::Unit(0), Vector_3::Unit(1), Vector_3::Unit(2) };
   bool is_one_moving = false;
   for(const auto v : vertices)
   {
-    const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - projector(v);
-    int k;
-    if(Q.colwise().norm().maxCoeff(&k) == 0)
+    const Matrix_3 Q = Matrix_3::Identity() - projector(v);
+    const int k = Vector_3(Q.col(0).norm(), Q.col(1).norm(), Q.col(2).norm()).largest_index();
+    if(Q.is_zero())
       return false;
-    is_one_moving = is_one_moving || !Q.isIdentity(0);
-    if(Q.trace() < 1.5 && !Q.isDiagonal(0)) // the normal of a plane
+    is_one_moving = is_one_moving || Q != Matrix_3::Identity();
+    if(Q.trace() < 1.5 && !Q.is_diagonal()) // the normal of a plane
       normals.push_back(Q.col(k).normalized());
   }
-  const Eigen::Vector3d origin = target(*std::begin(vertices));
+  const Vector_3 origin = target(*std::begin(vertices));
   for(std::size_t i = 0; i < normals.size() && is_one_moving; ++i)
     if(std::all_of(std::begin(vertices), std::end(vertices), [&](const auto v)
     {
-      const Eigen::Vector3d p = target(v);
+      const Vector_3 p = target(v);
       const double bound = i < 3 ? 0 : rounding * (p.norm() + origin.norm());
       return (projector(v) * normals[i]).norm() <= (i < 3 ? 0 : rounding) && std::abs(normals[i].dot(p - origin)) <= bound;
     }))

@@ -17,11 +17,15 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Projectors onto the directions in which each prescribed vertex may move from its target; none if all stay.
-using Projectors_3 = std::vector<Eigen::Matrix3d>;
+using Projectors_3 = std::vector<Matrix_3>;
 
 // The vector from the nearest point at which a vertex may be.
-inline Eigen::Vector3d offset_3(const Eigen::Matrix3d& projector, const Eigen::Vector3d& position, const Eigen::Vector3d& target)
-{ return (Eigen::Matrix3d::Identity() - projector) * (position - target); }
+inline Vector_3 offset_3(const Matrix_3& projector, const Vector_3& position, const Vector_3& target)
+{
+  const Matrix_3 Q = Matrix_3::Identity() - projector;
+  const Vector_3 d = position - target;
+  return d[0] * Q.col(0) + (d[1] * Q.col(1) + d[2] * Q.col(2));
+}
 
 // The positions with the prescribed vertices on their targets, or at the nearest points at which they may be. A coordinate that
 // cannot change has the bits of the target.
@@ -35,7 +39,7 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
     const int v = mesh.number_of_free_vertices + static_cast<int>(i);
     positions.col(v) -= offset_3(projectors[i], positions.col(v), mesh.target.col(v));
     for(int k = 0; k < 3; ++k)
-      if(projectors[i].row(k).isZero(0))
+      if(projectors[i].row(k) == Vector_3::Zero())
         positions(k, v) = mesh.target(k, v);
   }
   return positions;
@@ -57,7 +61,7 @@ inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& 
   {
     const int v = mesh.number_of_free_vertices + i;
     const double distance = length_3(offset_3(projectors[i], positions.col(v), mesh.target.col(v)));
-    if(distance > (projectors[i].isDiagonal(0) ? 0 : rounding))
+    if(distance > (projectors[i].is_diagonal() ? 0 : rounding))
       result = (std::max)(result, distance);
   }
   return result;

@@ -29,12 +29,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 struct Similarity_3
 {
   double scale = 1;
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d source_center = Eigen::Vector3d::Zero(), image_center = Eigen::Vector3d::Zero();
+  Matrix_3 rotation = Matrix_3::Identity();
+  Vector_3 source_center = Vector_3::Zero(), image_center = Vector_3::Zero();
 
-  template <typename Point>
-  Eigen::Vector3d operator()(const Point& p) const
-  { return Eigen::Matrix3d(scale * rotation) * (p - source_center) + image_center; }
+  Vector_3 operator()(const Vector_3& p) const { return (scale * rotation) * (p - source_center) + image_center; }
 };
 
 inline Matrix3Xd moved(const Similarity_3& similarity, const Matrix3Xd& points)
@@ -53,15 +51,15 @@ struct Numbered_mesh_3
   Matrix3Xd source;               // one column a vertex
   Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
-  std::vector<Eigen::Matrix3d> projectors; // of prescribed vertices, onto the directions in which each may move; none if all stay
+  std::vector<Matrix_3> projectors; // of prescribed vertices, onto the directions in which each may move; none if all stay
   std::optional<Similarity_3> alignment;   // of the source to what is prescribed, if that leaves a part of the boundary free
   std::vector<bool> is_held;             // may a vertex not slide either? none is held if there are no entries
   std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any
   std::vector<Linear_constraint_3<int> > constraints; // of the images, besides the targets
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
   int number_of_free_vertices = 0;
-  Eigen::Vector3d base_point = Eigen::Vector3d::Zero(); // the target of free vertices, near those of the others
-  std::optional<Eigen::Matrix3d> regular_cell; // edges of the cell that stands for each in the source, which may be tangled then
+  Vector_3 base_point = Vector_3::Zero(); // the target of free vertices, near those of the others
+  std::optional<Matrix_3> regular_cell; // edges of the cell that stands for each in the source, which may be tangled then
   bool has_volume_weights = false;       // do cells count by their volume in the source, or all alike?
   std::vector<std::size_t> user_numbers; // of the cells, for messages; the same as here if there are none
   const Communicator_3* communicator = &single_process();
@@ -78,11 +76,12 @@ struct Numbered_mesh_3
   {}
 
   // Sets the images of prescribed vertices; free ones get the base point.
-  void set_targets(Matrix3Xd images, const Eigen::Vector3d& point)
+  void set_targets(Matrix3Xd images, const Vector_3& point)
   {
     target = std::move(images);
     base_point = point;
-    target.leftCols(number_of_free_vertices).colwise() = base_point;
+    for(int v = 0; v < number_of_free_vertices; ++v)
+      target.col(v) = base_point;
   }
 
   int number_of_vertices() const { return static_cast<int>(source.cols()); }
@@ -91,13 +90,12 @@ struct Numbered_mesh_3
   bool is_whole() const { return communicator->is_alone(); } // what needs all cells asks for it
   double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
-  bool is_fixed(const int v) const { return !is_free(v) && (projectors.empty() || projector(v).isZero(0)); }
+  bool is_fixed(const int v) const { return !is_free(v) && (projectors.empty() || projector(v).is_zero()); }
 
   // Onto the directions in which a vertex may move: space, a plane, a line or a point.
-  Eigen::Matrix3d projector(const int v) const
+  Matrix_3 projector(const int v) const
   {
-    return is_free(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-         : projectors.empty() ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : projectors[v - number_of_free_vertices];
+    return is_free(v) ? Matrix_3::Identity() : projectors.empty() ? Matrix_3::Zero() : projectors[v - number_of_free_vertices];
   }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
@@ -118,26 +116,29 @@ inline std::vector<bool> marked_by_any(const Numbered_mesh_3& mesh, std::vector<
 }
 
 // The bounding box of points of all processes.
-template <typename Points>
-Eigen::AlignedBox3d bounding_box(const Communicator_3& communicator, const Points& points)
+inline Box_3 bounding_box(const Communicator_3& communicator, const Matrix3Xd& points, const int first = 0)
 {
-  Eigen::AlignedBox3d box;
-  for(Eigen::Index i = 0; i < points.cols(); ++i)
-    box.extend(points.col(i));
+  Box_3 box;
+  for(int v = first; v < points.cols(); ++v)
+    box.extend(points.col(v));
   for(int i = 0; i < 3; ++i)
   {
-    (box.min)()[i] = communicator.minimum((box.min)()[i]);
-    (box.max)()[i] = communicator.maximum((box.max)()[i]);
+    box.smallest[i] = communicator.minimum(box.smallest[i]);
+    box.largest[i] = communicator.maximum(box.largest[i]);
   }
   return box;
 }
 
 // The box of all targets, and of the source near them where they leave a part of the boundary free.
-inline Eigen::AlignedBox3d target_box(const Numbered_mesh_3& mesh)
+inline Box_3 target_box(const Numbered_mesh_3& mesh)
 {
-  Eigen::AlignedBox3d box = bounding_box(*mesh.communicator, mesh.target.rightCols(mesh.number_of_prescribed_vertices()));
+  Box_3 box = bounding_box(*mesh.communicator, mesh.target, mesh.number_of_free_vertices);
   if(mesh.alignment)
-    box.extend(bounding_box(*mesh.communicator, moved(*mesh.alignment, mesh.source)));
+  {
+    const Box_3 other = bounding_box(*mesh.communicator, moved(*mesh.alignment, mesh.source));
+    box.extend(other.smallest);
+    box.extend(other.largest);
+  }
   return box;
 }
 
@@ -149,15 +150,15 @@ inline double target_diagonal(const Numbered_mesh_3& mesh) { return target_box(m
 inline void set_targets(Numbered_mesh_3& mesh, Matrix3Xd targets)
 {
   mesh.target = std::move(targets);
-  const Eigen::AlignedBox3d box = target_box(mesh);
-  mesh.set_targets(std::move(mesh.target), Eigen::Vector3d::Zero().cwiseMax((box.min)()).cwiseMin((box.max)()));
+  const Box_3 box = target_box(mesh);
+  mesh.set_targets(std::move(mesh.target), Vector_3::Zero().cwiseMax(box.smallest).cwiseMin(box.largest));
 }
 
 // The edge matrix of a cell: the columns are the edges from its first vertex to the other three.
 template <typename Positions>
-Eigen::Matrix3d edge_matrix(const Positions& positions, const std::array<int, 4>& cell)
+Matrix_3 edge_matrix(const Positions& positions, const std::array<int, 4>& cell)
 {
-  Eigen::Matrix3d edges;
+  Matrix_3 edges;
   for(int i = 0; i < 3; ++i)
     edges.col(i) = positions.col(cell[i + 1]) - positions.col(cell[0]);
   return edges;
@@ -191,11 +192,9 @@ inline double target_volume(const Numbered_mesh_3& mesh)
 { return mesh.alignment ? std::pow(mesh.alignment->scale, 3) * volume(mesh, mesh.source) : volume(mesh, mesh.target); }
 
 // Edges of a regular cell with the volume 1/3.
-inline Eigen::Matrix3d regular_edges()
+inline Matrix_3 regular_edges()
 {
-  Eigen::Matrix3d edges;
-  edges << 0, 1, 1, 1, 0, 1, 1, 1, 0;
-  return edges;
+  return { { 0, 1, 1 }, { 1, 0, 1 }, { 1, 1, 0 } };
 }
 
 // Lets regular cells of the mean volume in the target stand for those of the source.
@@ -203,7 +202,7 @@ inline void set_regular_cell(Numbered_mesh_3& mesh)
 { mesh.regular_cell = regular_edges() * std::cbrt(3 * target_volume(mesh) / mesh.global_number_of_cells()); }
 
 // Edges of a cell that its image is compared with, and the volume of all these cells.
-inline Eigen::Matrix3d source_edges(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
+inline Matrix_3 source_edges(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)
 { return mesh.regular_cell ? *mesh.regular_cell : edge_matrix(mesh.source, cell); }
 
 inline double source_volume(const Numbered_mesh_3& mesh)

@@ -24,14 +24,14 @@ enum class Reference_cells { SOURCE, REGULAR };
 struct Scaled_cells_3
 {
   double scale;
-  std::vector<Eigen::Matrix3d> inverse_sources; // X^{-1} of each cell
+  std::vector<Matrix_3> inverse_sources; // X^{-1} of each cell
   std::vector<double> weights;                  // how much each cell counts; the sum is 1
 };
 
 // The inverse edge matrices X^{-1} of the cells in the source, times a factor.
-inline std::vector<Eigen::Matrix3d> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
+inline std::vector<Matrix_3> scaled_inverse_sources(const Numbered_mesh_3& mesh, const double factor)
 {
-  return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Eigen::Matrix3d
+  return values_of_cells(mesh, mesh.cells.size(), [&](const std::array<int, 4>& cell) -> Matrix_3
   { return source_edges(mesh, cell).inverse() * factor; });
 }
 
@@ -53,8 +53,8 @@ inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh
 {
   const double mean_volume = target_volume(mesh) / mesh.global_number_of_cells();
   const double scale = scale_of_cells(mean_volume);
-  const Eigen::Matrix3d inverse = regular_edges().inverse() / (std::cbrt(3 * mean_volume) * scale);
-  return { scale, std::vector<Eigen::Matrix3d>(mesh.cells.size(), inverse), cell_weights(mesh) };
+  const Matrix_3 inverse = regular_edges().inverse() / (std::cbrt(3 * mean_volume) * scale);
+  return { scale, std::vector<Matrix_3>(mesh.cells.size(), inverse), cell_weights(mesh) };
 }
 
 // Gives a body whose volume has this cube root a volume near 1.

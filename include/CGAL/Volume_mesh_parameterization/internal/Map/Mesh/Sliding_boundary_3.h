@@ -38,21 +38,21 @@ public:
   bool is_planar(const std::size_t region) const { return m_is_planar[region]; }
 
   // The unit normal; exactly an axis if a coordinate of all vertices is the same.
-  const Eigen::Vector3d& normal(const std::size_t region) const { return m_normal[region]; }
+  const Vector_3& normal(const std::size_t region) const { return m_normal[region]; }
 
 private:
   // twice the area, times the unit normal
-  static Eigen::Vector3d area_vector(const Matrix3Xd& points, const Facet& facet)
+  static Vector_3 area_vector(const Matrix3Xd& points, const Facet& facet)
   {
-    const Eigen::Matrix<double, 3, 2> X = edges_of_facet(facet, [&](const int v) { return points.col(v); });
-    return X.col(0).cross(X.col(1));
+    const Vector_3 &p = points.col(facet[0]), &q = points.col(facet[1]), &r = points.col(facet[2]);
+    return (q - p).cross(r - p);
   }
 
   // Are two facets with a common edge coplanar, and on either side of it?
   static bool are_coplanar(const Matrix3Xd& points, const Facet& f, const Facet& g)
   {
     constexpr double small_angle = 1e-3; // a guess: a rounded coordinate turns a small facet much
-    const Eigen::Vector3d m = area_vector(points, f).stableNormalized(), n = area_vector(points, g).stableNormalized();
+    const Vector_3 m = area_vector(points, f).stableNormalized(), n = area_vector(points, g).stableNormalized();
     if(m.dot(n) > 0 && m.cross(n).norm() <= small_angle)
       return true;
     const int i = apex(f, g);
@@ -87,11 +87,11 @@ private:
 
   void fit_planes(const Matrix3Xd& points, const std::vector<Facet>& facets, const double tolerance)
   {
-    m_normal.assign(facets.size(), Eigen::Vector3d::Zero());
+    m_normal.assign(facets.size(), Vector_3::Zero());
     m_is_planar.assign(facets.size(), true);
     for(std::size_t f = 0; f < facets.size(); ++f)
       m_normal[m_region[f]] += area_vector(points, facets[f]);
-    for(Eigen::Vector3d& normal : m_normal)
+    for(Vector_3& normal : m_normal)
       normal = unit_vector_3(normal);
     for(std::size_t f = 0; f < facets.size(); ++f)
     {
@@ -103,7 +103,7 @@ private:
   }
 
   std::vector<std::size_t> m_region;      // of each facet
-  std::vector<Eigen::Vector3d> m_normal; // of each region
+  std::vector<Vector_3> m_normal; // of each region
   std::vector<bool> m_is_planar;
 };
 
@@ -130,14 +130,14 @@ public:
         if(std::find(regions[v].begin(), regions[v].end(), m_regions.region(f)) == regions[v].end())
           regions[v].push_back(m_regions.region(f));
     for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
-      m_projectors.push_back(is_constrained(v) ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : projector(regions[v]));
+      m_projectors.push_back(is_constrained(v) ? Matrix_3::Zero() : projector(regions[v]));
     hold_lines();
   }
 
   std::size_t number_of_sliding_vertices() const
   {
     return std::count_if(m_projectors.begin(), m_projectors.end(),
-                         [](const Eigen::Matrix3d& projector) { return !projector.isZero(0); });
+                         [](const Matrix_3& projector) { return !projector.is_zero(); });
   }
 
   // Returns the projector of each prescribed vertex onto the directions in which it may move.
@@ -158,51 +158,50 @@ private:
   static constexpr double planarity = 1e-7; // relative to the diagonal; more than eight digits in a file round
 
   // onto the directions in which a vertex of these regions may move
-  Eigen::Matrix3d projector(const std::vector<std::size_t>& regions) const
+  Matrix_3 projector(const std::vector<std::size_t>& regions) const
   {
     constexpr double small_sine = 1e-3; // a guess; of the angle between planes
     const bool is_planar = std::all_of(regions.begin(), regions.end(), [&](const std::size_t region)
                                        { return m_regions.is_planar(region); });
     if(is_planar && regions.size() == 1)
     {
-      const Eigen::Vector3d& normal = m_regions.normal(regions[0]);
-      return Eigen::Matrix3d::Identity() - normal * normal.transpose();
+      const Vector_3& normal = m_regions.normal(regions[0]);
+      return Matrix_3::Identity() - Matrix_3::outer_product(normal, normal);
     }
     if(is_planar && regions.size() == 2)
     {
-      const Eigen::Vector3d line = m_regions.normal(regions[0]).cross(m_regions.normal(regions[1]));
+      const Vector_3 line = m_regions.normal(regions[0]).cross(m_regions.normal(regions[1]));
       if(line.norm() > small_sine)
-        return line.normalized() * line.normalized().transpose();
+        return Matrix_3::outer_product(line.normalized(), line.normalized());
     }
-    return Eigen::Matrix3d::Zero();
+    return Matrix_3::Zero();
   }
 
   // Lets the vertices of lines inside of regions move along the axis of the line, and those where lines meet or end at the border
   // of a region stay.
   void hold_lines()
   {
-    const auto point = [&](const int v) { return Eigen::Vector3d(m_mesh.source.col(v)); };
+    const auto point = [&](const int v) { return Vector_3(m_mesh.source.col(v)); };
     const auto lines = sharp_edges_3(m_facets, m_mesh.marked_edges, point);
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
       const auto& [v, w] = begin->first;
-      const Eigen::Vector3d p = m_mesh.target.col(v), q = m_mesh.target.col(w);
+      const Vector_3 p = m_mesh.target.col(v), q = m_mesh.target.col(w);
       if(!leads_along_axis(p, q) || !std::binary_search(lines.begin(), lines.end(), begin->first)
          || m_regions.region(begin->second[0] / 3) != m_regions.region((end - 1)->second[0] / 3))
         return;
-      const Eigen::Matrix3d along = (p.array() != q.array()).cast<double>().matrix().asDiagonal();
+      const Matrix_3 along = Matrix_3::diagonal({ double(p[0] != q[0]), double(p[1] != q[1]), double(p[2] != q[2]) });
       for(const int u : { v, w })
         if(!m_mesh.is_free(u))
-          if(Eigen::Matrix3d& projector = m_projectors[u - m_mesh.number_of_free_vertices]; projector != along)
-            projector = projector.trace() > 1.5 ? along : Eigen::Matrix3d(Eigen::Matrix3d::Zero());
+          if(Matrix_3& projector = m_projectors[u - m_mesh.number_of_free_vertices]; projector != along)
+            projector = projector.trace() > 1.5 ? along : Matrix_3::Zero();
     });
   }
 
   CGAL::Orientation orientation(const Matrix3Xd& positions, const std::size_t facet) const
   {
     using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
-    int longest;
-    m_regions.normal(m_regions.region(facet)).cwiseAbs().maxCoeff(&longest);
+    const int longest = m_regions.normal(m_regions.region(facet)).cwiseAbs().largest_index();
     const auto point = [&](const int k)
     {
       const auto p = positions.col(m_facets[facet][k]);

@@ -30,10 +30,10 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Computes all from the six lengths and the four normals. The cotangent of an angle falls with it, hence arcs are computed
 // only of the smallest and of the largest angle.
-inline Cell_quality_3 quality_of_cell(const std::array<Eigen::Vector3d, 4>& p)
+inline Cell_quality_3 quality_of_cell(const std::array<Vector_3, 4>& p)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity(), degrees = 180 / 3.14159265358979323846;
-  std::array<Eigen::Vector3d, 4> normals; // as long as twice the area of the facet
+  std::array<Vector_3, 4> normals; // as long as twice the area of the facet
   double area = 0, longest = 0, smallest_cotangent = infinity, largest_cotangent = -infinity;
   for(int i = 0; i < 4; ++i)
   {

@@ -40,10 +40,10 @@ template <typename... Parts>
 Input_check_3 failed_check(const Error_code status, const Parts&... parts) { return { status, sentence(parts...), true }; }
 
 // Points that coincide have no size. The volume of a cell is a product of three lengths, and energies have their fourth powers.
-inline Input_check_3 check_size(const Eigen::AlignedBox3d& box, const char* const name)
+inline Input_check_3 check_size(const Box_3& box, const char* const name)
 {
   constexpr double smallest = 1e-70, largest = 1e70;
-  const double diagonal = box.isEmpty() ? 0 : length_3(box.diagonal());
+  const double diagonal = box.is_empty() ? 0 : length_3(box.diagonal());
   if(diagonal == 0 || (smallest <= diagonal && diagonal <= largest))
     return {};
   return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The bounding box of the ", name, " has the diagonal ", diagonal,

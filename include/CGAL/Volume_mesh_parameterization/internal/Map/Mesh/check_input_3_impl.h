@@ -23,16 +23,16 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 {
   for(int v = 0; v < mesh.number_of_vertices(); ++v)
   {
-    const Eigen::Vector3d point = mesh.source.col(v);
+    const Vector_3 point = mesh.source.col(v);
     if(!point.allFinite())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "A vertex of the source has the coordinates ", describe(point), ".");
-    if(mesh.initial.cols() > 0 && mesh.initial.col(v).array().isInf().any())
+    if(mesh.initial.cols() > 0 && mesh.initial.col(v).hasInf())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "The initial image of the vertex at ", describe(point),
                           " is ", describe(mesh.initial.col(v)), ".");
     if(v < mesh.number_of_free_vertices) // its target, the base point, is no number either where one of the others is none
       continue;
-    const Eigen::Vector3d target = mesh.target.col(v);
-    if(target.array().isNaN().any())
+    const Vector_3 target = mesh.target.col(v);
+    if(target.hasNaN())
       return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The boundary vertex at ", describe(point), " has no target.");
     if(!target.allFinite())
       return failed_check(ERROR_NON_FINITE_COORDINATE, "The target of the boundary vertex at ", describe(point),
@@ -44,7 +44,7 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
 inline Input_check_3 check_sizes(const Numbered_mesh_3& mesh)
 {
   const Matrix3Xd initial = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
-  const std::pair<Eigen::AlignedBox3d, const char*> boxes[]
+  const std::pair<Box_3, const char*> boxes[]
     = { { bounding_box(*mesh.communicator, mesh.source), "source" }, { target_box(mesh), "prescribed points" },
         { bounding_box(*mesh.communicator, initial), "initial images" } };
   for(const auto& [box, name] : boxes)
@@ -67,9 +67,9 @@ inline Input_check_3 check_source_cells(const Numbered_mesh_3& mesh)
 }
 
 // The inverse of the edge matrix of a cell is needed, and it must not invert the cell by rounding.
-inline bool has_positive_inverse(const Eigen::Matrix3d& edges)
+inline bool has_positive_inverse(const Matrix_3& edges)
 {
-  const Eigen::Matrix3d inverse = edges.inverse();
+  const Matrix_3 inverse = edges.inverse();
   return edges.determinant() > 0 && inverse.allFinite() && inverse.determinant() > 0;
 }
 
@@ -169,7 +169,7 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
   {
     return !mesh.projectors.empty()
            && are_kept_in_one_plane(cell, [&](const int v) { return mesh.projector(v); },
-                                    [&](const int v) { return Eigen::Vector3d(mesh.target.col(v)); });
+                                    [&](const int v) { return Vector_3(mesh.target.col(v)); });
   });
   if(!flat.first)
     return {};

@@ -14,9 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Compressed_rows.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 
 #include <array>
 #include <cmath>
@@ -79,25 +77,27 @@ std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::arr
   return result;
 }
 
+using Facet_edges_3 = std::array<Vector_3, 2>;
+
 // Two edges of a facet, and its area by these; `position(v)` is that of a vertex.
 template <typename Facet, typename Position>
-Small_matrix<3, 2> edges_of_facet(const Facet& facet, const Position& position)
+Facet_edges_3 edges_of_facet(const Facet& facet, const Position& position)
 {
-  const Eigen::Vector3d origin = position(facet[0]);
-  Small_matrix<3, 2> result;
-  result << position(facet[1]) - origin, position(facet[2]) - origin;
-  return result;
+  const Vector_3 origin = position(facet[0]);
+  return { Vector_3(position(facet[1])) - origin, Vector_3(position(facet[2])) - origin };
 }
 
-inline double area_of_facet(const Small_matrix<3, 2>& X) { return X.col(0).cross(X.col(1)).norm() / 2; }
+inline double area_of_facet(const Facet_edges_3& X) { return X[0].cross(X[1]).norm() / 2; }
 
 // The squared singular values of the map between two triangles with edges X and U, the larger one first: the eigenvalues of
 // U^T U relative to X^T X, from half of a trace and a determinant.
-inline Small_array_2 squared_singular_values_of_facet(const Small_matrix<3, 2>& X, const Small_matrix<3, 2>& U)
+inline std::array<double, 2> squared_singular_values_of_facet(const Facet_edges_3& X, const Facet_edges_3& U)
 {
-  const Small_matrix<2, 2> source = X.transpose() * X, image = U.transpose() * U;
-  const Small_matrix<2, 2> inverse = source.inverse(), relative = inverse * image;
-  const double half = relative.trace() / 2, determinant = relative.determinant();
+  const double a = X[0].squaredNorm(), b = X[0].dot(X[1]), c = X[1].squaredNorm(); // X^T X
+  const double d = U[0].squaredNorm(), e = U[0].dot(U[1]), f = U[1].squaredNorm(); // U^T U
+  const double factor = 1 / (a * c - b * b), p = c * factor, q = -b * factor, r = a * factor; // the inverse of X^T X
+  const double p_d = p * d + q * e, p_e = p * e + q * f, q_d = q * d + r * e, q_e = q * e + r * f; // times U^T U
+  const double half = (p_d + q_e) / 2, determinant = p_d * q_e - q_d * p_e;
   const double largest = half + std::sqrt((std::max)(half * half - determinant, 0.));
   return { largest, (std::max)(determinant / largest, 0.) };
 }
@@ -115,8 +115,9 @@ double facet_distortion_3(const std::vector<Facet>& facets, const Point& point, 
   }
   for(const Facet& facet : facets)
   {
-    const Small_matrix<3, 2> X = edges_of_facet(facet, point), U = edges_of_facet(facet, image);
-    const Small_array_2 squares = area_of_facets / area_of_images * squared_singular_values_of_facet(X, U);
+    const Facet_edges_3 X = edges_of_facet(facet, point);
+    const auto [a, b] = squared_singular_values_of_facet(X, edges_of_facet(facet, image));
+    const Small_array_2 squares = area_of_facets / area_of_images * Small_array_2(a, b);
     result += area_of_facet(X) / area_of_facets * squares.log().matrix().norm() / 2;
   }
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;

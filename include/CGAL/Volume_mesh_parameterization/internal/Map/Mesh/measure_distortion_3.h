@@ -23,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline double angle_distortion(const double largest, const double smallest)
 { return largest / smallest + smallest / largest; }
 
-inline void add_cell(Distortion_3& distortion, const double cell_volume, const Eigen::Vector3d& s)
+inline void add_cell(Distortion_3& distortion, const double cell_volume, const Vector_3& s)
 {
   const double angle = angle_distortion(s[0], s[2]);
   const double determinant = s.prod();
@@ -45,9 +45,9 @@ inline void replace_by_infinity(Distortion_3& distortion)
 }
 
 // The signed singular values of a map in each cell that this process owns.
-inline std::vector<Eigen::Vector3d> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
+inline std::vector<Vector_3> singular_values_of_cells_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 {
-  return values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell) -> Eigen::Vector3d
+  return values_of_cells(mesh, mesh.number_of_own_cells(), [&](const std::array<int, 4>& cell) -> Vector_3
   { return signed_singular_values_3(edge_matrix(image, cell) * source_edges(mesh, cell).inverse()); });
 }
 
@@ -57,7 +57,7 @@ inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Matrix3
 { return std::cbrt(source_volume(mesh) / (mesh.alignment ? target_volume(mesh) : volume(mesh, image))); }
 
 // The distortions of a map by its singular values in each cell, multiplied by a factor.
-inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
+inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Vector_3>& s,
                                          const double factor = 1)
 {
   const double total = source_volume(mesh);
@@ -86,7 +86,7 @@ inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Matr
 { return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, image)).angle_max; }
 
 // Psi of each cell, with the singular values multiplied by a factor.
-inline std::vector<double> energies_of_cells_3(const std::vector<Eigen::Vector3d>& s, const Cell_energy_3& energy,
+inline std::vector<double> energies_of_cells_3(const std::vector<Vector_3>& s, const Cell_energy_3& energy,
                                                const double factor)
 {
   std::vector<double> result(s.size());
@@ -104,7 +104,7 @@ inline std::vector<double> energies_of_cells_3(const std::vector<Eigen::Vector3d
 }
 
 // The mean of psi over the cells, with the singular values multiplied by a factor.
-inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen::Vector3d>& s,
+inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Vector_3>& s,
                             const Cell_energy_3& energy, const double factor)
 {
   const std::vector<double> psi = energies_of_cells_3(s, energy, factor), weights = cell_weights(mesh);
@@ -112,10 +112,10 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Eigen
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
-inline double angle_distortion_of_facet(const Small_matrix<3, 2>& X, const Small_matrix<3, 2>& U)
+inline double angle_distortion_of_facet(const Facet_edges_3& X, const Facet_edges_3& U)
 {
-  const Small_array_2 s = squared_singular_values_of_facet(X, U).sqrt();
-  return angle_distortion(s[0], s[1]);
+  const auto [a, b] = squared_singular_values_of_facet(X, U);
+  return angle_distortion(std::sqrt(a), std::sqrt(b));
 }
 
 // The largest distortion of angles that the prescribed vertices force alone: that of a cell with four of
@@ -130,14 +130,14 @@ inline double unavoidable_angle_distortion_3(const Numbered_mesh_3& mesh)
     const auto number_of_prescribed = first_free - cell.begin();
     if(number_of_prescribed < 3)
       continue;
-    const Eigen::Matrix3d X = source_edges(mesh, cell), U = edge_matrix(mesh.target, cell);
+    const Matrix_3 X = source_edges(mesh, cell), U = edge_matrix(mesh.target, cell);
     if(number_of_prescribed == 4)
     {
-      const Eigen::Vector3d s = signed_singular_values_3(U * X.inverse());
+      const Vector_3 s = signed_singular_values_3(U * X.inverse());
       result = (std::max)(result, angle_distortion(s[0], s[2]));
     }
     else
-      result = (std::max)(result, angle_distortion_of_facet(X.leftCols<2>(), U.leftCols<2>()));
+      result = (std::max)(result, angle_distortion_of_facet({ X.col(0), X.col(1) }, { U.col(0), U.col(1) }));
   }
   return result;
 }
@@ -153,7 +153,7 @@ inline std::vector<std::size_t> distorted_prescribed_cells_3(const Numbered_mesh
     const std::array<int, 4>& cell = mesh.cells[c];
     if(!std::all_of(cell.begin(), cell.end(), [&](const int v) { return mesh.is_fixed(v); }))
       continue;
-    const Eigen::Vector3d s
+    const Vector_3 s
       = signed_singular_values_3(edge_matrix(mesh.target, cell) * source_edges(mesh, cell).inverse());
     if(angle_distortion(s[0], s[2]) > large_prescribed_distortion)
       result.push_back(c);

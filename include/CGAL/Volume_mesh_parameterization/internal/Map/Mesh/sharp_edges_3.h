@@ -25,8 +25,8 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
   constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
   const auto normal = [&](const Facet& facet)
   {
-    const Small_matrix<3, 2> X = edges_of_facet(facet, position);
-    return Eigen::Vector3d(X.col(0).cross(X.col(1)).stableNormalized());
+    const auto [a, b] = edges_of_facet(facet, position);
+    return a.cross(b).stableNormalized();
   };
   return normal(f).dot(normal(g)) < cosine_of_sharp_edge;
 }
@@ -35,8 +35,8 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
 inline double cosine_of_smooth_turn() { return std::sqrt(0.5); } // a guess; 45 degrees
 
 // Tells whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
-inline bool leads_along_axis(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-{ return (p.array() != q.array()).count() == 1; }
+inline bool leads_along_axis(const Vector_3& p, const Vector_3& q)
+{ return (p[0] != q[0]) + (p[1] != q[1]) + (p[2] != q[2]) == 1; }
 
 // Returns the sharp edges of a surface, the smaller vertex first: those among the marked ones, or if there are none, those
 // whose normals on both sides make more than 60 degrees.

@@ -82,7 +82,7 @@ private:
     for(int v = 0; v < m_whole.number_of_vertices(); ++v)
       if(is_seen[v])
       {
-        const Eigen::Vector3d p = m_whole.source.col(v), q = m_image.col(v);
+        const Vector_3 p = m_whole.source.col(v), q = m_image.col(v);
         own_vertices.push_back({ is_free[v] ? 0. : 1., m_whole.vertex_numbers[v], p[0], p[1], p[2], q[0], q[1], q[2] });
       }
 
@@ -95,8 +95,8 @@ private:
     {
       const int index = static_cast<int>(indices.size());
       indices.emplace(number, index);
-      m_mesh.source.col(index) << x, y, z;
-      m_positions.col(index) << u, v, w;
+      m_mesh.source.col(index) = Vector_3(x, y, z);
+      m_positions.col(index) = Vector_3(u, v, w);
       m_mesh.number_of_free_vertices += is_fixed == 0;
     }
     for(const auto& [number, a, b, c, d] : m_whole.communicator->gather(own_cells))

@@ -135,7 +135,7 @@ struct Patch_mesh_3
     if(number_of_free_vertices < number_of_moving_vertices)
       for(int i = number_of_free_vertices; i < mesh.number_of_vertices(); ++i)
         mesh.projectors.push_back(i < number_of_moving_vertices ? whole.projector(vertices[i])
-                                                                : Eigen::Matrix3d(Eigen::Matrix3d::Zero()));
+                                                                : Matrix_3::Zero());
   }
 
   // Puts the images of the vertices that move back to the whole mesh.

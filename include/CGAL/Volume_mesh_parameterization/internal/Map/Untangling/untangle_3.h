@@ -161,7 +161,7 @@ inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3X
 inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, Progress_3& progress)
 {
   Matrix3Xd result = mesh.initial;
-  const auto is_missing = [&](const int v) { return mesh.initial.col(v).array().isNaN().any(); };
+  const auto is_missing = [&](const int v) { return mesh.initial.col(v).hasNaN(); };
   for(int v = 0; v < result.cols(); ++v)
     if(is_missing(v))
       result.col(v) = mesh.target.col(v);
@@ -179,14 +179,19 @@ inline Matrix3Xd completed_initial_map_3(const Numbered_mesh_3& mesh, Linear_sol
 inline Matrix3Xd first_images_3(const Numbered_mesh_3& mesh)
 {
   if(!mesh.alignment)
-    return mesh.base_point.replicate(1, mesh.number_of_vertices());
+  {
+    Matrix3Xd points(3, mesh.number_of_vertices());
+    for(int v = 0; v < mesh.number_of_vertices(); ++v)
+      points.col(v) = mesh.base_point;
+    return points;
+  }
   Matrix3Xd result = moved(*mesh.alignment, mesh.source);
   for(int axis = 0; axis < 3 && !mesh.projectors.empty(); ++axis)
   {
     std::vector<double> targets;
     double misfit = 0, spread = 0;
     for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
-      if(mesh.projector(v).row(axis).isZero(0))
+      if(mesh.projector(v).row(axis) == Vector_3::Zero())
       {
         targets.push_back(mesh.target(axis, v));
         misfit += CGAL::square(mesh.target(axis, v) - result(axis, v));

@@ -168,23 +168,23 @@ private:
       const int lane = static_cast<int>(i % cells_per_pack);
       const int c = cell_of(cells[i]);
       pack.weight[lane] = is_padding(cells[i]) ? 0 : scaled.weights[c];
-      const Eigen::Matrix3d inverse_source = for_sorted_vertices(pack.cell(lane), mesh.cells[c], scaled.inverse_sources[c]);
+      const Matrix_3 inverse_source = for_sorted_vertices(pack.cell(lane), mesh.cells[c], scaled.inverse_sources[c]);
       for(int k = 0; k < 9; ++k)
-        pack.inverse_source[k][lane] = inverse_source(k);
+        pack.inverse_source[k][lane] = inverse_source(k % 3, k / 3);
     });
   }
 
   // X^{-1} of a cell whose vertices are sorted: its rows belong to the last three vertices, and that of the first one is
   // minus their sum.
-  static Eigen::Matrix3d for_sorted_vertices(const std::array<int, 4>& sorted, const std::array<int, 4>& cell,
-                                             const Eigen::Matrix3d& inverse_source)
+  static Matrix_3 for_sorted_vertices(const std::array<int, 4>& sorted, const std::array<int, 4>& cell,
+                                             const Matrix_3& inverse_source)
   {
-    Eigen::Matrix3d result;
+    Matrix_3 result;
     for(int i = 1; i < 4; ++i)
       if(const auto row = std::find(cell.begin(), cell.end(), sorted[i]) - cell.begin() - 1; row >= 0)
-        result.row(i - 1) = inverse_source.row(row);
+        result.set_row(i - 1, inverse_source.row(static_cast<int>(row)));
       else
-        result.row(i - 1) = -(inverse_source.row(0) + (inverse_source.row(1) + inverse_source.row(2)));
+        result.set_row(i - 1, -(inverse_source.row(0) + (inverse_source.row(1) + inverse_source.row(2))));
     return result;
   }
 

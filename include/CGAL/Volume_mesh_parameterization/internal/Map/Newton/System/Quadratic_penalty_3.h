@@ -106,7 +106,7 @@ private:
   {
     double sum = 0;
     for(const auto& term : constraint.terms)
-      sum += term.coefficient.dot(u.col(term.vertex));
+      sum += u.col(term.vertex).dot(term.coefficient);
     return sum;
   }
 

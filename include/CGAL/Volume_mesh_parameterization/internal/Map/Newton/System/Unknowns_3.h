@@ -36,8 +36,8 @@ public:
   }
 
   // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line.
-  explicit Unknowns_3(const std::vector<Eigen::Matrix3d>& projectors)
-    : Unknowns_3(static_cast<int>(projectors.size()), [&](const int v) { return !projectors[v].isZero(0); })
+  explicit Unknowns_3(const std::vector<Matrix_3>& projectors)
+    : Unknowns_3(static_cast<int>(projectors.size()), [&](const int v) { return !projectors[v].is_zero(); })
   {
     for(const int v : m_vertices)
       m_projectors.push_back(projectors[v]);
@@ -94,15 +94,15 @@ public:
       return;
     for(int row = 0; row < hessian.size(); ++row)
     {
-      const Eigen::Matrix3d& P = m_projectors[row];
+      const Matrix_3& P = m_projectors[row];
       for(int k = hessian.row_begin(row); k < hessian.row_end(row); ++k)
       {
         const int column = hessian.column(k);
-        const Eigen::Matrix3d H = hessian.block(k).template cast<double>();
-        Eigen::Matrix3d projected = P * H * m_projectors[column];
+        const Matrix_3 H = hessian.block(k).template cast<double>();
+        Matrix_3 projected = P * H * m_projectors[column];
         if(row == column)
-          projected += H.norm() * (Eigen::Matrix3d::Identity() - P);
-        hessian.block(k) = projected.template cast<NT>();
+          projected += H.norm() * (Matrix_3::Identity() - P);
+        hessian.block(k) = Eigen::Matrix3d(projected).template cast<NT>();
       }
     }
   }
@@ -110,15 +110,15 @@ public:
 private:
   std::vector<int> m_rows;                   // of each vertex
   std::vector<int> m_vertices;               // of each row
-  std::vector<Eigen::Matrix3d> m_projectors; // of each row; none if all directions are free
+  std::vector<Matrix_3> m_projectors; // of each row; none if all directions are free
 };
 
 // The free vertices, and those of the others that may move in the directions of their projectors.
-inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const std::vector<Eigen::Matrix3d>& projectors)
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const std::vector<Matrix_3>& projectors)
 {
   if(projectors.empty())
     return Unknowns_3(mesh.number_of_vertices(), [&](const int v) { return mesh.is_free(v); });
-  std::vector<Eigen::Matrix3d> of_all(mesh.number_of_free_vertices, Eigen::Matrix3d::Identity());
+  std::vector<Matrix_3> of_all(mesh.number_of_free_vertices, Matrix_3::Identity());
   of_all.insert(of_all.end(), projectors.begin(), projectors.end());
   return Unknowns_3(of_all);
 }
