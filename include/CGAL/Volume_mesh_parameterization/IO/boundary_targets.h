@@ -20,6 +20,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/iterator.h>
 
+#include <filesystem>
+
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
 
