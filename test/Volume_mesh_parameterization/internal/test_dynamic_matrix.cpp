@@ -5,11 +5,14 @@
 #include "catch.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace {
 
+using CGAL::Volume_mesh_parameterization::internal::length_3;
 using Columns = CGAL::Volume_mesh_parameterization::internal::Matrix3Xd;
 
 Eigen::Matrix3Xd numbers(const Eigen::Index n)
@@ -48,6 +51,17 @@ TEST_CASE("A dynamic matrix is copied, moved and exchanged with its numbers")
   c.resize(3, 9);
   CHECK(c.cols() == 9);
   CHECK(reinterpret_cast<std::uintptr_t>(c.data()) % 64 == 0);
+}
+
+TEST_CASE("The length of a vector neither overflows nor underflows, and is infinite or no number where an entry is")
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+  for(const double scale : { 1e-300, 1., 1e300 })
+    CHECK(std::abs(length_3({ 2 * scale, -3 * scale, 6 * scale }) / (7 * scale) - 1) < 1e-15);
+  CHECK(length_3({ 0, 0, 0 }) == 0);
+  CHECK(length_3({ 1, -infinity, infinity }) == infinity);
+  CHECK(std::isnan(length_3({ 0, none, 0 })));
+  CHECK(std::isnan(length_3({ 1, 2, none })));
 }
 
 TEST_CASE("The eigenvectors of a symmetric matrix of two rows belong to its eigenvalues, whatever its scale is")

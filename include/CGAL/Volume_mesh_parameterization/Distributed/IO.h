@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Whole_file.h>
 
+#include <filesystem>
 #include <optional>
 
 namespace CGAL::Volume_mesh_parameterization {

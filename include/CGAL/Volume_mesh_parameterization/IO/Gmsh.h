@@ -14,6 +14,9 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_writer.h>
 
+#include <filesystem>
+#include <fstream>
+
 namespace CGAL::Volume_mesh_parameterization::IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO

@@ -18,6 +18,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string_view>

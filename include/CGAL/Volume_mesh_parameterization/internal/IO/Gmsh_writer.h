@@ -18,6 +18,8 @@
 
 #include <stdlib.h>
 
+#include <filesystem>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Makes elements of Gmsh. Those with a reference are a group of that number, whatever their dimension is.

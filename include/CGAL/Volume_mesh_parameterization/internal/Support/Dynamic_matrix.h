@@ -35,8 +35,10 @@ using Small_array_2 = Eigen::Array<double, 2, 1, Eigen::DontAlign>;
 inline double length_3(const Eigen::Vector3d& v)
 {
   const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  if(largest == 0 || std::isinf(largest))
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
   const double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest;
-  return largest == 0 ? 0 : largest * std::sqrt(x * x + y * y + z * z);
+  return largest * std::sqrt(x * x + y * y + z * z);
 }
 
 // A matrix or vector whose size is known at run time, in memory of its own. Eigen's own ones allocate and align memory by the

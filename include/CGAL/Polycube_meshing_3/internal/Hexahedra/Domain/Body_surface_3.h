@@ -159,7 +159,7 @@ private:
     m_surface.accelerate_distance_queries();
     m_lines.rebuild(m_segments.begin(), m_segments.end());
     const Bbox_3 box = m_surface.bbox();
-    m_rounding = 1e-9 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+    m_rounding = 1e-9 * length_3({ box.x_span(), box.y_span(), box.z_span() });
   }
 
   static Kernel::Triangle_3 triangle(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 3>& facet)
