@@ -72,7 +72,7 @@ inline bool has_same_bits(const Matrix3Xd& a, const Matrix3Xd& b)
 inline bool has_target_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& u)
 {
   const Eigen::Index n = mesh.number_of_vertices() - mesh.number_of_free_vertices;
-  return has_same_bits(u.rightCols(n), mesh.target.rightCols(n));
+  return has_same_bits(Matrix3Xd(u.rightCols(n)), Matrix3Xd(mesh.target.rightCols(n)));
 }
 
 using fixed_boundary::Outcome;
