@@ -39,7 +39,7 @@ inline void set_edges(const Numbered_mesh_3& mesh, const bool are_own, Corner_go
   const double shortest = are_own ? 0.05 : 0.5; // guesses; relative to the mean edge
   std::vector<Eigen::Vector3d> edges(mesh.cells.size() / 8, Eigen::Vector3d::Zero());
   const auto own_length = [&](const std::size_t corner, const std::size_t i)
-  { return edge_matrix(mesh.target, mesh.cells[corner]).col(i).norm(); };
+  { return edge_matrix(mesh.target, mesh.cells[corner]).col(static_cast<int>(i)).norm(); };
   const auto mean_length = [&](const std::size_t corner, const std::size_t i) -> double&
   {
     const std::array<std::size_t, 4>& vertices = corners_of_hexahedron[mesh.user_number(corner) % 8];
