@@ -23,6 +23,7 @@ import platform
 import re
 import resource
 import shlex
+import signal
 import statistics
 import subprocess
 import sys
@@ -114,16 +115,18 @@ def judge(case, folder):
 
 
 def run_command(words, folder, time_limit):
-    """What the program prints, and the resources that it has used, its own children included. The system ends it, and each of
-    its children, after this processor time."""
+    """What the program prints, the resources that it has used, its own children included, and whether the limit of processor
+    time ended it. The system ends each of its children by this limit, too."""
     def limit():
         if time_limit:
-            resource.setrlimit(resource.RLIMIT_CPU, (time_limit, time_limit))
+            resource.setrlimit(resource.RLIMIT_CPU, (time_limit, time_limit + 1))
     with open(folder / "output.txt", "w+") as output:
         process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT, preexec_fn=limit)
-        _, _, usage = os.wait4(process.pid, 0)
+        _, status_of_process, usage = os.wait4(process.pid, 0)
+        seconds = usage.ru_utime + usage.ru_stime  # the system counts the limit in ticks
+        killed = os.WIFSIGNALED(status_of_process) and os.WTERMSIG(status_of_process) == signal.SIGXCPU
         output.seek(0)
-        return output.read(), usage
+        return output.read(), usage, bool(time_limit) and (killed or seconds > 0.9 * time_limit)
 
 
 def run(name, command, first_valid, case, time_limit, pool):
@@ -134,11 +137,11 @@ def run(name, command, first_valid, case, time_limit, pool):
         paths = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
                  "refined": folder / "refined.mesh", "report": folder / "report.json"}
         begin = time.monotonic()
-        output, usage = run_command([word.format(**paths) for word in shlex.split(command)], folder, time_limit)
+        output, usage, limit_reached = run_command([word.format(**paths) for word in shlex.split(command)], folder, time_limit)
         elapsed, row["seconds"] = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
         row["megabytes"] = usage.ru_maxrss / 1000
         row.update(pool.submit(judge, case, folder).result())
-        if row["status"] == "no map" and time_limit and row["seconds"] > 0.9 * time_limit:  # the system counts in ticks
+        if row["status"] == "no map" and limit_reached:
             row["status"] = f"not within {time_limit} s"
         said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
         if said is not None:
