@@ -16,8 +16,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <new>
 #include <type_traits>
@@ -29,17 +27,6 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <int rows, int columns>
 using Small_matrix = Eigen::Matrix<double, rows, columns, Eigen::DontAlign>;
 using Small_array_2 = Eigen::Array<double, 2, 1, Eigen::DontAlign>;
-
-// Returns the length of a vector, without overflow or underflow, as std::hypot() does except in libc++. The stable norm of Eigen
-// adds in an order that depends on the address of the vector.
-inline double length_3(const Eigen::Vector3d& v)
-{
-  const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
-  if(largest == 0 || std::isinf(largest))
-    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
-  const double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest;
-  return largest * std::sqrt(x * x + y * y + z * z);
-}
 
 // A matrix or vector whose size is known at run time, in memory of its own. Eigen's own ones allocate and align memory by the
 // flags of a unit; the linker may merge their functions with those of a unit that has other flags. This one is the same in

@@ -95,6 +95,17 @@ private:
   double m_values[3];
 };
 
+// Returns the length of a vector, without overflow or underflow, as std::hypot() does except in libc++. The stable norm of Eigen
+// adds in an order that depends on the address of the vector.
+inline double length_3(const Eigen::Vector3d& v)
+{
+  const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  if(largest == 0 || std::isinf(largest))
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+  const double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest;
+  return largest * std::sqrt(x * x + y * y + z * z);
+}
+
 // A matrix of three columns.
 class Matrix_3
 {
