@@ -28,14 +28,13 @@ writes the image of each boundary vertex. A boundary facet has a cell of the com
 The images of the facets form a closed surface without self-intersections, with the orientation of the boundary. A model may leave
 this to the caller, as `CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3` does.
 
-\param c3t3 the complex
-\param target receives the images; the property map of `CGAL::Volume_mesh_parameterization::make_vertex_point_map()`
-       can be passed as `boundary_map` afterwards
-
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`
 \tparam VertexPointMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 
+\param c3t3 the complex
+\param target receives the images; the property map of `CGAL::Volume_mesh_parameterization::make_vertex_point_map()`
+       can be passed as `boundary_map` afterwards
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin

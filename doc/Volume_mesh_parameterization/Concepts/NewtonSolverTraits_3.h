@@ -54,13 +54,13 @@ public:
   /// entries a row of blocks. The vector `x` has an arbitrary size on entry, and receives as many entries. An iterative solver
   /// may stop as soon as the residual, in a norm of its choice, is at most `tolerance` times its value for \f$x = 0\f$.
   ///
-  /// \return - `SUCCESS`;
+  /// \return one of the following. Only after the first three, `x` is used.
+  ///         - `SUCCESS`;
   ///         - `ITERATION_LIMIT` if the solver stopped before, with an `x` with \f$b^T x > 0\f$, which is not used to decide
   ///           about convergence;
   ///         - `TRUNCATED` if the matrix is not positive definite, and `x` with \f$b^T x > 0\f$ is the best vector found before;
   ///         - `NOT_POSITIVE_DEFINITE` if there is no such `x`;
   ///         - `OUT_OF_MEMORY` or `FAILED`.
-  ///         Only after the first three, `x` is used.
   CGAL::Volume_mesh_parameterization::Linear_solver_status
   solve(const Eigen::VectorXd& b, Eigen::VectorXd& x, double tolerance);
 

@@ -23,12 +23,12 @@ The as-rigid-as-possible energy
 \f$\psi = (\sigma_1 - 1)^2 + (\sigma_2 - 1)^2 + (\sigma_3 - 1)^2\f$ of
 Chao et al.\ \cgalCite{cgal:cpss-sgmed-10}, the squared distance of the differential to the nearest rotation.
 
-Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
+Minimum: 0 at an isometry. It is not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It has no barrier: cells may collapse or invert, unless the step length or
 `Barrier_energy_3` forbids it. It is smooth if \f$\sigma_2 + \sigma_3 > 0\f$, hence for all cells
 that are not inverted.
 
-To be used for deformations that are close to rigid.
+Use it for deformations that are close to rigid.
 
 \cgalModels{DistortionEnergy_3}
 */

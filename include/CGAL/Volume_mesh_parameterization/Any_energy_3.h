@@ -25,7 +25,7 @@ An energy whose type is chosen when the program runs. It holds a copy of a model
 evaluates the energy of several cells. Map and running time do not change. The functions that take an energy are compiled once
 for all energies. Copies share the energy that they hold.
 
-To be used where the energy is read from a file or a command line, or to shorten compilation.
+Use it if the energy is read from a file or a command line, or to shorten compilation.
 
 \cgalModels{DistortionEnergy_3}
 */

@@ -64,9 +64,9 @@ The defaults are the parameters of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, s
 and \f$V_M\f$ be the volumes of target and source. The barrier acts on cells with less than \f$V_D / V_M\f$ times their volume in
 the source. As both meshes are scaled to one volume before \f$D\f$ is computed, this is \f$\lambda = 1\f$.
 
-If no cell shrinks, the values are those of \f$\psi_0\f$. Not homogeneous.
+If no cell shrinks, the values are those of \f$\psi_0\f$. The sum is not homogeneous.
 
-To be used with energies that have no barrier of their own.
+Use it with energies that have no barrier of their own.
 
 \tparam Energy a model of `DistortionEnergy_3`
 

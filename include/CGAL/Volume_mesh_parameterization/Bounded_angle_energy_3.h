@@ -38,7 +38,7 @@ Cells whose four vertices are prescribed are not influenced at all.
 
 The energy tends to infinity when a cell becomes flat, and when a cell collapses if \f$\psi_0\f$ does.
 
-To be used where angles matter more than the mean of \f$\psi_0\f$. The closer \f$K\f$ is to what is
+Use it if angles matter more than the mean of \f$\psi_0\f$. The closer \f$K\f$ is to what is
 possible, the more Newton steps are needed. The named parameter `maximum_angle_distortion` relaxes the
 barrier as long as it has to, and not at all in the end.
 

@@ -25,7 +25,7 @@ Wang et al.\ \cgalCite{cgal:wgy-vhm-04}. Its minimizers are the harmonic maps.
 Minimum: 0 at a collapsed cell. It is homogeneous of degree 2: its minimizer does not depend on the scale of source
 and target. It has no barrier: cells may collapse or invert, unless the step length or `Barrier_energy_3` forbids it.
 
-To be used for smooth maps where the distortion does not matter much, and as a part of other energies.
+Use it for smooth maps if the distortion does not matter much, and as a part of other energies.
 
 \cgalModels{DistortionEnergy_3}
 */

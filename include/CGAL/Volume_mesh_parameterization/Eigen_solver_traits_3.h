@@ -27,7 +27,7 @@ makes a solver for Newton's method of a sparse solver of Eigen. Examples are `Ei
 `Eigen::CholmodDecomposition`, `Eigen::PardisoLLT` and `Eigen::ConjugateGradient`. The solver needs `analyzePattern()`,
 `factorize()` and `solve()`. Both triangles of the matrix are copied for it. An iterative solver gets the tolerance of each step.
 
-Pivots, of which `Eigen::SimplicialLDLT` tells, must be positive. Other solvers that do not notice indefinite matrices, such as
+The pivots of `Eigen::SimplicialLDLT` must be positive. Other solvers that do not notice indefinite matrices, such as
 `Eigen::SparseLU` and `Eigen::ConjugateGradient`, must find a direction of descent. The time and memory are those of the solver; a
 copy of the matrix takes 12 bytes a number in addition.
 
@@ -65,7 +65,7 @@ public:
 
   /// factorizes `A`, or prepares for iterations.
   ///
-  /// \return `SUCCESS`, `NOT_POSITIVE_DEFINITE` if Eigen tells a numerical issue or a pivot that is not positive, or `FAILED`
+  /// \return `SUCCESS`, `NOT_POSITIVE_DEFINITE` if Eigen reports a numerical issue or a pivot is not positive, or `FAILED`
   Linear_solver_status factorize(const Matrix& A)
   {
     if(A.size() == 0)
@@ -105,7 +105,7 @@ private:
   { return solver.info() != Eigen::Success || solver.vectorD().minCoeff() > 0; }
 
   template <typename Solver>
-  static bool has_positive_pivots(const Solver&, long) { return true; } // solvers that have no pivots, or do not tell them
+  static bool has_positive_pivots(const Solver&, long) { return true; } // solvers that have no pivots, or do not show them
 
   Linear_solver_status status() const
   {

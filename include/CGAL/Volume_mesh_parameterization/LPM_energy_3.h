@@ -23,11 +23,11 @@ The energy of length preserving maps,
 \f$\psi = (\sigma_1^2 - 1)^2 + (\sigma_2^2 - 1)^2 + (\sigma_3^2 - 1)^2 = |J^T J|^2 - 2\,|J|^2 + 3\f$
 in the form of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (6).
 
-Minimum: 0 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
+Minimum: 0 at an isometry. It is not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It has no barrier, and a collapsed cell has an energy of at most 3. Therefore, cells may collapse or
 invert, unless the step length or `Barrier_energy_3` forbids it.
 
-To be used where lengths must not grow: unlike `ARAP_energy_3` it grows with the fourth power.
+Use it if lengths must not grow: unlike `ARAP_energy_3`, it grows with the fourth power.
 
 \cgalModels{DistortionEnergy_3}
 */

@@ -28,7 +28,7 @@ Minimum: 0 at a similarity, but at a collapsed cell as well. It is homogeneous o
 cells dominate. It has no barrier: cells may collapse or invert, unless the step length or
 `Barrier_energy_3` forbids it.
 
-To be used for comparisons; for maps that preserve angles, `MIPS_energy_3` does not favor small cells.
+Use it for comparisons. For maps that preserve angles, `MIPS_energy_3` does not favor small cells.
 
 \cgalModels{DistortionEnergy_3}
 */

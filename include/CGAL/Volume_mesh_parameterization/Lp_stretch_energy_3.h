@@ -35,7 +35,7 @@ cell collapses, so it needs no further barrier.
 The root keeps the range of the values independent of \f$p\f$: nothing overflows for large \f$p\f$. It
 concerns each cell by itself; with `Power_energy_3` the maximum over the cells can be approached, too.
 
-To be used where only the strongest compression in a cell matters. The larger \f$p\f$, the more Newton steps are needed.
+Use it if only the strongest compression in a cell matters. The larger \f$p\f$, the more Newton steps are needed.
 
 \cgalModels{DistortionEnergy_3}
 */

@@ -33,7 +33,7 @@ It bounds the ratio \f$r = \sigma_1/\sigma_3\f$ of the largest to the smallest s
 with \f$k = r + 1/r\f$, \f$\;k (k + 2) / 8 \le \psi \le k^2 / 4\f$. The lower bound is attained for
 \f$\sigma_2^2 = \sigma_1 \sigma_3\f$, the upper one where two singular values are equal.
 
-To be used for maps that preserve angles; volumes may change by any factor.
+Use it for maps that preserve angles. Volumes may change by any factor.
 
 \cgalModels{DistortionEnergy_3}
 */

@@ -70,7 +70,13 @@ class Vertex_condition_3
 {
 public:
   /// The kinds of conditions.
-  enum Kind { FREE, IN_PLANE, ON_LINE, AT_TARGET };
+  enum Kind
+  {
+    FREE,     ///< the image may be anywhere
+    IN_PLANE, ///< the image is in a plane through the target
+    ON_LINE,  ///< the image is on a line through the target
+    AT_TARGET ///< the image is the target
+  };
 
   /// constructs the condition of a free vertex, which needs no target.
   Vertex_condition_3() = default;
@@ -224,7 +230,7 @@ enum class Step_kind
 {
   NEWTON, ///< a Newton step over all vertices that move
   PATCH,  ///< inverted cells with the cells around them are untangled, as a problem of their own
-  ROUND,  ///< a round of a loop over the boundary or over hexahedra begins, of which only name, number and time are told
+  ROUND,  ///< a round of a loop over the boundary or over hexahedra begins; it has a name, a number and a time only
   /// an attempt to untangle a patch with edges split, to find the necessary splits
   SPLIT
 };

@@ -24,10 +24,10 @@ namespace CGAL::Volume_mesh_parameterization {
 
 The ways in which a parameterization can end.
 
-With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED` there
-is a map without inverted cells, with `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED` there may be one: see
-`Parameterization_result::has_valid_map`. With the other values there is none. The values from
-`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`, the last three from
+With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED`, there
+is a map without inverted cells. With `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED`, there may be one:
+`Parameterization_result::has_valid_map` reports it. With the other values, there is none. The values from
+`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`. The last four come from
 `Volume_mesh_parameterization::make_hexahedral_mesh_3()`.
 */
 enum Error_code

@@ -25,7 +25,7 @@ of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (4).
 Minimum for prescribed volume: 3 at an isometry. It is homogeneous of degree -2: its minimizer does not depend on
 the scale of source and target. It tends to infinity when a cell becomes flat, so it needs no further barrier.
 
-To be used where no direction may be compressed too much: the default, a compromise between angles and volumes.
+Use it if no direction may be compressed too much. It is the default, and a compromise between angles and volumes.
 
 \cgalModels{DistortionEnergy_3}
 */

@@ -29,8 +29,8 @@ Two surfaces are given, for instance read from files. The first one is the bound
 `CGAL::facets_in_complex_3_to_triangle_mesh()` writes it. The second one is the target, whose i-th vertex is the image of the
 i-th vertex of the first surface. The vertices of the complex are found by their coordinates, which must be exactly the same.
 
-Whether the target intersects itself or is turned inside out is not checked here: see
-`CGAL::Polygon_mesh_processing::does_self_intersect()`.
+The function does not check whether the target intersects itself or is turned inside out:
+`CGAL::Polygon_mesh_processing::does_self_intersect()` finds self-intersections.
 
 \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 

@@ -24,10 +24,10 @@ The symmetric Dirichlet energy
 of Smith and Schaefer \cgalCite{cgal:ss-bpfb-15}, the sum of `Dirichlet_energy_3` and `Stretch_energy_3`.
 It treats a map and its inverse alike.
 
-Minimum: 6 at an isometry. Not homogeneous: it compares lengths, with the volume of the source scaled
+Minimum: 6 at an isometry. It is not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It tends to infinity when a cell collapses, so it needs no further barrier.
 
-To be used for maps that are as isometric as possible in both directions.
+Use it for maps that are as isometric as possible in both directions.
 
 \cgalModels{DistortionEnergy_3}
 */

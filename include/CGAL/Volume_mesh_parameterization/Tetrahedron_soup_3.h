@@ -34,8 +34,8 @@ struct Data_array_3
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// A tetrahedral mesh as a file holds it: arrays in the order of the file, indices that start at 0. References are the
-/// numbers by which a file tells materials or patches apart, 0 if there is none.
+/// A tetrahedral mesh as a file holds it: arrays in the order of the file, indices that start at 0. References are
+/// numbers of materials or patches, 0 if there is none.
 ///
 /// If a mesh is refined, parts of cells, facets and edges have the references and data of these. Point data of a new
 /// vertex are interpolated, but integers are those of a vertex beside it.

@@ -58,7 +58,7 @@ std::vector<typename C3t3::Vertex_handle> boundary_vertices(const C3t3& c3t3)
 
 returns the points on the boundary of a mesh that is given by arrays, as indices in the order of the cells.
 
-\exception Input_error is thrown as by `CGAL::stretch_minimizing_volume_parameterization()`.
+\exception Input_error is thrown as by CGAL::stretch_minimizing_volume_parameterization().
 */
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellRange& cells)

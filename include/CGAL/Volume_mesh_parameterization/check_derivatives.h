@@ -35,7 +35,7 @@ struct Derivative_errors_3
   double gradient = 0; ///< error of the gradient, against central differences of the value
   double hessian = 0;  ///< error of the Hessian, against central differences of the gradient
 
-  /// tells whether all errors are below `bound`.
+  /// returns whether all errors are below `bound`.
   bool are_small() const { return symmetry < bound && gradient < bound && hessian < bound; }
 };
 

@@ -30,7 +30,7 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-What the images of the vertices of a surface patch may do: they stay where they are, or are in a plane.
+The condition of the images of the vertices of a surface patch: they keep their positions, or are in a plane.
 */
 class Patch_condition_3
 {
@@ -81,7 +81,7 @@ The conditions of the vertices of some patches, for `vertex_condition_map`, with
 template <typename Conditions, typename Targets>
 struct Conditions_and_targets_3
 {
-  Conditions conditions; ///< of each vertex; one without an entry is free
+  Conditions conditions; ///< the condition of each vertex; a vertex without an entry is free
   Targets targets;       ///< the target of each vertex that is not free
 };
 

@@ -135,7 +135,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
     \cgalParamExtra{Simplices of a vertex with a coordinate that is not finite are not removed.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{tells the vertices inside the complex that count as vertices of the boundary}
+    \cgalParamDescription{the vertices inside the complex that count as vertices of the boundary}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
   \cgalParamNEnd
@@ -145,7 +145,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
     \cgalParamDefault{no limit}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{may end the refinement, if it has the function `goes_on()`; is not told of steps}
+    \cgalParamDescription{may end the refinement, if it has the function `goes_on()`; it receives no steps}
     \cgalParamType{a model of `ParameterizationVisitor_3`, passed by `std::ref()` if it keeps a state of interest}
     \cgalParamDefault{`Volume_mesh_parameterization::Default_visitor`}
   \cgalParamNEnd

@@ -50,7 +50,7 @@ inline void turn_cells(const std::vector<std::size_t>& cells, Tetrahedron_soup_3
 ///
 /// \return the number of cells that have been turned, by an exchange of their last two vertices
 ///
-/// \exception Input_error is thrown as by `tetrahedron_soup_to_mesh_complex_3()`, with one difference. If all cells are oriented
+/// \exception Input_error is thrown as by tetrahedron_soup_to_mesh_complex_3(), with one difference. If all cells are oriented
 ///            alike, facets are not checked, because the functions for arrays check them. It is also thrown if turned cells lie
 ///            on the same side of a facet as others. The soup is then unchanged.
 template <typename ConcurrencyTag = Sequential_tag>
@@ -81,8 +81,8 @@ std::size_t orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
 ///
 /// \return the number of cells that have been turned, by an exchange of their last two vertices
 ///
-/// \exception Input_error tells that facets do not determine the orientation, for instance as three cells share one; the soup is
-///            then unchanged.
+/// \exception Input_error if facets do not determine the orientation, for instance because three cells share one. The soup is then
+///            unchanged.
 inline std::size_t orient_tetrahedron_soup_by_facets(Tetrahedron_soup_3& soup)
 {
   internal::check_points(soup);

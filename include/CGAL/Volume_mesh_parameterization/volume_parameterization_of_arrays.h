@@ -37,7 +37,7 @@ the named parameter `boundary_parameterizer` finds them, by default on the unit 
 \param cells four indices of points each, such that all cells are positive; modified only if the mesh may be refined. A cell
        that is split becomes one of its parts, the other parts are appended.
 \param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
-       read, unless `vertex_is_constrained_map` or `vertex_condition_map` tells them; a coordinate that is not a number stands for
+       read, unless `vertex_is_constrained_map` or `vertex_condition_map` lists them; a coordinate that is not a number stands for
        a missing target.
 \param images receives the image of each point, also of the new ones, if the map is valid, and is left alone otherwise.
        Points without a cell receive coordinates that are not numbers. May be the same array as `targets`, or, without

@@ -91,7 +91,7 @@ namespace IO {
 ///
 /// \return whether the stream has taken everything
 ///
-/// \exception Input_error tells which arrays do not fit together.
+/// \exception Input_error names the arrays that do not fit together.
 inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
   internal::check_hexahedra(mesh);
@@ -123,7 +123,7 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 ///
 /// \return whether the stream has taken everything
 ///
-/// \exception Input_error tells which arrays do not fit together.
+/// \exception Input_error names the arrays that do not fit together.
 inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 {
   internal::check_hexahedra(mesh);
@@ -208,7 +208,7 @@ inline bool write_VTU(const std::string& filename, const Hexahedron_soup_3& mesh
 ///
 /// \pre The type is one of these; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 ///
-/// \exception Input_error tells which arrays do not fit together.
+/// \exception Input_error names the arrays that do not fit together.
 inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std::string& element_type = "C3D8",
                       const std::map<std::pair<int, int>, std::string>& group_names = {})
 {

@@ -78,7 +78,7 @@ one by one: the volume of all must be positive.
 
 \param soup this process's slice of the mesh
 \param targets the image of each point of the slice that is a vertex of the boundary, of a facet of one cell only. The
-       others are not read, unless `vertex_is_constrained_map` tells them; a coordinate that is not a number stands for a
+       others are not read, unless `vertex_is_constrained_map` lists them; a coordinate that is not a number stands for a
        missing target.
 \param images receives the image of each point of the slice if the map is valid, and is left alone otherwise. Points
        without a cell receive coordinates that are not numbers. May be the same array as `targets`.

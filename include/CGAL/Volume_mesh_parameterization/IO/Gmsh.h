@@ -28,7 +28,7 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 /// \param filename the name of the file, which must be a regular one
 /// \param soup gets the mesh
 ///
-/// \exception Input_error tells what is wrong, in the words of Gmsh where it knows; \c soup is then unchanged. On a damaged file,
+/// \exception Input_error names the fault, if possible in the words of Gmsh; \c soup is then unchanged. On a damaged file,
 ///            Gmsh may crash or never finish.
 inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 {

@@ -65,7 +65,7 @@ namespace IO {
 ///
 /// The sections `Vertices`, `Tetrahedra`, `Triangles`, `Edges` and `Corners` are read, in any order, and joined where there are
 /// several of a kind. Of second-order elements (`TetrahedraP2`, ...), the corners are read, and points that are no corners are
-/// left out, as a note of the soup tells. The references of vertices and the other sections are skipped, among them `Ridges`,
+/// left out, and a note of the soup says so. The references of vertices and the other sections are skipped, among them `Ridges`,
 /// because all `Edges` are marked. Volume elements other than tetrahedra are an error. The final keyword `End` may be missing.
 /// The time is linear in the size of the file.
 ///
@@ -116,7 +116,7 @@ bool read_MEDIT(const std::string& filename, Tetrahedron_soup_3& soup,
 ///
 /// \return whether the stream has taken everything
 ///
-/// \exception Input_error tells that an index does not exist, or a reference is missing.
+/// \exception Input_error if an index does not exist, or a reference is missing.
 inline bool write_MEDIT(std::ostream& os, const Tetrahedron_soup_3& soup)
 {
   internal::check_simplices(soup);

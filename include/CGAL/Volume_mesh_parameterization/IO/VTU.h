@@ -83,7 +83,7 @@ namespace IO {
 ///
 /// \return `false` if the time is over or the visitor ends the reading; `soup` is then unchanged.
 ///
-/// \exception Input_error tells what is wrong; \c soup is then unchanged.
+/// \exception Input_error names the fault; \c soup is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 bool read_VTU(std::istream& is, Tetrahedron_soup_3& soup, const NamedParameters& np = parameters::default_values())
 {
@@ -127,7 +127,7 @@ bool read_VTU(const std::string& filename, Tetrahedron_soup_3& soup, const Named
 ///
 /// \return whether the stream has taken everything
 ///
-/// \exception Input_error tells that an index does not exist, or a reference is missing.
+/// \exception Input_error if an index does not exist, or a reference is missing.
 ///
 /// \pre `uvw` has as many points as `soup`; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 inline bool write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& uvw)
@@ -150,7 +150,7 @@ inline bool write_VTU(std::ostream& os, const Tetrahedron_soup_3& soup, const st
 ///
 /// \return whether the stream has taken everything
 ///
-/// \exception Input_error tells that an index does not exist.
+/// \exception Input_error if an index does not exist.
 ///
 /// \pre There are as many images as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 template <typename PointRange, typename CellRange, typename ImageRange>

@@ -193,7 +193,7 @@ bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
 ///
 /// \return `false` if the time is over or the visitor ends the search; `targets` is then unchanged.
 ///
-/// \exception Input_error tells why `target` does not fit; \c targets is then unchanged.
+/// \exception Input_error names the reason if \c target does not fit; \c targets is then unchanged.
 template <typename NamedParameters = parameters::Default_named_parameters>
 bool boundary_targets_of_mesh(const Tetrahedron_soup_3& target, const Tetrahedron_soup_3& source,
                               std::vector<std::array<double, 3> >& targets,
@@ -207,7 +207,7 @@ bool boundary_targets_of_mesh(const Tetrahedron_soup_3& target, const Tetrahedro
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads target points from a file. The extension tells the format:
+/// reads target points from a file. The extension decides about the format:
 /// - `.csv`: a table, for instance of ParaView, with the columns `Points:0` to `Points:2`, or `x`, `y` and `z`, and perhaps
 ///   `Point ID`. Without a line of names, the columns are the index and the coordinates, or the coordinates alone;
 /// - `.off`, `.stl`, `.ply`, `.obj`, `.vtp`: a surface, for `boundary_targets_of_mesh()`;
