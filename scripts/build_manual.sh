@@ -30,7 +30,7 @@ perl -0777 -ne '
   { ($name, $text) = ($1, substr($2, 1, -1)); $text =~ s/\s*\n\s*/ /g; $text{$name} //= $text; push @{$where{$name}}, $ARGV =~ s|.*/(\w+)\.h|$1|r }
   END
   {
-    print "/// \\defgroup PkgVolumeMeshParameterizationNamedParameters Named Parameters\n/// \\ingroup PkgVolumeMeshParameterizationRef\n";
+    print "/// \\defgroup PkgVolumeMeshParameterizationNamedParameters Named Parameters\n/// \\ingroup PkgVolumeMeshParameterizationRef\n/// The named parameters of all functions.\n";
     print "namespace CGAL {\n/// Named parameters of functions.\nnamespace parameters {\n";
     print "/// \\ingroup PkgVolumeMeshParameterizationNamedParameters\n/// $text{$_}\n///\n/// Parameter of: ",
           join(", ", map { "`CGAL::" . ($_ =~ /^stretch/ ? "" : "Volume_mesh_parameterization::") . "$_()`" } @{$where{$_}}),
@@ -44,7 +44,17 @@ for concept in $doc/Concepts/*.h; do
   name=$(basename "$concept" .h)
   sed -i "s/$name Class Reference/$name Concept Reference/; /#include.*Concepts\/$name/d" "$output/html/class${name//_/__}.html"
 done
-sed -i -E '/#include.*named_parameters.h/d' $output/html/*NamedParameters.html
+sed -i -E '/#include.*named_parameters.h/d; /^<p>Inherited by /d' $output/html/{*NamedParameters,struct*}.html
+# Names of named parameters are links to them.
+perl -0777 -i -pe '
+  BEGIN { open($file, glob("'$output'/html/*NamedParameters.html")); $page = <$file>;
+          $anchor{$2} = $1 while $page =~ /id="(\w+)"[^>]*><\/a>\s*<h2 class="memtitle"><span.*?<\/span>(\w+)\(/g }
+  s|<code>(\w+)(\([^<]*\))?</code>|$anchor{$1} ? "<a class=\"el\" href=\"group__PkgVolumeMeshParameterizationNamedParameters.html#$anchor{$1}\">$&</a>" : $&|ge
+' $output/html/{index,class*,struct*,group*,*Manual,*Paper}.html
+if grep -n '`' $output/html/{index,Pkg,class,struct,group,namespace}*.html; then
+  echo "Doxygen did not read the code in these lines" >&2
+  exit 1
+fi
 sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/; s/"(Volume_mesh_parameterization|Polycube_meshing_3)\/([^"]*\.(cpp|h)")/"\2/' $output/html/*.js
 echo "Open $PWD/$output/html/index.html"
 if [ "${1:-}" = --open ]; then
