@@ -84,7 +84,7 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
-    \cgalParamDescription{the interior vertices that meet `boundary_map`, too, and the boundary vertices that must not slide}
+    \cgalParamDescription{interior vertices with images in `boundary_map`, and boundary vertices that must not slide}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and `bool` as value type}
     \cgalParamDefault{a constant property map returning `false`}
     \cgalParamPrecondition{`boundary_map` is given as well.}
@@ -177,7 +177,7 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamDefault{`false`: all cells count alike, as in the paper}
   \cgalParamNEnd
   \cgalParamNBegin{use_regular_references}
-    \cgalParamDescription{whether each image is compared with a regular tetrahedron, so that cells of the source may be inverted
+    \cgalParamDescription{whether each image is compared with a regular tetrahedron; cells of the source may then be inverted
                           or flat (\ref VMPTangled)}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}

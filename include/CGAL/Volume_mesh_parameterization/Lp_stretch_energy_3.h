@@ -30,7 +30,7 @@ For \f$p = 2\f$ it is `Stretch_energy_3`; for large \f$p\f$ it approaches the sq
 
 It is homogeneous of degree -2 for every \f$p\f$: its minimizer does not depend on the scale of source
 and target. Minimum for prescribed volume: \f$3^{2/p}\f$ at an isometry. It tends to infinity when a
-cell collapses, so it needs no further barrier.
+cell collapses, and needs no further barrier.
 
 The root keeps the range of the values independent of \f$p\f$: nothing overflows for large \f$p\f$. It
 concerns each cell by itself; with `Power_energy_3` the maximum over the cells can be approached, too.

@@ -28,7 +28,7 @@ measures angles.
 The Hessian is positive semi-definite if that of \f$\psi_0\f$ is. It is homogeneous of degree
 \f$d p\f$ if \f$\psi_0\f$ is so of degree \f$d\f$, and has its minima at the same singular values.
 
-The range of the values is that of \f$\psi_0\f$ to the power \f$p\f$, and about that of the condition of the linear systems.
+The power widens the range of the values and, about as much, the condition number of the linear systems.
 Small exponents such as 2 to 5 have most of the effect. Values above
 \f$10^{308/p}\f$ overflow; solvers in single precision stand \f$10^{30/p}\f$.
 

@@ -23,7 +23,7 @@ The \f$L^2\f$ stretch energy \f$\psi = \sigma_1^{-2} + \sigma_2^{-2} + \sigma_3^
 of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (4).
 
 Minimum for prescribed volume: 3 at an isometry. It is homogeneous of degree -2: its minimizer does not depend on
-the scale of source and target. It tends to infinity when a cell becomes flat, so it needs no further barrier.
+the scale of source and target. It tends to infinity when a cell becomes flat, and needs no further barrier.
 
 Use it if no direction may be compressed too much. It is the default, and a compromise between angles and volumes.
 

@@ -25,7 +25,7 @@ of Smith and Schaefer \cgalCite{cgal:ss-bpfb-15}, the sum of `Dirichlet_energy_3
 It treats a map and its inverse alike.
 
 Minimum: 6 at an isometry. It is not homogeneous: it compares lengths, with the volume of the source scaled
-to that of the target. It tends to infinity when a cell collapses, so it needs no further barrier.
+to that of the target. It tends to infinity when a cell collapses, and needs no further barrier.
 
 Use it for maps that are as isometric as possible in both directions.
 

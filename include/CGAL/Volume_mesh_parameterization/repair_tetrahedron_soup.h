@@ -113,8 +113,8 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// makes cells and marked facets, edges and corners use the first one of points with the same coordinates. The other ones stay, so
-/// that indices have their meaning, and have no cell any more.
+/// makes cells and marked facets, edges and corners use the first one of points with the same coordinates. The other points
+/// stay without cells, and indices do not change.
 ///
 /// \return that of `first_coinciding_points()`
 ///

@@ -248,8 +248,8 @@ inline std::string name_of_piece(const std::string& filename, const int rank)
 /// \param uvw the image of each point of the slice
 ///
 /// \exception Input_error if an index does not exist, or a reference is missing, in all processes. No file is written.
-/// \exception std::runtime_error names the file that cannot be written, or reports that a process has fewer or more images than
-///            points. All processes throw it.
+/// \exception std::runtime_error names a file that cannot be written, or a process with fewer or more images than points. All
+///            processes throw it.
 inline void write_PVTU(const std::string& filename, const Distributed_tetrahedron_soup_3& soup,
                        const std::vector<std::array<double, 3> >& uvw)
 {

@@ -63,10 +63,10 @@ namespace IO {
 /// have a byte order mark of UTF-8. Binary files (`.meshb`) may have either order of bytes. The content decides about the
 /// format.
 ///
-/// The sections `Vertices`, `Tetrahedra`, `Triangles`, `Edges` and `Corners` are read, in any order, and joined where there are
-/// several of a kind. Of second-order elements (`TetrahedraP2`, ...), the corners are read, and points that are no corners are
-/// left out, and a note of the soup says so. The references of vertices and the other sections are skipped, among them `Ridges`,
-/// because all `Edges` are marked. Volume elements other than tetrahedra are an error. The final keyword `End` may be missing.
+/// The sections `Vertices`, `Tetrahedra`, `Triangles`, `Edges` and `Corners` are read, in any order, and several of a kind are
+/// joined. Of second-order elements (`TetrahedraP2`, ...), only the corners are read. Their other points are left out, and a note
+/// of the soup says so. The references of vertices and the other sections are skipped, among them `Ridges`, because all `Edges`
+/// are marked. Volume elements other than tetrahedra are an error. The final keyword `End` may be missing.
 /// The time is linear in the size of the file.
 ///
 /// \param is the stream

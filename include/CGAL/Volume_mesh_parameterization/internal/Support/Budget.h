@@ -132,7 +132,7 @@ private:
   using Visitor = Mutable_parameter<typename internal_np::Lookup_named_param_def<
     internal_np::visitor_t, NamedParameters, Default_visitor>::reference>;
   static_assert(Is_visitor<Visitor>::value,
-                "visitor must have a function bool after_step(const Parameterization_step&), which tells whether to go on.");
+                "visitor must have a function bool after_step(const Parameterization_step&), which returns whether to go on.");
 
   Default_visitor m_default;
   Visitor m_visitor;
