@@ -64,6 +64,18 @@ TEST_CASE("The length of a vector neither overflows nor underflows, and is infin
   CHECK(std::isnan(length_3({ 1, 2, none })));
 }
 
+TEST_CASE("The product of two matrices has that of each row and column, also if a compiler uses large registers")
+{
+  using CGAL::Volume_mesh_parameterization::internal::Matrix_3;
+  Matrix_3 (* volatile product)(const Matrix_3&, const Matrix_3&) // volatile: not joined with the rest of this function
+    = [](const Matrix_3& A, const Matrix_3& B) { return A * B; };
+  for(const int n : { 3, 4, 5 })
+  {
+    const Eigen::Matrix3d A = numbers(n).rightCols(3), B = numbers(n).leftCols(3).transpose(); // of integers: exact
+    CHECK(Eigen::Matrix3d(product(A, B)) == A * B);
+  }
+}
+
 TEST_CASE("The eigenvectors of a symmetric matrix of two rows belong to its eigenvalues, whatever its scale is")
 {
   using CGAL::Volume_mesh_parameterization::internal::Small_matrix;

@@ -144,11 +144,12 @@ public:
   { return A.col(0) == B.col(0) && A.col(1) == B.col(1) && A.col(2) == B.col(2); }
   friend bool operator!=(const Matrix_3& A, const Matrix_3& B) { return !(A == B); }
 
-  // As Eigen's matrices, which have two numbers in a register, adds the last row from the right.
+  // Adds alike in all rows: if the last row is added from the right, as by Eigen, g++ 12 exchanges terms of two columns of a
+  // product in registers of AVX-512.
   friend Vector_3 operator*(const Matrix_3& A, const Vector_3& v)
   {
-    return { A(0, 0) * v[0] + A(0, 1) * v[1] + A(0, 2) * v[2], A(1, 0) * v[0] + A(1, 1) * v[1] + A(1, 2) * v[2],
-             A(2, 0) * v[0] + (A(2, 1) * v[1] + A(2, 2) * v[2]) };
+    const auto entry = [&](const int i) { return A(i, 0) * v[0] + A(i, 1) * v[1] + A(i, 2) * v[2]; };
+    return { entry(0), entry(1), entry(2) };
   }
   friend Matrix_3 operator*(const Matrix_3& A, const Matrix_3& B) { return { A * B.col(0), A * B.col(1), A * B.col(2) }; }
 
