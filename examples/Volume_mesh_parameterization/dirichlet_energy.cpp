@@ -44,7 +44,7 @@ int main()
   std::cout << result.message << "\n"
             << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
             << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n"
-            << "flattest cell: dihedral angle of " << result.quality.smallest_dihedral_angle << " degrees" << std::endl;
+            << "flattest cell: dihedral angle of " << result.quality.minimum_dihedral_angle << " degrees" << std::endl;
   const bool is_written = VMP::IO::write_VTU("dirichlet_energy.vtu", cube, VMP::make_vertex_point_map(uvw));
   return result.status == VMP::OK && is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

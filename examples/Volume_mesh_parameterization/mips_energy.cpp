@@ -41,7 +41,7 @@ int main()
   std::cout << result.message << "\n"
             << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
             << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max << "\n"
-            << "smallest dihedral angle " << result.quality.smallest_dihedral_angle << " degrees" << std::endl;
+            << "smallest dihedral angle " << result.quality.minimum_dihedral_angle << " degrees" << std::endl;
   const bool is_written = VMP::IO::write_VTU("mips_energy.vtu", cube, VMP::make_vertex_point_map(uvw));
   return result.status == VMP::OK && is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -86,7 +86,7 @@ struct Both
     : complex(mesh), soup(source_soup(mesh)), cells(cells_of(soup))
   {}
 
-  // Tells whether both ways have the same targets. The complex has them in `complex.target`.
+  // Returns whether both ways have the same targets. The complex has them in `complex.target`.
   bool has_same_targets(const VMP::Error_code of_complex, const Points& targets)
   {
     return of_complex == VMP::OK && has_same_bits(in_order(complex.vertices, complex.target), targets);
@@ -594,20 +594,20 @@ TEST_CASE("The quality of cells has closed forms, and that of the image is part 
 {
   const Points regular = { { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } };
   const VMP::Cell_quality_3 best = VMP::measure_quality(regular, Int_cells{ { 0, 2, 1, 3 } });
-  CHECK(best.smallest_dihedral_angle == Approx(70.528779365509));
-  CHECK(best.largest_dihedral_angle == Approx(70.528779365509));
+  CHECK(best.minimum_dihedral_angle == Approx(70.528779365509));
+  CHECK(best.maximum_dihedral_angle == Approx(70.528779365509));
   CHECK(best.minimum_scaled_jacobian == Approx(1));
-  CHECK(best.largest_aspect_ratio == Approx(1));
+  CHECK(best.maximum_aspect_ratio == Approx(1));
 
   const Points corner = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   const VMP::Cell_quality_3 quality = VMP::measure_quality(corner, Int_cells{ { 0, 1, 2, 3 } });
-  CHECK(quality.smallest_dihedral_angle == Approx(54.735610317245));
-  CHECK(quality.largest_dihedral_angle == Approx(90));
+  CHECK(quality.minimum_dihedral_angle == Approx(54.735610317245));
+  CHECK(quality.maximum_dihedral_angle == Approx(90));
   CHECK(quality.minimum_scaled_jacobian == Approx(std::sqrt(0.5)));
   const double radius = 0.5 / (1.5 + std::sqrt(3.) / 2);
-  CHECK(quality.largest_aspect_ratio == Approx(std::sqrt(2.) / (2 * std::sqrt(6.) * radius)));
+  CHECK(quality.maximum_aspect_ratio == Approx(std::sqrt(2.) / (2 * std::sqrt(6.) * radius)));
   CHECK(VMP::measure_quality(corner, Int_cells{ { 0, 2, 1, 3 } }).minimum_scaled_jacobian == Approx(-std::sqrt(2.)));
-  CHECK(std::isnan(VMP::measure_quality(corner, Int_cells()).largest_aspect_ratio));
+  CHECK(std::isnan(VMP::measure_quality(corner, Int_cells()).maximum_aspect_ratio));
 
   const Bent_fan fan;
   Points images;
@@ -615,7 +615,7 @@ TEST_CASE("The quality of cells has closed forms, and that of the image is part 
     fan.points, fan.cells, fan.points, images, params::number_of_iterations(0));
   const VMP::Cell_quality_3 of_image = VMP::measure_quality(images, fan.cells);
   CHECK(result.quality.minimum_scaled_jacobian == Approx(of_image.minimum_scaled_jacobian));
-  CHECK(result.quality.smallest_dihedral_angle == Approx(of_image.smallest_dihedral_angle));
-  CHECK(result.quality.largest_dihedral_angle == Approx(of_image.largest_dihedral_angle));
-  CHECK(result.quality.largest_aspect_ratio == Approx(of_image.largest_aspect_ratio));
+  CHECK(result.quality.minimum_dihedral_angle == Approx(of_image.minimum_dihedral_angle));
+  CHECK(result.quality.maximum_dihedral_angle == Approx(of_image.maximum_dihedral_angle));
+  CHECK(result.quality.maximum_aspect_ratio == Approx(of_image.maximum_aspect_ratio));
 }

@@ -27,8 +27,9 @@ The ways in which a parameterization can end.
 With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED`, there
 is a map without inverted cells. With `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED`, there may be one:
 `Parameterization_result::has_valid_map` reports it. With the other values, there is none. The values from
-`ERROR_NON_MANIFOLD_BOUNDARY` on come from models of `BoundaryParameterizer_3`. The last four come from
-`Volume_mesh_parameterization::make_hexahedral_mesh_3()`.
+`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_INVALID_LANDMARK` come from models of `BoundaryParameterizer_3`. The last six are codes of
+the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns the
+status of its boundary parameterizer. Hexahedra also share the codes for bad input.
 */
 enum Error_code
 {
@@ -55,10 +56,11 @@ enum Error_code
   ERROR_BOUNDARY_TOO_COARSE,         ///< the boundary has not enough vertices for the edges of the target
   ERROR_BOUNDARY_MAP_NOT_BIJECTIVE,  ///< rounding made the map of the boundary not one to one
   ERROR_OTHER_CONNECTIVITY,          ///< the surface for the target has another connectivity than the boundary
-  ERROR_NO_POLYCUBE,                 ///< no polycube was found, or none with the labels given
   ERROR_INVALID_CORNERS,             ///< the corners of a cube are not eight different vertices of the boundary
   ERROR_MIRRORED_CORNERS,            ///< the corners of a cube fit its mirror image
   ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
+  // codes of the package Polycube_meshing_3
+  ERROR_NO_POLYCUBE,                 ///< no polycube was found, or none with the labels given
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
   ERROR_INVERTED_HEXAHEDRON,         ///< the Jacobian determinant of a hexahedron is not positive all over it
@@ -109,8 +111,6 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_BOUNDARY_MAP_NOT_BIJECTIVE: return "After rounding, the map of the boundary is not one to one.";
     case ERROR_OTHER_CONNECTIVITY:
       return "The surface for the target and the boundary of the complex have different connectivities.";
-    case ERROR_NO_POLYCUBE:
-      return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_INVALID_CORNERS:
       return "The corners of a cube must be eight different vertices of the boundary of the complex.";
     case ERROR_MIRRORED_CORNERS:
@@ -118,6 +118,8 @@ inline const char* get_error_message(const Error_code code)
              "0 and 1, 2 and 3, 4 and 5, 6 and 7.";
     case ERROR_INVALID_LANDMARK:
       return "Each landmark must be a vertex of the boundary of the complex, and its point must be finite.";
+    case ERROR_NO_POLYCUBE:
+      return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_SPACING_TOO_COARSE:
       return "At multiples of the spacing, faces of the polycube would merge. Make the spacing smaller.";
     case ERROR_DOMAIN_NOT_AXIS_PARALLEL:
@@ -180,13 +182,13 @@ The worst shapes of tetrahedra, by measures of simulations. Without a cell, the 
 */
 struct Cell_quality_3
 {
-  double smallest_dihedral_angle = std::numeric_limits<double>::quiet_NaN(); ///< in degrees; 70.5 if all cells are regular
-  double largest_dihedral_angle = std::numeric_limits<double>::quiet_NaN();  ///< in degrees; 70.5 if all cells are regular
+  double minimum_dihedral_angle = std::numeric_limits<double>::quiet_NaN(); ///< in degrees; 70.5 if all cells are regular
+  double maximum_dihedral_angle = std::numeric_limits<double>::quiet_NaN();  ///< in degrees; 70.5 if all cells are regular
   /// \f$\sqrt{2}\f$ times the determinant of the three edges at a vertex, divided by the product of their lengths. The value is
   /// the least of all vertices of all cells: 1 if all cells are regular, 0 if one is flat
   double minimum_scaled_jacobian = std::numeric_limits<double>::quiet_NaN();
   /// the longest edge of a cell by \f$2\sqrt{6}\f$ times the radius of its inscribed sphere; 1 if all cells are regular
-  double largest_aspect_ratio = std::numeric_limits<double>::quiet_NaN();
+  double maximum_aspect_ratio = std::numeric_limits<double>::quiet_NaN();
 };
 
 /*!
@@ -226,7 +228,7 @@ struct Parameterization_result
 
   std::size_t number_of_linear_solver_iterations = 0; ///< iterations in all stages; 0 if the solver counts none
 
-  /// name of the method that found the first map without inverted cells. This is the harmonic extension of the boundary alone,
+  /// name of the method that found the first map without inverted cells. This is the harmonic extension of the boundary,
   /// patches of cells, one of the settings of untangling, or the soft boundary
   std::string untangling_method;
 

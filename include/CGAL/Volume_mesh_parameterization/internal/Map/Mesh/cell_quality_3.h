@@ -64,10 +64,10 @@ inline Cell_quality_3 quality_of_cell(const std::array<Vector_3, 4>& p)
 
 inline Cell_quality_3 worse(const Cell_quality_3& a, const Cell_quality_3& b)
 {
-  return { (std::min)(a.smallest_dihedral_angle, b.smallest_dihedral_angle),
-           (std::max)(a.largest_dihedral_angle, b.largest_dihedral_angle),
+  return { (std::min)(a.minimum_dihedral_angle, b.minimum_dihedral_angle),
+           (std::max)(a.maximum_dihedral_angle, b.maximum_dihedral_angle),
            (std::min)(a.minimum_scaled_jacobian, b.minimum_scaled_jacobian),
-           (std::max)(a.largest_aspect_ratio, b.largest_aspect_ratio) };
+           (std::max)(a.maximum_aspect_ratio, b.maximum_aspect_ratio) };
 }
 
 // Returns the worst of all qualities; for none, what no cell is better than.

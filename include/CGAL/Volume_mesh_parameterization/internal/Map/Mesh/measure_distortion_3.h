@@ -78,8 +78,8 @@ inline Cell_quality_3 measure_quality_3(const Numbered_mesh_3& mesh, const Matri
     return quality_of_cell({ image.col(cell[0]), image.col(cell[1]), image.col(cell[2]), image.col(cell[3]) });
   }));
   const Communicator_3& communicator = *mesh.communicator;
-  return { communicator.minimum(own.smallest_dihedral_angle), communicator.maximum(own.largest_dihedral_angle),
-           communicator.minimum(own.minimum_scaled_jacobian), communicator.maximum(own.largest_aspect_ratio) };
+  return { communicator.minimum(own.minimum_dihedral_angle), communicator.maximum(own.maximum_dihedral_angle),
+           communicator.minimum(own.minimum_scaled_jacobian), communicator.maximum(own.maximum_aspect_ratio) };
 }
 
 inline double largest_angle_distortion_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
