@@ -262,9 +262,9 @@ TEST_CASE("what patches see of a mesh, and change, is the same with one process 
   CHECK(gathered.source.leftCols(n) == patch.mesh.source.leftCols(n));
   CHECK(neighborhood.positions().leftCols(n) == patch.positions.leftCols(n));
   CHECK(internal::volume(gathered, gathered.source) == Approx(internal::volume(patch.mesh, patch.mesh.source)));
-  CHECK(neighborhood.found([]() -> internal::Matrix3Xd { return Eigen::Matrix3Xd::Constant(3, 2, rank()); }).isZero(0));
+  CHECK(neighborhood.agreed_positions([]() -> internal::Matrix3Xd { return Eigen::Matrix3Xd::Constant(3, 2, rank()); }).isZero(0));
   const auto fail = []() -> internal::Matrix3Xd { throw std::bad_alloc(); };
-  CHECK_THROWS_AS(world().together([&]() { return neighborhood.found(fail); }), std::bad_alloc);
+  CHECK_THROWS_AS(world().together([&]() { return neighborhood.agreed_positions(fail); }), std::bad_alloc);
 
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> traits;
   internal::Linear_solver_of<decltype(traits)> solver(traits);

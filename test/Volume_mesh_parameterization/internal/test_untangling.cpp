@@ -3,7 +3,7 @@
 #include "map_checks.h"
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_patches_3.h>
 
 #include <algorithm>

@@ -48,7 +48,7 @@ public:
   }
 
   bool are_empty() const
-  { return std::none_of(m_groups.begin(), m_groups.end(), [](const Group& group) { return group.value.has_value(); }); }
+  { return std::none_of(m_planes.begin(), m_planes.end(), [](const Plane& plane) { return plane.value.has_value(); }); }
 
   // Gives up the shortest lines in the charts of faces that are flipped, or beside them: of those that are at such a face, if
   // there are any. Returns whether there were lines.
@@ -70,19 +70,19 @@ public:
   // Gives the vertices of lines their values, and holds these coordinates.
   void apply(std::vector<Eigen::Vector3d>& images, Held_coordinates& is_held) const
   {
-    for(const Group& group : m_groups)
-      for(const Line_of_chart_3& line : group.lines)
+    for(const Plane& plane : m_planes)
+      for(const Line_of_chart_3& line : plane.lines)
         for(const Vertex v : line.vertices)
-          if(group.value)
+          if(plane.value)
           {
-            images[v][group.axis] = *group.value;
-            is_held[v][group.axis] = true;
+            images[v][plane.axis] = *plane.value;
+            is_held[v][plane.axis] = true;
           }
   }
 
 private:
-  // Lines that have one value.
-  struct Group
+  // Plane of lines with one value.
+  struct Plane
   {
     std::vector<Line_of_chart_3> lines;
     int axis;
@@ -101,9 +101,9 @@ private:
   template <typename Predicate>
   bool give_up_shortest(const Predicate& is_bad)
   {
-    const auto shortest = std::find_if(m_groups.rbegin(), m_groups.rend(), [&](const Group& group)
-                                       { return group.value && std::any_of(group.lines.begin(), group.lines.end(), is_bad); });
-    if(shortest == m_groups.rend())
+    const auto shortest = std::find_if(m_planes.rbegin(), m_planes.rend(), [&](const Plane& plane)
+                                       { return plane.value && std::any_of(plane.lines.begin(), plane.lines.end(), is_bad); });
+    if(shortest == m_planes.rend())
       return false;
     shortest->value.reset();
     return true;
@@ -132,34 +132,34 @@ private:
     }
   }
 
-  // Makes groups of lines that share a vertex and the axis across, the longest ones first. A line that would join two that are
+  // Makes planes of lines that share a vertex and the axis across, the longest ones first. A line that would join two that are
   // side by side is left out.
   void join_lines(const std::vector<Line_of_chart_3>& lines)
   {
     for(const Line_of_chart_3& line : lines)
-      m_groups.push_back(group_of({ line }));
-    const auto is_longer = [](const Group& a, const Group& b) { return a.length > b.length; };
-    std::stable_sort(m_groups.begin(), m_groups.end(), is_longer);
-    std::vector<Group> joined;
-    for(const Group& next : m_groups)
+      m_planes.push_back(plane_of({ line }));
+    const auto is_longer = [](const Plane& a, const Plane& b) { return a.length > b.length; };
+    std::stable_sort(m_planes.begin(), m_planes.end(), is_longer);
+    std::vector<Plane> joined;
+    for(const Plane& next : m_planes)
     {
       std::vector<Line_of_chart_3> together = next.lines;
-      std::vector<Group> others;
-      for(const Group& group : joined)
-        if(are_joined(group, next))
-          together.insert(together.end(), group.lines.begin(), group.lines.end());
+      std::vector<Plane> others;
+      for(const Plane& plane : joined)
+        if(are_joined(plane, next))
+          together.insert(together.end(), plane.lines.begin(), plane.lines.end());
         else
-          others.push_back(group);
+          others.push_back(plane);
       if(are_side_by_side(together))
         continue;
       joined = std::move(others);
-      joined.push_back(group_of(together));
+      joined.push_back(plane_of(together));
     }
-    m_groups = std::move(joined);
-    std::stable_sort(m_groups.begin(), m_groups.end(), is_longer);
+    m_planes = std::move(joined);
+    std::stable_sort(m_planes.begin(), m_planes.end(), is_longer);
   }
 
-  static bool are_joined(const Group& a, const Group& b)
+  static bool are_joined(const Plane& a, const Plane& b)
   {
     std::set<Vertex> vertices;
     for(const Line_of_chart_3& line : a.lines)
@@ -168,7 +168,7 @@ private:
     { return std::any_of(line.vertices.begin(), line.vertices.end(), [&](const Vertex v) { return vertices.count(v) > 0; }); });
   }
 
-  // Tells whether two of some lines are in one chart and extend over the same part of it.
+  // Returns whether two of some lines are in one chart and extend over the same part of it.
   bool are_side_by_side(const std::vector<Line_of_chart_3>& lines) const
   {
     const auto extent = [this](const Line_of_chart_3& line)
@@ -183,34 +183,34 @@ private:
     return false;
   }
 
-  Group group_of(const std::vector<Line_of_chart_3>& lines) const
+  Plane plane_of(const std::vector<Line_of_chart_3>& lines) const
   {
-    Group group = { lines, lines.front().axis, 0, 0, std::nullopt };
+    Plane plane = { lines, lines.front().axis, 0, 0, std::nullopt };
     for(const Line_of_chart_3& line : lines)
       for(std::size_t i = 1; i < line.vertices.size(); ++i)
       {
         const Eigen::Vector3d p = m_images[line.vertices[i - 1]], q = m_images[line.vertices[i]];
-        group.mean += (q - p).norm() * (p + q)[group.axis] / 2;
-        group.length += (q - p).norm();
+        plane.mean += (q - p).norm() * (p + q)[plane.axis] / 2;
+        plane.length += (q - p).norm();
       }
-    group.mean /= group.length;
-    return group;
+    plane.mean /= plane.length;
+    return plane;
   }
 
-  // Chooses values of the groups, but of those shorter than the spacing: edges of hexahedra that are as long gain nothing by them.
+  // Chooses values of planes, but not of those shorter than the spacing: edges of hexahedra that are as long gain nothing by them.
   void choose_values()
   {
-    for(Group& group : m_groups)
+    for(Plane& plane : m_planes)
     {
-      if(group.length < m_grid.spacing)
+      if(plane.length < m_grid.spacing)
         break; // the longest ones come first
-      for(const double value : values(group))
+      for(const double value : values(plane))
       {
-        const auto positions = positions_of(group, value);
+        const auto positions = positions_of(plane, value);
         const auto keeps = [this](const auto& position) { return keeps_order(position.first, position.second); };
         if(!std::all_of(positions.begin(), positions.end(), keeps))
           continue;
-        group.value = value;
+        plane.value = value;
         for(const auto& [index, position] : positions)
           m_positions[index].push_back(position);
         break;
@@ -218,30 +218,30 @@ private:
     }
   }
 
-  // Returns the values that a group may have, the best one first: only that of edges of the polycube across which it ends, if
+  // Returns the values that a plane may have, the best one first: only that of edges of the polycube across which it ends, if
   // they have one value.
-  std::vector<double> values(const Group& group) const
+  std::vector<double> values(const Plane& plane) const
   {
     std::set<double> bound;
-    for(const Line_of_chart_3& line : group.lines)
+    for(const Line_of_chart_3& line : plane.lines)
       for(const Vertex v : line.vertices)
-        if(m_is_bound[v][group.axis])
-          bound.insert(m_images[v][group.axis]);
+        if(m_is_bound[v][plane.axis])
+          bound.insert(m_images[v][plane.axis]);
     if(!bound.empty())
       return bound.size() == 1 ? std::vector<double>(1, *bound.begin()) : std::vector<double>();
     if(!(m_grid.spacing > 0))
-      return { group.mean };
+      return { plane.mean };
     constexpr double least_gain = 0.1; // a guess; part of the spacing by which a plane that divides boxes must be nearer
     std::set<std::pair<double, double> > by_distance;
     double handicap = 0;
     for(const double part : { 1., 0.5, smallest_part_of_spacing })
     {
-      const double distance = part * m_grid.spacing, k = (group.mean - m_grid.origin[group.axis]) / distance;
+      const double distance = part * m_grid.spacing, k = (plane.mean - m_grid.origin[plane.axis]) / distance;
       const double nearest = std::round(k);
       for(const double n : { nearest, nearest < k ? nearest + 1 : nearest - 1 })
       {
-        const double value = m_grid.origin[group.axis] + n * distance;
-        by_distance.emplace(std::abs(value - group.mean) + handicap, value);
+        const double value = m_grid.origin[plane.axis] + n * distance;
+        by_distance.emplace(std::abs(value - plane.mean) + handicap, value);
       }
       handicap += least_gain * m_grid.spacing;
     }
@@ -251,24 +251,24 @@ private:
     return result;
   }
 
-  // Returns the lines of a group in their charts, and their ends on edges of the polycube along the axis across.
-  std::vector<std::pair<std::size_t, Position> > positions_of(const Group& group, const double value) const
+  // Returns the lines of a plane in their charts, and their ends on edges of the polycube along the axis across.
+  std::vector<std::pair<std::size_t, Position> > positions_of(const Plane& plane, const double value) const
   {
     std::vector<std::pair<std::size_t, Position> > result;
-    for(const Line_of_chart_3& line : group.lines)
+    for(const Line_of_chart_3& line : plane.lines)
     {
       const int along = other_axis(m_charts, line.chart, line.axis);
       const Eigen::Vector3d first = m_images[line.vertices.front()], last = m_images[line.vertices.back()];
       const auto [low, high] = std::minmax(first[along], last[along]);
-      result.push_back({ line.chart, { group.axis, low, high, group_of({ line }).mean, value } });
+      result.push_back({ line.chart, { plane.axis, low, high, plane_of({ line }).mean, value } });
       for(const Vertex v : line.vertices)
-        if(const int chain = m_chain_of_vertex[v]; chain >= 0 && m_charts.chains()[chain].axis == group.axis)
-          result.push_back({ m_charts.number_of_charts() + chain, { group.axis, 0, 1, m_images[v][group.axis], value } });
+        if(const int chain = m_chain_of_vertex[v]; chain >= 0 && m_charts.chains()[chain].axis == plane.axis)
+          result.push_back({ m_charts.number_of_charts() + chain, { plane.axis, 0, 1, m_images[v][plane.axis], value } });
     }
     return result;
   }
 
-  // Tells whether a position in a chart, or on an edge of the polycube, has the same order with all others there as before. Ends
+  // Returns whether a position in a chart, or on an edge of the polycube, keeps its order with all others there. Ends
   // of lines at one vertex have one position.
   bool keeps_order(const std::size_t index, const Position& position) const
   {
@@ -286,7 +286,7 @@ private:
   Held_coordinates m_is_bound;        // at edges of the polycube: coordinates that are those of faces
   std::vector<int> m_chain_of_vertex; // -1 for vertices of none, and corners
   std::vector<std::vector<Position> > m_positions; // in each chart, and on each edge of the polycube
-  std::vector<Group> m_groups;
+  std::vector<Plane> m_planes;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

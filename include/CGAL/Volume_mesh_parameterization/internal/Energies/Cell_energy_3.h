@@ -41,7 +41,8 @@ struct alignas(64) Cell_pack_3
   Packed_number weight;
   std::array<Indices, 4> vertices;  // sorted by rows, which changes the orientation, but not J
   std::array<Indices, 4> rows;      // rows in the matrix; -1 if the vertex is not unknown
-  std::array<Indices, 10> blocks;   // positions in the matrix of the pairs a <= b; -1 if a vertex is not unknown
+  // Positions in the matrix of the pairs a <= b of vertices, the upper triangle row by row; -1 if a vertex is not unknown.
+  std::array<Indices, 10> blocks;
 
   static constexpr int index_of_block(const int a, const int b) { return a * (7 - a) / 2 + b; }
 
@@ -76,7 +77,7 @@ public:
   virtual void gradient(const Packed_vector_3& s, Packed_vector_3& g) const = 0;
   virtual void derivatives(const Packed_vector_3& s, Packed_vector_3& g, Packed_matrix_3& H) const = 0;
 
-  // Tells whether psi follows from |J|^2, |J^{-1}|^2 and det J, which cost far less than the singular values.
+  // Returns whether psi follows from |J|^2, |J^{-1}|^2 and det J, which cost far less than the singular values.
   virtual bool is_of_norms() const = 0;
   virtual void value_of_norms(const Packed_vector_3& norms, Packed_number& psi) const = 0;
   virtual bool is_squared_norm() const = 0; // whether psi = |J|^2, with constant second derivatives

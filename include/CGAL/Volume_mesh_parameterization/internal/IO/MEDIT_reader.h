@@ -58,7 +58,7 @@ public:
       next_reference(scanner);
     });
     soup.points.shrink_to_fit();
-    const std::size_t number_of_points = sum(soup.points.size());
+    const std::size_t number_of_points = total_of_processes(soup.points.size());
     read_section(CORNERS, [&](Text_scanner& scanner) { soup.corners.push_back(next_vertex(scanner, number_of_points)); });
     read_simplices(EDGES, number_of_points, 2, soup.edges, soup.edge_references);
     read_simplices(TRIANGLES, number_of_points, 3, soup.facets, soup.facet_references);
@@ -68,9 +68,9 @@ public:
     read_simplices(TRIANGLES_P2, number_of_points, 6, soup.facets, soup.facet_references);
     read_simplices(TETRAHEDRA_P2, number_of_points, 10, soup.cells, soup.cell_references);
     if(!may_be_surface)
-      require_tetrahedra(sum(soup.cells.size()), sum(soup.facets.size()));
+      require_tetrahedra(total_of_processes(soup.cells.size()), total_of_processes(soup.facets.size()));
     const std::size_t number_of_second_order
-      = sum(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
+      = total_of_processes(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
     if(number_of_second_order > 0 && m_is_slice)
       throw Input_error("the mesh has cells of second order, which several processes do not read");
     if(number_of_second_order > 0)
@@ -88,11 +88,11 @@ private:
   // The sections with a keyword.
   struct Sections
   {
-    double count = 0;                 // of elements that this slice tells of
+    double count = 0;                 // of elements, by the numbers in this slice
     std::vector<Text_scanner> begins; // of what this slice has of them
   };
 
-  // The next keyword does, or the end of the text. An infinite coordinate, or one that is no number, is told as such.
+  // The next keyword does, or the end of the text. An infinite coordinate, or one that is no number, gets its own message.
   static bool ends_section(const std::string_view text)
   {
     std::string begin(text.substr(0, 3));
@@ -104,7 +104,7 @@ private:
   static std::size_t keyword(const std::string_view word)
   { return static_cast<std::size_t>(std::find(m_keywords.begin(), m_keywords.end(), word) - m_keywords.begin()); }
 
-  std::size_t sum(const std::size_t x) const
+  std::size_t total_of_processes(const std::size_t x) const
   { return static_cast<std::size_t>(m_communicator.sum(static_cast<double>(x))); }
 
   void find_sections(Text_scanner scanner)

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Alignment_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/alignment_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/Penalty_minimizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
 

@@ -12,13 +12,256 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/alignment_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/find_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/make_result_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/refine_and_find_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/round_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/slide_and_bound_angles_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/split_bridges_3.h>
+
+#include <iomanip>
+#include <iostream>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Parameterization_step& step)
+{
+  std::cout << std::setw(5) << step.iteration
+            << (step.phase == Phase::UNTANGLING ? " untangling  " : " minimization")
+            << "  energy " << std::setw(12) << step.energy
+            << "  inverted " << std::setw(6) << step.number_of_inverted_cells
+            << "  gradient " << std::setw(11) << step.gradient_norm
+            << "  decrement " << std::setw(11) << step.decrement
+            << "  step " << std::setw(9) << step.step_length
+            << "  seconds " << step.seconds << "  " << step.attempt << std::endl;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& errors)
+{
+  const auto is_wrong = [](const double error) { return error >= Derivative_errors_3::bound && std::isfinite(error); };
+  if(is_wrong(errors.symmetry))
+    std::cout << "The energy is not symmetric: its value changes by " << errors.symmetry
+              << " of its size if singular values are exchanged." << std::endl;
+  if(is_wrong(errors.gradient))
+    std::cout << "The gradient of the energy is wrong: it differs from finite differences by " << errors.gradient
+              << " of their size." << std::endl;
+  if(is_wrong(errors.hessian))
+    std::cout << "The Hessian of the energy is wrong: it differs from finite differences of the gradient by " << errors.hessian
+              << " of their size." << std::endl;
+}
+
+// Sets which vertices of a body are in planes or on lines, and aligns the source to what is prescribed if a part of the boundary
+// is free. Targets in free directions become those of the aligned source.
+inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, const std::vector<Vertex_condition_3>& conditions)
+{
+  Numbered_mesh_3& mesh = numbered.mesh;
+  for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+    mesh.projectors.push_back(projector_3(conditions[numbered.points[v]]));
+  if(std::all_of(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return projector.is_zero(); }))
+    mesh.projectors.clear();
+  const auto is_fixed = [&](const std::size_t p) { return conditions[p].kind() == Vertex_condition_3::AT_TARGET; };
+  if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
+    return; // the check of the input names the place
+  for(const std::array<std::size_t, 3>& facet : body.boundary)
+    if(!std::all_of(facet.begin(), facet.end(), is_fixed))
+    {
+      mesh.alignment = alignment_3(mesh);
+      set_targets(mesh, snapped(mesh, moved(*mesh.alignment, mesh.source)));
+      break;
+    }
+}
+
+// Numbers a body, with all that is prescribed in these numbers.
+inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3& prescription, const Map_options_3& options)
+{
+  Numbered_body_3 result(body.soup, prescribed_points(body, prescription), prescription.targets,
+                         options.use_volume_weights, options.is_parallel);
+  Numbered_mesh_3& mesh = result.mesh;
+  if(!prescription.conditions.empty())
+    set_conditions_3(result, body, prescription.conditions);
+  if(options.use_regular_references)
+    set_regular_cell(mesh);
+  if(!prescription.initial.empty())
+    mesh.initial = result.columns(prescription.initial);
+  for(const std::size_t p : result.points)
+    mesh.is_held.push_back(prescription.is_constrained[p]);
+  for(const Linear_constraint_3<std::size_t>& constraint : prescription.constraints)
+  {
+    mesh.constraints.push_back({ {}, constraint.value });
+    for(const auto& term : constraint.terms)
+      mesh.constraints.back().terms.push_back({ result.vertices[term.vertex], term.coefficient });
+  }
+  return result;
+}
+
+// Refuses an energy that falls without end as a body with free boundary grows or shrinks: whose lowest value along a line of
+// similar cells, which are neither regular nor far from it, is at an end of the line.
+inline Input_check_3 check_energy_3(const Cell_energy_3& energy)
+{
+  std::vector<Vector_3> s;
+  for(int k = -20; k <= 20; ++k)
+    s.push_back(std::exp2(k) * Vector_3(1.1, 1, 0.9));
+  const std::vector<double> psi = energies_of_cells_3(s, energy, 1);
+  const double lowest_inside = *std::min_element(psi.begin() + 1, psi.end() - 1);
+  const bool grows = psi.back() < lowest_inside, shrinks = psi.front() < lowest_inside;
+  if(!grows && !shrinks)
+    return {};
+  return failed_check(ERROR_ENERGY_WITHOUT_MINIMUM, get_error_message(ERROR_ENERGY_WITHOUT_MINIMUM),
+                      " The energy falls as the body ",
+                      grows ? "grows" : "shrinks", ". Symmetric_Dirichlet_energy_3 has a minimum.");
+}
+
+// A body with its numbers, and the check of these.
+struct Checked_body_3
+{
+  Numbered_body_3 numbered;
+  Input_check_3 check;
+
+  Checked_body_3(const Body_3& body, const Prescription_3& prescription, const Map_problem_3& problem, const Budget& budget)
+    : numbered(numbered_body_3(body, prescription, problem.options)), check(check_input_3(numbered.mesh, budget))
+  {
+    if(check.status == OK && numbered.mesh.alignment)
+      check = check_energy_3(problem.energy);
+    problem.progress.end_numbering();
+  }
+};
+
+// Calls the stages that are allowed, one after the other.
+inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Map_problem_3& problem, const Search_start_3& start)
+{
+  const Numbered_mesh_3& mesh = body.numbered.mesh;
+  if(problem.options.verbose)
+    std::cout << mesh.cells.size() << " cells, " << mesh.number_of_vertices() << " vertices, "
+              << mesh.number_of_free_vertices << " of them free; linear solver " << problem.solver.name() << std::endl;
+  return find_map_3(mesh, body.check, problem, start);
+}
+
+inline std::size_t number_of_marks(const std::vector<bool>& is_marked)
+{ return static_cast<std::size_t>(std::count(is_marked.begin(), is_marked.end(), true)); }
+
+// The result where the time was over before the numbering, which takes about as long as a step.
+inline Parameterization_result interrupted_result(const Body_3& body, const Progress_3& progress)
+{
+  Parameterization_result result
+    = refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)), progress);
+  result.number_of_vertices = number_of_marks(used_points(body.soup.cells, body.soup.points.size()));
+  result.number_of_cells = body.soup.cells.size();
+  result.number_of_boundary_vertices = number_of_marks(prescribed_points(body));
+  return result;
+}
+
+// The result of a search, if there was one. Rounds the images of the points to what the user stores, and writes them if they
+// are a map.
+inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
+                                              const Map_problem_3& problem, std::optional<Found_map_3>&& found,
+                                              std::vector<std::array<double, 3> >& images)
+{
+  const auto& [numbered, check] = checked;
+  if(found)
+    round_map_3(numbered.mesh, body.image_type, problem, *found);
+  Parameterization_result result
+    = found ? make_result_3(numbered.mesh, check, *found, problem)
+            : refused_result(check, problem.progress);
+  if(result.has_valid_map)
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    images.assign(numbered.vertices.size(), { nan, nan, nan });
+    for(std::size_t v = 0; v < numbered.points.size(); ++v)
+      images[numbered.points[v]] = coordinates(found->map.positions.col(v));
+    result.boundary_distortion
+      = facet_distortion_3(body.boundary, [&](const std::size_t p) { return to_vector(body.soup.points[p]); },
+                           [&](const std::size_t p) { return to_vector(images[p]); });
+  }
+  result.number_of_vertices = numbered.points.size();
+  result.number_of_cells = numbered.mesh.cells.size();
+  result.number_of_boundary_vertices = number_of_marks(prescribed_points(body));
+  return result;
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result parameterize_body_3(Body_3 body, const Prescription_3& prescription, const Map_problem_3& problem,
+                                            std::vector<std::array<double, 3> >& images)
+{
+  if(problem.progress.is_interrupted())
+    return interrupted_result(body, problem.progress);
+  const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
+  body.soup.cells = std::vector<std::array<std::size_t, 4> >(); // gives their memory back: only numbered ones are needed now
+  body.soup.cell_references = std::vector<int>();
+  Search_start_3 start;
+  start.patience = 2; // where nothing can be refined, larger weights get a chance
+  std::optional<Found_map_3> found;
+  if(checked.check.allows(problem.options.mode))
+    found = find_map_of_body_3(checked, problem, start);
+  return written_result(body, checked, problem, std::move(found), images);
+}
+
+// Splits edges of vertices.
+inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const std::vector<std::size_t>& points_of_vertices,
+                                                          const std::vector<std::array<int, 2> >& edges)
+{
+  std::vector<std::array<std::size_t, 2> > edges_of_points;
+  for(const auto& [v, w] : edges)
+    edges_of_points.push_back({ points_of_vertices[v], points_of_vertices[w] });
+  return split_edges_3(body, edges_of_points);
+}
+
+// Refines a body where the targets make cells degenerate, and in bridges where this helps; then searches, and refines where the
+// search was blocked, in turn. More new points than a tenth would mean that this does not help; a small body may need many in
+// proportion. Nothing is refined any more once a limit of time is reached.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
+                                                       const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
+                                                       std::vector<std::array<double, 3> >& images)
+{
+  if(problem.progress.is_interrupted())
+    return interrupted_result(body, problem.progress);
+  const Budget& budget = problem.progress.budget();
+  Checked_body_3 checked(body, prescription, problem, budget);
+  const auto take = [&](const std::vector<Insertion_3>& made)
+  {
+    insertions.insert(insertions.end(), made.begin(), made.end());
+    prescription.extend_to(body.soup.points.size());
+    checked = Checked_body_3(body, prescription, problem, Budget()); // there may be a map to be returned
+  };
+  if(checked.check.allows_soft_boundary() && checked.check.is_refinable)
+    if(const auto made = remove_degenerate_simplices(body, prescription, budget); !made.empty())
+      take(made);
+  if(problem.options.refinement != Refinement_mode::NEEDED && problem.options.mode != Boundary_mode::SOFT
+     && checked.check.allows_soft_boundary() && checked.check.is_refinable)
+    if(const auto made = split_bridges_3(body, checked.numbered, prescription, problem.solver,
+                                         problem.progress); !made.empty())
+      take(made);
+
+  std::size_t number_of_splits = 0;
+  std::optional<Found_map_3> found;
+  for(Search_start_3 start; checked.check.allows(problem.options.mode); )
+  {
+    const std::size_t limit = (std::max)(checked.numbered.points.size() / 10, std::size_t(1000));
+    start.may_split = checked.check.is_refinable && number_of_splits <= limit;
+    start.patience = start.may_split ? 1 : 2;
+    found = find_map_of_body_3(checked, problem, start);
+    if(!start.may_split || !found->is_blocked())
+      break;
+    const Refinement_plan_3 plan = plan_refinement_3(checked.numbered.mesh, *found, start);
+    const std::vector<Insertion_3> splits = split_edges_of_vertices_3(body, checked.numbered.points, plan.edges);
+    if(splits.empty() && !found->is_stuck())
+      break;
+    number_of_splits += splits.size();
+    const std::vector<std::size_t> points_before = std::move(checked.numbered.points);
+    take(splits);
+    start = renumbered_start_3(plan, points_before, splits, checked.numbered);
+    found.reset();
+  }
+  if(!found && checked.check.status == ERROR_PRESCRIBED_CELL_INVERTED && checked.check.is_refinable && budget.is_exhausted())
+    checked.check.status = ERROR_INTERRUPTED;
+  checked.check.is_refinable = false; // by more than what has been refined
+  Parameterization_result result = written_result(body, checked, problem, std::move(found), images);
+  result.number_of_added_vertices = insertions.size();
+  return result;
+}
 
 // Measures the distortion with all points prescribed, so that the map is their target.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -97,13 +97,19 @@ private:
 
 // Returns the length of a vector, without overflow or underflow, as std::hypot() does except in libc++. The stable norm of Eigen
 // adds in an order that depends on the address of the vector.
-inline double length_3(const Eigen::Vector3d& v)
+inline double length_3(const Vector_3& v)
 {
-  const double largest = (std::max)({ std::abs(v[0]), std::abs(v[1]), std::abs(v[2]) });
+  const double largest = v.cwiseAbs().maxCoeff();
   if(largest == 0 || std::isinf(largest))
-    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
-  const double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest;
-  return largest * std::sqrt(x * x + y * y + z * z);
+    return std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z());
+  return largest * (v / largest).norm();
+}
+
+// Returns the unit vector of a direction. Along an axis, it is exact: a division may be a product with a rounded reciprocal.
+inline Vector_3 unit_vector_3(const Vector_3& n)
+{
+  const auto sign = [](const double x) { return double(x > 0) - double(x < 0); };
+  return (n[0] != 0) + (n[1] != 0) + (n[2] != 0) == 1 ? n.unaryExpr(sign) : n.stableNormalized();
 }
 
 // A matrix of three columns.

@@ -84,15 +84,15 @@ public:
     return result;
   }
 
-  // Returns the numbers that the first process finds, with its rounding: others may find others, if their processors differ.
+  // Returns the numbers that `find()` returns in the first process. In another process, rounding may differ.
   template <typename Find>
-  std::vector<double> found_by_first(const Find& find) const
+  std::vector<double> of_first_process(const Find& find) const
   { return concatenated(rank() == 0 ? find() : std::vector<double>()); }
 };
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE const Communicator_3& single_process();
 
-// Tells whether a tag asks for threads, which do not compile without TBB.
+// Returns whether a tag asks for threads, which do not compile without TBB.
 template <typename ConcurrencyTag>
 constexpr bool is_parallel()
 {

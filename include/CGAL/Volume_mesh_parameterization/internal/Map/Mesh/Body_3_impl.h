@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

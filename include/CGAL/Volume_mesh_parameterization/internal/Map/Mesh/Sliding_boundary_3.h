@@ -12,8 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -118,7 +118,7 @@ private:
 class Sliding_boundary_3
 {
 public:
-  // Vertices that `is_constrained` tells stay at their targets too.
+  // Vertices for which `is_constrained` is true stay at their targets, too.
   template <typename Predicate>
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
     : m_mesh(mesh), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),

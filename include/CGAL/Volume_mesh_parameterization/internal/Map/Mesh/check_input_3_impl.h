@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 

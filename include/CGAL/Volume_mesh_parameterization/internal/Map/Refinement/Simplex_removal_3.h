@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Conditions_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 

@@ -46,11 +46,11 @@ public:
     return result;
   }
 
-  // Returns the positions that `find()` returns, which are the same for all that see the patch.
+  // Returns the positions that `find()` returns in the first process, for all processes with the patch.
   template <typename Find>
-  Matrix3Xd found(const Find& find) const
+  Matrix3Xd agreed_positions(const Find& find) const
   {
-    const std::vector<double> x = m_whole.communicator->found_by_first([&]
+    const std::vector<double> x = m_whole.communicator->of_first_process([&]
     {
       const Matrix3Xd positions = find();
       return std::vector<double>(positions.data(), positions.data() + positions.size());

@@ -63,8 +63,8 @@ inline bool is_inside(const Numbered_mesh_3& mesh, const std::array<int, 2>& edg
   return std::all_of(number_of_cells.begin(), number_of_cells.end(), [](const auto& facet) { return facet.second == 2; });
 }
 
-// The edges of a patch at vertices of inverted cells that move; and those inside that join two prescribed vertices, and are
-// in a cell at any vertex of an inverted one. Those of inverted cells come last.
+// Returns edges of a patch that may be split: each edge at a vertex of an inverted cell, if this vertex moves, and each interior
+// edge between two prescribed vertices, if it is in a cell at a vertex of an inverted cell. Edges of inverted cells come last.
 inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const Matrix3Xd& image)
 {
   std::set<int> centers;
@@ -84,9 +84,9 @@ inline Edges_3 edges_around_inverted_cells(const Numbered_mesh_3& patch, const M
       { is_of_inverted_cell[edge] |= is_inverted; });
   }
   Edges_3 result;
-  for(const bool is_last : {false, true})
+  for(const bool are_of_inverted : {false, true})
     for(const auto& [edge, is_of_inverted] : is_of_inverted_cell)
-      if(is_of_inverted == is_last && ((patch.is_free(edge[0]) && !patch.alignment) || is_inside(patch, edge)))
+      if(is_of_inverted == are_of_inverted && ((patch.is_free(edge[0]) && !patch.alignment) || is_inside(patch, edge)))
         result.push_back(edge);
   return result;
 }
@@ -147,7 +147,7 @@ inline void split_patch_edges_3(Numbered_mesh_3& patch, Matrix3Xd& image, const 
 
 // Leaves out halves of some items, then quarters, and so on, where the others suffice (delta debugging: Zeller and Hildebrandt,
 // Simplifying and isolating failure-inducing input, IEEE Transactions on Software Engineering 28, 2002). Calls
-// `leave_out(first, number)`, which tells whether these can be spared and, if so, does without. To keep k of n items takes
+// `leave_out(first, number)`, which returns whether these can be spared and, if so, does without. To keep k of n items takes
 // O(k log n) calls, if few combinations suffice.
 template <typename Leave_out>
 void leave_out_unneeded(std::size_t number_of_items, const Leave_out& leave_out)

@@ -136,7 +136,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
     if(!(target_volume(p.mesh) > 0)) // which does not depend on the vertices that move
       return;
     const std::size_t before = inverted_cells(p.mesh, p.positions).number;
-    p.positions = neighborhood.found([&]
+    p.positions = neighborhood.agreed_positions([&]
     { return untangled_patch_3(p.mesh, solver, p.positions, progress.budget()); });
     const std::size_t after = inverted_cells(p.mesh, p.positions).number;
     number -= before - after;
@@ -173,7 +173,7 @@ inline Matrix3Xd relaxed_flat_cells_3(const Numbered_mesh_3& whole, Linear_solve
   for(const Patch_3& patch : patches_3(neighborhood.mesh(), positions, is_flat, 1))
   {
     Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
-    p.positions = neighborhood.found([&]() -> Matrix3Xd
+    p.positions = neighborhood.agreed_positions([&]() -> Matrix3Xd
     {
       if(budget.is_exhausted())
         return p.positions;

@@ -118,7 +118,8 @@ public:
     // rounding makes a semi-definite matrix indefinite, and there is none of less negative curvature to be tried
     const bool is_lost = result.status == Linear_solver_status::NOT_POSITIVE_DEFINITE && negative_curvature == 0
       && iterations_before > 0;
-    return replaced_if(is_cut || is_lost, std::move(result), iterations_before, energy, u, negative_curvature, budget);
+    return direction_by_factorization_if(is_cut || is_lost, std::move(result), iterations_before, energy, u, negative_curvature,
+                                         budget);
   }
 
   // Returns a direction by the matrix of the last one, which a convex quadratic energy has everywhere. Negative curvature comes
@@ -132,7 +133,7 @@ public:
     if(m_last_system != m_system.get())
       return result;
     const bool is_inexact = result.status != Linear_solver_status::SUCCESS;
-    return replaced_if(is_inexact, std::move(result), iterations_before, energy, u, 0., budget);
+    return direction_by_factorization_if(is_inexact, std::move(result), iterations_before, energy, u, 0., budget);
   }
 
   // The largest t in [0, 1] for which u + t d inverts no cell, if u inverts none.
@@ -140,10 +141,10 @@ public:
   { return m_communicator.minimum(largest_step_3(m_packs, u, d)); }
 
 private:
-  // Returns what the solver has found, or the direction of a direct solver if that is inexact, and it takes over.
-  Newton_direction_3 replaced_if(const bool is_inexact, Newton_direction_3 found, const std::size_t iterations_before,
-                                 const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
-                                 const Budget& budget)
+  // Returns the direction of a direct solver if the one found is inexact and a factorization costs less, else the one found.
+  Newton_direction_3 direction_by_factorization_if(const bool is_inexact, Newton_direction_3 found,
+                                                   const std::size_t iterations_before, const Cell_energy_3& energy,
+                                                   const Positions& u, const double negative_curvature, const Budget& budget)
   {
     // nothing interrupts a factorization, so it may cost no more than the default solver does
     const std::size_t number_of_iterations = found.is_usable() ? m_solver.number_of_own_iterations() - iterations_before

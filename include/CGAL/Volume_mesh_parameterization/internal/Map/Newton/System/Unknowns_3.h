@@ -79,7 +79,8 @@ public:
     return result;
   }
 
-  // Newton steps stay in the directions P if P H P d = -P g is solved in place of H d = -g.
+  // Let P be the projector of all unknowns onto the directions in which they may move. The solution d of P H P d = -P g is in
+  // these directions, for the Hessian H and the gradient g.
   void project(Matrix3Xd& columns) const
   {
     for(std::size_t row = 0; row < m_projectors.size(); ++row)

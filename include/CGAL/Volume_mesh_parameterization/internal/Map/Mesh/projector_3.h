@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_CONDITIONS_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_CONDITIONS_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_PROJECTOR_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_PROJECTOR_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -16,13 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Returns the unit vector of a direction. Along an axis, it is exact: a division may be a product with a rounded reciprocal.
-inline Vector_3 unit_vector_3(const Vector_3& n)
-{
-  const auto sign = [](const double x) { return double(x > 0) - double(x < 0); };
-  return (n[0] != 0) + (n[1] != 0) + (n[2] != 0) == 1 ? n.unaryExpr(sign) : n.stableNormalized();
-}
 
 // Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point.
 inline Matrix_3 projector_3(const Vertex_condition_3& condition)
@@ -39,7 +32,7 @@ inline Matrix_3 projector_3(const Vertex_condition_3& condition)
   return Matrix_3::Zero();
 }
 
-// Tells whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane
+// Returns whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane
 // orthogonal to an axis is known exactly, any other within rounding.
 template <typename Vertices, typename ProjectorOf, typename TargetOf>
 bool are_kept_in_one_plane(const Vertices& vertices, const ProjectorOf& projector, const TargetOf& target)
@@ -71,4 +64,4 @@ bool are_kept_in_one_plane(const Vertices& vertices, const ProjectorOf& projecto
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_CONDITIONS_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_PROJECTOR_3_H

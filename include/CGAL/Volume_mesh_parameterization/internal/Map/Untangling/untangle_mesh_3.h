@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_MESH_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_MESH_3_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
@@ -27,7 +27,7 @@ public:
 
   const Found_map_3& best() const { return m_best; }
 
-  // Are so few cells left inverted that they are what no map can mend, as a proof tells?
+  // Is there a proof that no map can mend the few cells that are still inverted?
   bool is_in_vain(const Untangling_attempt_3& attempt) const
   {
     return is_unsolved() && m_best.map.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
@@ -235,8 +235,8 @@ inline Found_map_3 untangle_from_3(Newton_system_3& system, const Matrix3Xd& ini
   return found;
 }
 
-// Continues from the start, if it tells so. Otherwise starts from the initial map, and where this fails or there is none,
-// from the harmonic map.
+// Continues from the start, if its stage is untangling. Otherwise starts from the initial map. If this fails or there is none,
+// starts from the harmonic map.
 inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3& start, Progress_3& progress)
 {
   const Numbered_mesh_3& mesh = system.mesh();
@@ -260,4 +260,4 @@ inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_UNTANGLING_UNTANGLE_MESH_3_H

@@ -179,8 +179,8 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& sim
 }
 
 // The similarity that takes the source nearest to what is prescribed. The scale is that of edges between vertices at their
-// targets; without these, that of four vertices at their targets, or what four conditions tell; otherwise it is 1. Where planes
-// and lines leave the body upside down, it is turned over.
+// targets; without these, that of four vertices at their targets, or of four conditions; otherwise it is 1. If planes and
+// lines leave the body upside down, it is turned over.
 inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
 {
   const std::vector<int> fixed = fixed_vertices(mesh);
