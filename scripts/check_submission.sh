@@ -3,7 +3,7 @@
 # doc/Volume_mesh_parameterization/Submission.txt. With an argument, names are compared with those of the CGAL installed in
 # that folder.
 set -euo pipefail
-shopt -s lastpipe # forbid() remembers what it was told in a pipe
+shopt -s lastpipe # forbid() keeps what it reads from a pipe
 export LC_ALL=C
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

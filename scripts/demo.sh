@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 examples="$root/examples/Volume_mesh_parameterization"
 build="$root/build/demo"
 
-# Tells what comes next, and at what time of this run.
+# Prints what comes next, and the time of this run.
 step() { printf '\n[%d:%02d] %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
 
 echo "This takes about two minutes, nearly all of it for compiling, and 3 GB of memory."

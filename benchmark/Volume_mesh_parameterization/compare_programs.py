@@ -4,7 +4,7 @@
 compare_programs.py DRIVER --set volmap=FOLDER --set wrapd=FOLDER --options "--refine" --page page.md \\
   --external "NAME=other -s {source} -b {target} -o {output}" --first-valid "NAME=untangled at (\\S+) s"
 
-public_sets.py tells which sets are read, as they are published.
+public_sets.py lists the sets that are read, as they are published.
 The driver and the other programs, which are not part of this package, run one after the other. A command has the words
 {source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates; a
 program that refines writes the refined source to {refined}. All maps are checked alike, by check_map.py in exact

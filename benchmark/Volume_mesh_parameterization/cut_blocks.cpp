@@ -205,7 +205,7 @@ private:
   double m_height;
 };
 
-// Tells whether the boundary is a sphere that can be mapped to the box.
+// Returns whether the boundary is a sphere that can be mapped to the box.
 bool write_block(const Soup& block, const Eigen::Vector3d& sides, const std::string& name)
 {
   C3t3 c3t3;

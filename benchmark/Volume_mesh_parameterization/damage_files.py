@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Damages files of meshes in all formats that the driver reads, and tells how it ends on each.
+"""Damages files of meshes in all formats that the driver reads, and reports how it ends on each.
 
 damage_files.py DRIVER [--number N] [--first I] [--formats NAME...] [--keep FOLDER]
 

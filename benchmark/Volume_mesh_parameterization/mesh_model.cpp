@@ -132,7 +132,7 @@ int main(int argc, char* argv[])
   {
     std::cerr << "Usage: mesh_model SURFACE.off SIZE KIND NAME DOMAIN...\n"
                  "Writes NAME.mesh, with cells of SIZE times the diagonal of the model, and for each DOMAIN (twist,\n"
-                 "ball, cube or polycube) its target NAME_DOMAIN.txt, or tells why there is none. KIND is smooth,\n"
+                 "ball, cube or polycube) its target NAME_DOMAIN.txt, or prints why there is none. KIND is smooth,\n"
                  "sharp (the sharp edges of the surface are kept), or any (the boundary need not be a manifold)."
               << std::endl;
     return EXIT_FAILURE;

@@ -78,7 +78,7 @@ def read_comparison(filename):
 
 
 def processor():
-    """Its name where the system tells it."""
+    """Its name, if the system has it."""
     cpuinfo = Path("/proc/cpuinfo")
     lines = cpuinfo.read_text().splitlines() if cpuinfo.exists() else []
     names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]

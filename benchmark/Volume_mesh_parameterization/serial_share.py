@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tells which share of the driver's work one thread does alone, stage by stage, and what more processors can gain by it.
+"""Measures which share of the driver's work one thread does alone, stage by stage, and what more processors can gain by it.
 
 serial_share.py DRIVER SOURCE TARGET [--threads 2] [--report FILE.json] [-- OPTION...]
 

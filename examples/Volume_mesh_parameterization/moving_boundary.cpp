@@ -1,5 +1,5 @@
-// Mesh motion: the mesh of a block follows a hole in it, which turns and shifts, in 40 steps, or as many as the argument
-// tells, and in one call. A file shows each quarter of the way.
+// Mesh motion: the mesh of a block follows a hole in it, which turns and shifts, in 40 steps, or in the number of the
+// argument, and in one call. A file shows each quarter of the way.
 #include "mesh_surface.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>

@@ -38,7 +38,7 @@ try
 
   return VMP::IO::write_VTU("ball.vtu", soup, images) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
-catch(const std::exception& error) // tells the mistake in the files or in the indices
+catch(const std::exception& error) // names the mistake in the files or in the indices
 {
   std::cerr << error.what() << std::endl;
   return EXIT_FAILURE;

@@ -44,8 +44,8 @@ predicates on the written coordinates check that no cell is inverted.
 
 \param c3t3 the complex; it is modified only if it may be refined (see `do_refine`), and may be constant otherwise. Its
        cells may have several subdomains and connected components; vertices without a cell are ignored.
-\param uvw_map receives the image of each vertex of a cell of the complex, if the map is valid
-       (see `Parameterization_result::has_valid_map`); otherwise it is left alone. Its points may have coordinates of a type
+\param uvw_map receives the image of each vertex of a cell if the map is valid (see
+       `Parameterization_result::has_valid_map`), and does not change otherwise. Its points may have coordinates of a type
        narrower than `double`, as in `Simple_cartesian<float>`. Then targets are rounded to this type before the computation, and
        images before the exact check. If rounding inverts cells, vertices inside move by a few units in the last place; if this
        does not help, the status is `ERROR_INVERTED_BY_ROUNDING`.
@@ -223,7 +223,7 @@ predicates on the written coordinates check that no cell is inverted.
 
 If a named parameter breaks a precondition, \cgal's error handlers throw `CGAL::Precondition_exception`, also in programs that
 are compiled with `NDEBUG`. Other named parameters than those listed above do not compile. Exceptions of property maps, energy,
-solver and visitor pass through, with `uvw_map` left alone, and so does `std::bad_alloc`.
+solver and visitor pass through, and `std::bad_alloc`. Then, `uvw_map` does not change.
 
 A Newton step takes time linear in the number of cells, plus the solution of a linear system. The memory is linear in
 the number of cells, plus what the solver needs.
@@ -295,7 +295,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
       VMP::internal::insert_vertices(c3t3, body, insertions);
       if constexpr(!has_boundary_map)
         if(!insertions.empty())
-          VMP::internal::tell_order_of_cells(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
+          VMP::internal::reorder_cells(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
     }
     if(result.has_valid_map)
       for(std::size_t v = 0; v < images.size(); ++v)

@@ -24,7 +24,7 @@ bool has_same_bits(const Point_3& p, const Point_3& q)
   return true;
 }
 
-// Tells whether all cells are positive, by exact predicates on the points that `point` returns.
+// Returns whether all cells are positive, by exact predicates on the points that `point` returns.
 template <typename C3t3, typename Function>
 bool has_positive_cells(const C3t3& c3t3, const Function& point)
 {
@@ -49,7 +49,7 @@ bool has_positive_cells(const C3t3& c3t3)
   return has_positive_cells(c3t3, [](const typename C3t3::Vertex_handle v) { return v->point(); });
 }
 
-// Tells whether cells know their neighbors, and vertices their cells.
+// Returns whether cells know their neighbors, and vertices their cells.
 template <typename Tr>
 bool is_consistent(const Tr& tr)
 {

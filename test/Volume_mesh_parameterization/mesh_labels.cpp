@@ -7,7 +7,7 @@
 
 namespace {
 
-// Tells the label of the voxel at a point: of blocks along a ring whose ends have one corner in common, of two materials.
+// Returns the label of the voxel at a point: of blocks along a ring whose ends have one corner in common, of two materials.
 int label(const Point_3& p)
 {
   constexpr std::array<std::array<int, 3>, 10> blocks

@@ -33,7 +33,7 @@ namespace {
 
 const auto polycube = params::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3());
 
-// Tells how attempts end, and on which clock they run.
+// Records how attempts end, and on which clock they run.
 struct Told_attempts
 {
   enum Quality { NONE, VALID, SUCCESSFUL };

@@ -56,7 +56,7 @@ struct Recording_visitor
     return steps.size() < last;
   }
 
-  // Tells whether all are numbered rounds of a phase.
+  // Returns whether all are numbered rounds of a phase.
   bool has_rounds_only(const VMP::Phase phase) const
   {
     for(std::size_t i = 0; i < steps.size(); ++i)
@@ -85,7 +85,7 @@ void check_ends(const std::function<bool(Impatient_visitor&)>& is_interrupted)
   }
 }
 
-// Tells whether the map of a cube of 384 or more cells to a domain is interrupted, with further parameters of the map.
+// Returns whether the map of a cube of 384 or more cells to a domain is interrupted, with further parameters of the map.
 template <typename Parameterizer, typename Parameters>
 bool is_map_interrupted(const Parameterizer& parameterizer, const Parameters& parameters)
 {

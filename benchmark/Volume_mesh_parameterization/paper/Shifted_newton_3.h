@@ -46,7 +46,7 @@ public:
   double step_length() const { return m_step_length; }
   bool is_running() const { return m_is_running; }
 
-  // `target_of_step(mu)` tells where the prescribed vertices are drawn in this step.
+  // `target_of_step(mu)` is where the prescribed vertices are drawn in this step.
   template <typename TargetOfStep>
   void step(const double weight, const TargetOfStep& target_of_step)
   {

@@ -196,7 +196,7 @@ inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::P
         .add("features_given_up", points);
 }
 
-// Without a map, there is nothing to tell of bad input but the message and the options.
+// Without a map, bad input has nothing but its message and the options.
 inline void write_report(const Options& options, const Outcome& outcome, Progress_line& progress)
 {
   const CGAL::Volume_mesh_parameterization::Parameterization_result& result = outcome.result;

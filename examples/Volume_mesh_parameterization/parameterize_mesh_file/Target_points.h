@@ -69,7 +69,7 @@ inline std::vector<char> vertices_of_interfaces(const CGAL::Volume_mesh_paramete
   return result;
 }
 
-// Tells whether each vertex of a cell has a target, as in a copy of the mesh.
+// Returns whether each vertex of a cell has a target, as in a copy of the mesh.
 inline bool are_all_told(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Points& targets)
 {
   return std::all_of(soup.cells.begin(), soup.cells.end(), [&](const auto& cell)
@@ -147,7 +147,7 @@ inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization
   return result;
 }
 
-// Tells which vertices are at their targets and which are free: a vertex of the boundary is at its target if it has one, and one
+// Finds which vertices are at their targets and which are free: a vertex of the boundary is at its target if it has one, and one
 // inside if this is asked for.
 inline void free_others(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, Target_points& target)
 {

@@ -135,7 +135,7 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
     "image, change the label of a voxel there.";
 }
 
-// Tells why the boundary has no map onto a domain.
+// Says why the boundary has no map onto a domain.
 inline std::string message_of_domain(const std::string& domain, const CGAL::Volume_mesh_parameterization::Error_code status,
                                      const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
 {

@@ -14,7 +14,7 @@
 
 using CGAL::Volume_mesh_parameterization::IO::Output_file;
 
-// Tells whether two names stand for one file. A file that is not there yet has only its name.
+// Returns whether two names stand for one file. A file that is not there yet has only its name.
 inline bool is_same_file(const std::string& a, const std::string& b)
 {
   struct stat s, t;
@@ -29,7 +29,7 @@ inline bool is_same_file(const std::string& a, const std::string& b)
   return is_a_there == is_b_there && path(a) == path(b);
 }
 
-// Tells whether a name is one of a socket or a terminal, which have a way in and a way out.
+// Returns whether a name is one of a socket or a terminal, which have a way in and a way out.
 inline bool has_two_ways(const std::string& name)
 {
   std::error_code ignored;

@@ -102,7 +102,7 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
   }, named_solver(options.solver));
 }
 
-// Tells in the words of the program why a map is not as it was asked for.
+// Says in the words of the program why a map is not as it was asked for.
 inline void complete_message(const Mapped_mesh& mapped, const Options& options, Result& result)
 {
   const bool is_boundary_mapped = options.domain.empty() || result.number_of_cells > 0;
@@ -125,7 +125,7 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
          : is_boundary_mapped ? " There is no map without inverted cells yet." : " There is no map yet.");
 }
 
-// Tells how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
+// Says how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
 inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
 {
   if(polycube.features_given_up.empty())

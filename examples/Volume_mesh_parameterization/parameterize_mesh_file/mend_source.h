@@ -1,4 +1,4 @@
-// Tells the faults of a mesh, and mends them where that is safe or asked for.
+// Names the faults of a mesh, and mends them if that is safe or requested.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MEND_SOURCE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_MEND_SOURCE_H
 
@@ -40,7 +40,7 @@ struct Source
   // Returns the mesh that other files refer to, with the vertices and cells of its file.
   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& in_file() const { return unmended ? *unmended : soup; }
 
-  // Takes points of the file to the mesh. A point that is not told has coordinates that are not numbers.
+  // Takes points of the file to the mesh. A point without one has coordinates that are not numbers.
   Points carried(Points points) const
   {
     for(std::size_t v = 0; v < first_points.size(); ++v)

@@ -41,7 +41,7 @@ void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh
   file.commit(CGAL::parameters::visitor(std::ref(progress)));
 }
 
-// Writes the image with its own data if it is an improved mesh: its source may be tangled, and tells nothing.
+// Writes the image with its own data if it is an improved mesh: its source may be tangled, and is of no use.
 void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& source, const Points& uvw, const bool is_improved,
                Progress_line& progress)
 {
@@ -89,7 +89,7 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
       ? " The hexahedra are valid, but better ones might have been found." : " There are no valid hexahedra yet."));
 }
 
-// Writes the files of a map. The outcome tells which file cannot be written, and which others have been.
+// Writes the files of a map. The outcome names the file that cannot be written, and those that have been.
 void write_files(const Options& options, const Source& source, const Points& uvw, Progress_line& progress, Outcome& outcome)
 {
   const auto fail = [&](const Exit_code exit_code, const char* status_code, const std::string& sentence)

@@ -96,7 +96,7 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
   return soup;
 }
 
-// Tells which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
+// Says which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
 inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
   if(soup.edges.empty())

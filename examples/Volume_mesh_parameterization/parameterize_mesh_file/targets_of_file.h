@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// Reads the target of each point of the mesh; not numbers for points without one. `notes` tell how the file is understood, if
+// Reads the target of each point of the mesh; not numbers for points without one. `notes` say how the file is understood, if
 // there are several ways.
 inline Points targets_of_file(const std::string& filename, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
                               Progress_line& progress, std::vector<std::string>& notes)

@@ -212,8 +212,8 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Tells of the polycube that a body is mapped to at last.
-  void tell(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
+  // Stores the result of the polycube that a body is mapped to at last.
+  void store_result(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
   {
     const internal::Body_3 body = internal::body_of(refined_body.soup); // with the sides that are on the boundary now
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
@@ -233,8 +233,8 @@ public:
       m_result->labels[body.sides[f] / 4][body.sides[f] % 4] = label_of_image(surface.facets[f], images);
   }
 
-  // Is told of the order of the cells in a complex that has been refined.
-  void tell_order_of_cells(const std::vector<std::size_t>& order) const
+  // Orders the labels as the cells of the refined complex.
+  void reorder_cells(const std::vector<std::size_t>& order) const
   {
     if(m_result->labels.size() != order.size())
       return;

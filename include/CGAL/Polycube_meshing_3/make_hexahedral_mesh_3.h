@@ -173,7 +173,7 @@ step takes time linear in the number of hexahedra, plus the solution of a sparse
 \return the status with its place, the scaled Jacobians, volumes and distances. The status is one of the following.
 - `OK`: the mesh is valid. If the computation was ended early, `Hexahedral_mesh_result::is_interrupted` is set.
 - `ERROR_POOR_HEXAHEDRON`: the mesh is valid and written, but a scaled Jacobian is below the bound.
-- `ERROR_INCOMPLETE_HEXAHEDRA`: the mesh is valid and written, but a subdomain has no hexahedron, or the boundaries are farther
+- `ERROR_INCOMPLETE_HEXAHEDRA`: the mesh is valid and written, but a subdomain has no hexahedron. Or the boundaries are farther
   apart than an edge of a hexahedron.
 - `ERROR_INVERTED_HEXAHEDRON`: the Jacobian determinant of a hexahedron is not positive everywhere.
 - `ERROR_INTERRUPTED`: the computation was ended before there was a valid mesh.

@@ -25,7 +25,7 @@ Chao et al.\ \cgalCite{cgal:cpss-sgmed-10}, the squared distance of the differen
 
 Minimum: 0 at an isometry. It is not homogeneous: it compares lengths, with the volume of the source scaled
 to that of the target. It has no barrier: cells may collapse or invert, unless the step length or
-`Barrier_energy_3` forbids it. It is smooth if \f$\sigma_2 + \sigma_3 > 0\f$, hence for all cells
+`Barrier_energy_3` forbids it. It is smooth if \f$\sigma_2 + \sigma_3 > 0\f$, as in all cells
 that are not inverted.
 
 Use it for deformations that are close to rigid.

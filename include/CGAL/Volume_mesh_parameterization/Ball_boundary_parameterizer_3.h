@@ -25,8 +25,8 @@ maps the boundary of a complex that is a topological sphere onto the unit sphere
 The image is a polyhedron inscribed in the sphere. Its central projection covers the sphere once: the origin
 sees each triangle from inside, which is checked with exact predicates on the coordinates written.
 
-With the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03} the surface is coarsened to a tetrahedron by edge
-collapses, and the vertices come back one by one. The map from the boundary, scaled to the area of the sphere, has a low
+In the method of Praun and Hoppe \cgalCite{cgal:ph-spr-03}, edge collapses coarsen the surface to a tetrahedron. Then
+the vertices come back one by one. The map from the boundary, scaled to the area of the sphere, has a low
 distortion. The distortion is the symmetric Dirichlet energy, which compares lengths and areas.
 
 Unless landmarks are given, the sphere is turned arbitrarily.
@@ -67,8 +67,8 @@ public:
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`
   ///
-  /// \return the same as without landmarks, or `ERROR_INVALID_LANDMARK` if one is not a vertex of the boundary, or the
-  ///         coordinates of its point are not finite
+  /// \return the same as without landmarks, or `ERROR_INVALID_LANDMARK` if one is not a vertex of the boundary or its
+  ///         point is not finite
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
   Error_code parameterize(const C3t3& c3t3,
                           const std::vector<std::pair<typename C3t3::Vertex_handle,

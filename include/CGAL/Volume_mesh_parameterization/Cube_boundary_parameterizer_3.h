@@ -28,13 +28,13 @@ charts between the paths become its faces. A coordinate that is constant on a fa
 bits in all images there. No triangle is flipped or flat, which is checked with exact predicates on the coordinates written.
 
 The boundary is first mapped to the sphere as by `Ball_boundary_parameterizer_3`. The paths are shortest paths on the
-sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}, and the charts
-are mapped from the sphere, first harmonically and then by the untangling energy \cgalCite{cgal:gkkrs-ffm-21}. Finally the
-symmetric Dirichlet energy of the map from the boundary, scaled to the area of the box, is lowered. At most 100 sweeps over all
-vertices move vertices in their face or along their edge of the box.
+sphere, found one after the other without touching each other \cgalCite{cgal:pss-cmp-01}. The charts are mapped from the
+sphere, first harmonically and then by the untangling energy \cgalCite{cgal:gkkrs-ffm-21}. Finally, sweeps over all vertices
+lower the symmetric Dirichlet energy of the map from the boundary, scaled to the area of the box. Vertices move in their face or
+along their edge of the box.
 
 If the boundary has sharp edges (normals that differ by more than 60 degrees, or marked edges), a second map is made. Its paths
-prefer sharp edges: an edge there counts 0.3 times its length. The map with less distortion is returned.
+prefer sharp edges. The map with less distortion is returned.
 
 Unless corners are given, eight vertices are chosen by three criteria. The charts have areas in the ratio of the faces of the
 box. The map is turned like the scaling of the bounding box of the boundary to the box. The vertices are close to the corners of

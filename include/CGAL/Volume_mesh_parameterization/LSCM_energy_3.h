@@ -24,7 +24,7 @@ The energy of least squares conformal maps,
         = 3\,|J^T J|^2 - |J|^4\f$
 in the form of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (5).
 
-Minimum: 0 at a similarity, but at a collapsed cell as well. It is homogeneous of degree 4, so large
+Minimum: 0 at a similarity, but at a collapsed cell as well. It is homogeneous of degree 4: large
 cells dominate. It has no barrier: cells may collapse or invert, unless the step length or
 `Barrier_energy_3` forbids it.
 

@@ -189,9 +189,9 @@ inline Soft_boundary_parameters approaching_soft_boundary_parameters()
 A linear equation \f$\sum_k c_k \cdot u_{v_k} = p\f$ between the images of vertices: a row of the
 positional constraints \f$P(u) = C u - p = 0\f$ of Jin et al.\ \cgalCite{cgal:jqzctz-smvp-15}, equation (7).
 
-For example, a vertex `v` stays on the plane through `q` with normal `n` by the term `{v, n}` and the
-value `n.dot(q)`, and the vertices `v` and `w` keep their distance in that direction by the terms
-`{v, n}` and `{w, -n}`. The meaning of the residual is a distance if the coefficients have length 1.
+For example, the term `{v, n}` and the value `n.dot(q)` keep a vertex `v` on the plane through `q` with
+normal `n`. The terms `{v, n}` and `{w, -n}` keep the distance of the vertices `v` and `w` in that
+direction. The meaning of the residual is a distance if the coefficients have length 1.
 
 Constraints have an effect with `Boundary_mode::SOFT` only. They act like the targets of the boundary, by the square of
 their residual.

@@ -220,8 +220,8 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 /// number of cells, but for those at such vertices.
 ///
 /// \param soup the mesh, whose cells are all positive or all negative. The first fan keeps its vertex; points at the same
-///        place for the other ones are appended, with the same data. Marked facets and edges follow their cells; an
-///        edge in several fans becomes one for each, and so does a corner.
+///        place for the other ones are appended, with the same data. Marked facets and edges follow their cells. An
+///        edge or a corner in several fans becomes one for each.
 ///
 /// \return for each appended point, the vertex that it was
 ///

@@ -32,7 +32,7 @@ namespace CGAL::Volume_mesh_parameterization {
 /// the soup, and its handle is `Vertex_handle()`.
 ///
 /// \tparam C3t3 a model of `MeshComplex_3InTriangulation_3` whose types `Subdomain_index` and `Surface_patch_index`
-///         can be constructed from `int`, and `Index` from both; for instance with
+///         can be constructed from `int`, and `Index` from both. An example has
 ///         `CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3` as triangulation
 ///
 /// \param soup the mesh

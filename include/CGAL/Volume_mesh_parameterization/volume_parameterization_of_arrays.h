@@ -26,9 +26,9 @@ The last array is always the output. With four arrays, the third array prescribe
 the named parameter `boundary_parameterizer` finds them, by default on the unit sphere.
 
 \tparam PointRange a model of `RandomAccessContainer` with a `value_type` that has three coordinates by `operator[]` and can be
-        constructed from `{x, y, z}`, as `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d` can. Points that are
-        written are rounded to the type of their coordinates before the exact checks. What is not
-        modified may be any random access range with the functions `begin()`, `end()` and `size()`.
+        constructed from `{x, y, z}`. Examples are `std::array<double, 3>`, `Kernel::Point_3` and `Eigen::Vector3d`. Points
+        that are written are rounded to the type of their coordinates before the exact checks. A range that is not modified may
+        be any random access range with the functions `begin()`, `end()` and `size()`.
 \tparam CellRange a model of `RandomAccessContainer` whose `value_type` has four indices by `operator[]`
 \tparam TargetRange as `PointRange`
 \tparam ImageRange as `PointRange`

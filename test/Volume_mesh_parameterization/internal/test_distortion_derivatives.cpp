@@ -173,7 +173,7 @@ void check_decomposition(const Matrix3d& J)
   }
 }
 
-// Tells whether psi is finite, and without the kink that s_i = -s_j makes if psi_i + psi_j does not vanish there.
+// Returns whether psi is finite, and without the kink that s_i = -s_j makes if psi_i + psi_j does not vanish there.
 bool is_smooth(const Erased_energy& energy, const Vector3d& s)
 {
   const Vector3d g = energy.gradient(s);

@@ -14,7 +14,7 @@
 #  pragma GCC system_header // #include_next is an extension, which -pedantic would report
 #endif
 
-// Tells the public headers that this file was found before CGAL's.
+// Shows the public headers that this file was found before CGAL's.
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_NAMED_PARAMETERS
 
 // List of named parameters used in Volume_mesh_parameterization

@@ -65,8 +65,8 @@ Parameterization_result parameterize_distributed_mesh_3(const MPI_communicator_3
 \ingroup PkgVolumeMeshParameterizationDistributed
 
 computes the same map for a mesh that several processes share, by MPI and PETSc. All processes of the communicator must
-call this function, after `PetscInitialize()`, with the same named parameters. A partition of the mesh is computed by
-PT-Scotch; so points and cells may come in any order. A process may have to do with at most \f$2^{31} - 1\f$ cells.
+call this function, after `PetscInitialize()`, with the same named parameters. PT-Scotch computes a partition of the mesh.
+Therefore, points and cells may come in any order. A process may have to do with at most \f$2^{31} - 1\f$ cells.
 
 PETSc solves the Newton systems. The default is conjugate gradients that stop at negative curvature (`KSPSTCG`), with the
 inverses of the 3x3 diagonal blocks (`PCPBJACOBI`). PETSc's options database may name others, for instance `-pc_type gamg`. The

@@ -119,7 +119,7 @@ bool read_VTU(const std::string& filename, Tetrahedron_soup_3& soup, const Named
 /// inverse, of the map scaled to the volume of the mesh (`Parameterization_result::distortion_at_source_volume`). Marked facets
 /// and edges are triangles and lines behind the cells, with their own references and the other values of a cell at them. The
 /// data of the soup with other names are written, too, and the names of groups, as `read_tetrahedron_soup()` reads them. The
-/// values are binary, in the appended form of the format (`encoding="raw"`), so bits are kept: 53 bytes a cell and 48 a point.
+/// values are binary, in the appended form of the format (`encoding="raw"`). All bits are kept: 53 bytes a cell, 48 a point.
 ///
 /// \param os the stream, opened in binary mode (`std::ios::binary`) if it is a file
 /// \param soup the mesh

@@ -57,7 +57,7 @@ inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces
   }
 }
 
-// Tells how well interfaces are kept, in numbers, and in sentences if they are not.
+// Measures how well interfaces are kept, and adds sentences if they are not.
 inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::array<std::size_t, 4> >& quadrangles,
                                 Body_interfaces_3& interfaces, const Staircases staircases, Hexahedral_mesh_result& result)
 {

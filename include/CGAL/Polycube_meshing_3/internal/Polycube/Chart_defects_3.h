@@ -214,7 +214,7 @@ private:
   }
 
   // Returns how far borders are from those of a polygon with holes: one turns left by four right angles, the others turn
-  // right, and the characteristic tells of no handle.
+  // right, and by the characteristic, there is no handle.
   static int distance_from_polygon(const Turnings& turnings, const int characteristic)
   {
     const int outer = turnings.largest;

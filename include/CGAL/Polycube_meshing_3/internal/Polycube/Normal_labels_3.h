@@ -192,7 +192,7 @@ private:
     return std::find(is_best.begin(), is_best.end(), true) != is_best.end();
   }
 
-  // Tells by number of rings whether the region around a face keeps its labels as long as none nearby changes.
+  // Returns by number of rings whether the region around a face keeps its labels as long as none nearby changes.
   using Settled_faces = std::array<std::vector<bool>, 3>;
 
   // Gives the faces within some rings around a face one label, where the sum falls thereby. Returns whether any label changed.

@@ -94,10 +94,10 @@ public:
     return std::accumulate(n.begin(), n.end(), 0);
   }
 
-  // Tells whether a chart is not valid, or a neighbor of such a chart.
+  // Returns whether a chart is not valid, or a neighbor of such a chart.
   bool is_beside_invalid(const std::size_t chart) const { return m_is_beside_invalid[chart]; }
 
-  // Tells whether a chart with the label is next to the chart.
+  // Returns whether a chart with the label is next to the chart.
   bool has_neighbor(const std::size_t chart, const std::size_t label) const
   {
     const auto is_between = [&](const std::array<std::size_t, 2>& charts)

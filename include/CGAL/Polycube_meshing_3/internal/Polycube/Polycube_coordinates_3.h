@@ -233,7 +233,7 @@ private:
       add_order(order);
   }
 
-  // Tells whether each face has one outer polygon, with its other polygons inside.
+  // Returns whether each face has one outer polygon, with its other polygons inside.
   bool are_faces_whole() const
   {
     for(std::size_t c = 0; c < m_borders.size(); ++c)

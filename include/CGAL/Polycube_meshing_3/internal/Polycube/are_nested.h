@@ -23,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Boundary_polygon_2 = std::vector<Boundary_point_2>;
 
-// Tells whether a polygon leads counterclockwise around a face, and not around a hole, even where its edges intersect: the
+// Returns whether a polygon leads counterclockwise around a face, and not around a hole, even where its edges intersect: the
 // function of CGAL asks for simple polygons.
 inline bool is_outer(const Boundary_polygon_2& p)
 {
@@ -33,7 +33,7 @@ inline bool is_outer(const Boundary_polygon_2& p)
   return turns > 0;
 }
 
-// Tells whether disjoint polygons are one and its holes: holes lead clockwise, are inside of it, and outside of each other.
+// Returns whether disjoint polygons are one and its holes: holes lead clockwise, are inside of it, and outside of each other.
 inline bool are_nested(std::vector<Boundary_polygon_2> polygons)
 {
   const auto is_inside = [](const Boundary_polygon_2& inner, const Boundary_polygon_2& outer)

@@ -68,7 +68,7 @@ public:
 
   bool precedes(const std::size_t first, const std::size_t second) const { return m_precedes[first][second]; }
 
-  // Tells whether the first element can still be put before the second one.
+  // Returns whether the first element can still be put before the second one.
   bool may_precede(const std::size_t first, const std::size_t second) const
   { return first != second && !precedes(second, first); }
 

@@ -58,7 +58,7 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
   return CGAL::is_closed(mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
 }
 
-// Tells of each edge of a mesh whether it is among those between the given vertices.
+// Returns for each edge of a mesh whether it is among those between the given vertices.
 template <typename Edges>
 std::vector<bool> are_among(const Boundary_mesh_3& mesh, const Edges& edges)
 {

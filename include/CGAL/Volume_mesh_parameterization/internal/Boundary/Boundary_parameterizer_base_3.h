@@ -59,9 +59,9 @@ public:
                              std::vector<Mapped_boundary_3>& boundaries) const
   { return model().find(body, typename Model::Given(), may_refine, budget, boundaries); }
 
-  // Is told of the images that the body is mapped to at last.
-  void tell(const Body_3&, const Mapped_boundary_3&) const {}
-  void tell_order_of_cells(const std::vector<std::size_t>&) const {}
+  // Stores what users may ask of the chosen boundary, and later orders it as the cells of a refined complex.
+  void store_result(const Body_3&, const Mapped_boundary_3&) const {}
+  void reorder_cells(const std::vector<std::size_t>&) const {}
 
 protected:
   template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename Given>
@@ -128,7 +128,7 @@ private:
     const Error_code status = model().find(body, given, false, limits.budget(), boundaries);
     if(status != OK)
       return status;
-    model().tell(body, boundaries.front());
+    model().store_result(body, boundaries.front());
     write(boundaries.front().targets);
     return OK;
   }
@@ -139,7 +139,7 @@ struct Visitor_of_budget
 {
   const Budget& budget;
 
-  bool after_step(const Parameterization_step& step) { return budget.tell(step); }
+  bool after_step(const Parameterization_step& step) { return budget.report(step); }
   bool goes_on() const { return !budget.is_exhausted(); }
 };
 

@@ -64,7 +64,7 @@ public:
     write(images);
   }
 
-  // Tells whether the coordinates that are held are those of this map, and where they are here.
+  // Returns whether the coordinates that are held are those of this map, and where they are here.
   bool has_border(const Held_coordinates& is_held, const std::vector<Eigen::Vector3d>& images) const
   {
     for(std::size_t i = 0; i < m_unknown.size(); ++i)

@@ -51,7 +51,7 @@ public:
   // Returns the neighbors of a vertex; none if it is removed.
   const std::vector<int>& operator[](const int v) const { return m_rings[v]; }
 
-  // Tells by the link condition whether the surface remains a manifold if v is collapsed onto its neighbor u.
+  // Returns by the link condition whether the surface remains a manifold if v is collapsed onto its neighbor u.
   bool is_collapsible(const int v, const int u) const
   {
     return std::count_if(m_rings[v].begin(), m_rings[v].end(), [&](const int w) { return contains(m_rings[u], w); }) == 2;

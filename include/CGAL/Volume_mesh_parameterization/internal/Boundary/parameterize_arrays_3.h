@@ -18,7 +18,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a body to prescribed targets. `target(p)` tells that of a point, and `vertex(p)` what the user calls the point. The body is
+// Maps a body to prescribed targets. `target(p)` is that of a point, and `vertex(p)` what the user calls the point. The body is
 // refined, or gone.
 template <typename Vertex, bool may_refine, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
 Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
@@ -90,10 +90,10 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   for(Mapped_boundary_3& boundary : boundaries)
     for(std::array<double, 3>& p : boundary.targets)
       p = body.image_type.rounded_point(p);
-  const auto tell = [&](const Mapped_boundary_3& boundary)
+  const auto store_result = [&](const Mapped_boundary_3& boundary)
   {
     if constexpr(is_of_this_package<Parameterizer>)
-      parameterizer.tell(body, boundary);
+      parameterizer.store_result(body, boundary);
   };
   Prescription_3 prescription = prescription_3<Vertex>(body, np, [](std::size_t) { return Exact_point_3(); }, vertex);
   if constexpr(may_refine)
@@ -103,20 +103,20 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
       body = std::move(mapped.body);
       insertions = std::move(mapped.insertions);
       images = std::move(mapped.images);
-      tell(*mapped.boundary);
+      store_result(*mapped.boundary);
       return mapped.result;
     }
-  tell(boundaries.front());
+  store_result(boundaries.front());
   prescription.targets = boundaries.front().targets;
   return parameterize_body_3(std::move(body), prescription, problem, images);
 }
 
-// Tells a parameterizer, which has told of the cells of a body, their order in the complex that has been refined.
+// Orders the result of a parameterizer, which is that of the cells of a body, as the cells of the refined complex.
 template <typename Parameterizer, typename C3t3, typename Body>
-void tell_order_of_cells(const Parameterizer& parameterizer, const C3t3& c3t3, const Body& body)
+void reorder_cells(const Parameterizer& parameterizer, const C3t3& c3t3, const Body& body)
 {
   if constexpr(is_of_this_package<Parameterizer>)
-    parameterizer.tell_order_of_cells(order_of_cells(c3t3, body));
+    parameterizer.reorder_cells(order_of_cells(c3t3, body));
 }
 
 // Maps a mesh of arrays, whose points are stored in some type. `take(soup)` takes over the refined mesh.
@@ -145,7 +145,7 @@ Parameterization_result parameterize_arrays_3(Tetrahedron_soup_3 soup, const Coo
   });
 }
 
-// Tells the target of each point of a range, which has one for each of the points.
+// Returns a function with the target of each point, of a range that has one for each of them.
 template <typename NamedParameters, typename TargetRange>
 auto target_of_point(const TargetRange& targets, const std::size_t number_of_points)
 {

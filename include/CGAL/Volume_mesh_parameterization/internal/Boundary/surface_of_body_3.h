@@ -22,7 +22,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Bod
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body);
 
-// Returns a sentence that tells where the boundary of a body is not a manifold; an empty one for other errors.
+// Returns a sentence with the places at which the boundary of a body is not a manifold; an empty one for other errors.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, Error_code status);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -201,7 +201,7 @@ private:
     m_mesh.user_numbers.swap(user_numbers);
   }
 
-  // Sets the rows: each owner tells those of its vertices to all.
+  // Sets the rows: each owner sends those of its vertices to all.
   void set_rows(const Star_forest& all, const std::vector<int>& mesh_numbers)
   {
     const std::size_t first = m_communicator.begins(number_of_own_rows())[m_communicator.rank()];

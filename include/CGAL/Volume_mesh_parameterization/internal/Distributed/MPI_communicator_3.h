@@ -21,8 +21,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Processes that fail together. All communication begins with a round in which each tells a number and whether it has
-// failed; where one has, all throw what the first of them has thrown. So none waits for one that is gone. Numbers are
+// Processes that fail together. All communication begins with a round in which each sends a number and whether it has
+// failed. If one has, all throw what the first of them has thrown. Therefore, none waits for one that is gone. Numbers are
 // added in the order of the ranks: all processes get the same bits, in each run.
 class MPI_communicator_3 final : public Communicator_3
 {
@@ -150,11 +150,11 @@ public:
       return result;
     }
     catch(const Failure& failure) { throw_again(failure); }
-    catch(const Interruption&) { throw_again(told({ Kind::INTERRUPTED, "" })); }
-    catch(const std::bad_alloc&) { throw_again(told({ Kind::MEMORY, "" })); }
-    catch(const Input_error& error) { throw_again(told({ Kind::INPUT, error.what() })); }
-    catch(const std::exception& error) { throw_again(told({ Kind::OTHER, error.what() })); }
-    catch(...) { throw_again(told({ Kind::OTHER, "an exception of unknown type" })); }
+    catch(const Interruption&) { throw_again(first_failure({ Kind::INTERRUPTED, "" })); }
+    catch(const std::bad_alloc&) { throw_again(first_failure({ Kind::MEMORY, "" })); }
+    catch(const Input_error& error) { throw_again(first_failure({ Kind::INPUT, error.what() })); }
+    catch(const std::exception& error) { throw_again(first_failure({ Kind::OTHER, error.what() })); }
+    catch(...) { throw_again(first_failure({ Kind::OTHER, "an exception of unknown type" })); }
   }
 
 private:
@@ -178,7 +178,7 @@ private:
   }
 
   // Returns the first failure of all processes; this one has failed.
-  Failure told(const Failure& mine) const
+  Failure first_failure(const Failure& mine) const
   {
     try { gathered(0, mine); }
     catch(const Failure& failure) { return failure; }

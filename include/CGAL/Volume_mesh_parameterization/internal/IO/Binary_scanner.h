@@ -56,7 +56,7 @@ private:
   std::size_t m_position = 0;
 };
 
-// Numbers that a file may tell, as they are needed.
+// Numbers of a file, checked.
 inline double checked_coordinate(const double x)
 {
   if(!std::isfinite(x))
@@ -79,8 +79,8 @@ inline int checked_reference(const std::int64_t reference)
   return static_cast<int>(reference);
 }
 
-// Reads a binary MEDIT file (.meshb), of the layout of libMeshb: the number 1, which tells the order of bytes, the version,
-// and sections of a keyword, the position of the next one, and a number of elements. The version tells what has 8 bytes:
+// Reads a binary MEDIT file (.meshb), of the layout of libMeshb: the number 1, by which the order of bytes is known, the version,
+// and sections of a keyword, the position of the next one, and a number of elements. By the version, these have 8 bytes:
 // from 2 on coordinates, from 3 on positions, and in 4 all integers but keywords.
 class Binary_MEDIT_reader
 {

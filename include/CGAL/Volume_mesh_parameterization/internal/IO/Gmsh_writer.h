@@ -98,7 +98,7 @@ public:
     }
   }
 
-  // Gmsh tells formats by names, hence a file in a folder of its own.
+  // Gmsh recognizes formats by names: the file gets a folder of its own.
   void write(std::ostream& os, const double version) const
   {
     namespace fs = std::filesystem;

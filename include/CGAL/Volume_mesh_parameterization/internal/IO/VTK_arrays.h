@@ -83,9 +83,9 @@ public:
   // Throws unless the piece has as many points, or cells, as it says.
   void check_number(const char* what, const std::size_t number_of_elements) const
   {
-    const std::size_t told = number(m_piece, what, std::to_string(number_of_elements));
-    if(told != number_of_elements)
-      throw Input_error(std::string(what) + " is " + std::to_string(told) + ", but the arrays have "
+    const std::size_t stated = number(m_piece, what, std::to_string(number_of_elements));
+    if(stated != number_of_elements)
+      throw Input_error(std::string(what) + " is " + std::to_string(stated) + ", but the arrays have "
                         + std::to_string(number_of_elements));
   }
 

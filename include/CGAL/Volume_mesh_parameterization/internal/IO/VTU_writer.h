@@ -77,7 +77,7 @@ public:
            const char* attributes = "")
   {
     m_xml += std::string("<DataArray type=\"") + type_name(Number()) + "\" Name=\"" + XML_escaped(name) + "\"" + attributes;
-    if(number_of_components > 1) // one is the default; meshio converts no arrays of which it is told
+    if(number_of_components > 1) // one is the default; if it is written, meshio does not convert the array
       m_xml += " NumberOfComponents=\"" + std::to_string(number_of_components) + "\"";
     m_xml += " format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
     append(static_cast<std::uint64_t>(n * sizeof(Number)));

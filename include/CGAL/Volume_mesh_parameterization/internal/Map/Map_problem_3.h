@@ -48,7 +48,7 @@ struct Map_options_3
   bool verbose = false;
 };
 
-// Tells what is asked for, and by what means it is found.
+// Problem of finding a map: what the user wants, and the means to find it.
 struct Map_problem_3
 {
   Map_options_3 options;

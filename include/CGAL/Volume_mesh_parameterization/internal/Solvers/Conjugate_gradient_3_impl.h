@@ -124,7 +124,7 @@ private:
     return sum;
   }
 
-  // Tells by Sylvester's criterion whether D is positive definite.
+  // Returns by Sylvester's criterion whether D is positive definite.
   static bool is_positive_definite(const Eigen::Matrix3d& D)
   { return D(0, 0) > 0 && D(0, 0) * D(1, 1) > D(0, 1) * D(1, 0) && D.determinant() > 0; }
 

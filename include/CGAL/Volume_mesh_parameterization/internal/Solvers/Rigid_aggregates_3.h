@@ -94,7 +94,7 @@ public:
         m_matrix.block(below + 1) += turned * m_rotations[column];
       }
     }
-    for(int row = 0; row < m_matrix.size(); row += 2) // rows on a line tell no rotation about it
+    for(int row = 0; row < m_matrix.size(); row += 2) // rows on a line determine no rotation about it
     {
       const double stiffness = m_matrix.block(m_matrix.position(row, row)).trace();
       for(const int motion : { row, row + 1 })

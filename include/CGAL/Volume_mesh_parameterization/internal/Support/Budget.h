@@ -44,7 +44,7 @@ public:
     return m_state->is_exhausted;
   }
 
-  // Tells those who look on of a round of a loop without Newton steps, and returns whether it may begin.
+  // Reports a round of a loop without Newton steps to the visitor, and returns whether it may begin.
   bool may_begin_round(const Phase phase, const char* name) const
   {
     if(is_exhausted())
@@ -55,11 +55,11 @@ public:
     step.kind = Step_kind::ROUND;
     step.attempt = name;
     step.seconds = seconds();
-    return tell(step);
+    return report(step);
   }
 
-  // Tells of a step that was made elsewhere.
-  bool tell(const Parameterization_step& step) const
+  // Reports a step that was made elsewhere.
+  bool report(const Parameterization_step& step) const
   {
     m_state->is_exhausted = m_state->is_exhausted || !m_after_step(step);
     return !m_state->is_exhausted;
@@ -73,7 +73,7 @@ public:
     Budget result = *this;
     result.m_seconds = seconds() + fraction * (m_seconds - seconds());
     result.m_may_continue = [whole = *this] { return !whole.is_exhausted(); };
-    result.m_after_step = [whole = *this](const Parameterization_step& step) { return whole.tell(step); };
+    result.m_after_step = [whole = *this](const Parameterization_step& step) { return whole.report(step); };
     result.m_state = std::make_shared<State>(State{ false, m_state->number_of_rounds });
     return result;
   }

@@ -52,7 +52,7 @@ auto point_of_vertex(const Tr& tr, const typename Tr::Vertex_handle v)
 inline bool is_finite_point(const Exact_point_3& p)
 { return CGAL::is_finite(p.x()) && CGAL::is_finite(p.y()) && CGAL::is_finite(p.z()); }
 
-// Tells whether a cell is positive. A cell with a point that is not finite is not; exact predicates are undefined for it.
+// Returns whether a cell is positive. A cell with a point that is not finite is not; exact predicates are undefined for it.
 inline bool is_positive_cell(const std::array<Exact_point_3, 4>& p)
 { return std::all_of(p.begin(), p.end(), is_finite_point) && CGAL::orientation(p[0], p[1], p[2], p[3]) == CGAL::POSITIVE; }
 

@@ -104,7 +104,7 @@ public:
     return *result;
   }
 
-  // Tells whether there are lines where just these patches meet.
+  // Returns whether there are lines where just these patches meet.
   bool has_line(const Patches_3& patches) const { return m_patches_at_lines.count(patches) > 0; }
 
 private:

@@ -69,7 +69,7 @@ public:
     return is_end ? Freedom_3::NONE : is_on_line(p) ? Freedom_3::LINE : Freedom_3::SURFACE;
   }
 
-  // Tells whether two points are the same up to rounding.
+  // Returns whether two points are the same up to rounding.
   bool are_equal(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const { return (p - q).norm() <= m_rounding; }
 
   bool is_on_line(const Eigen::Vector3d& p) const

@@ -65,7 +65,7 @@ inline Hexahedron_soup_3 hexahedron_soup_of(Hexahedra_3 mesh)
   return result;
 }
 
-// Tells for each vertex whether it is on the boundary.
+// Returns for each vertex whether it is on the boundary.
 template <typename Hexahedra>
 std::vector<bool> is_on_boundary(const Hexahedra& mesh) { return used_points(mesh.facets, mesh.points.size()); }
 

@@ -120,7 +120,7 @@ private:
     return result;
   }
 
-  // Tells whether the neighbors of a hexahedron in its subdomain exist, and are joined without it by those that touch it.
+  // Returns whether the neighbors of a hexahedron in its subdomain exist, and are joined without it by those that touch it.
   bool may_leave(const std::size_t c)
   {
     std::set<std::size_t> around;

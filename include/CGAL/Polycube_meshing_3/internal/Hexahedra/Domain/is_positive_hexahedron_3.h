@@ -74,9 +74,9 @@ Bernstein_coefficients_3<FT> jacobian_coefficients_3(const Hexahedron_points_3<F
   return result;
 }
 
-// Tells whether a polynomial is positive all over the closed unit cube, if its coefficients, which may be wrong by `error`, tell
-// it. Those at the corners are values, and all are bounds of the values between them; where they tell nothing, the cube is halved.
-// Polynomials that touch zero would be halved for ever: those that are open after many times count as not positive.
+// Returns whether the Bernstein coefficients of a polynomial, with errors up to `error`, prove that it is positive on the closed
+// unit cube. Coefficients at the corners are values, and all coefficients bound the values between them. If they leave the sign
+// open, the cube is halved. Polynomials that touch zero would be halved for ever: after many times, they count as not positive.
 template <typename FT>
 std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>& coefficients, const FT& error,
                                              const int number_of_halvings = 0)
@@ -109,7 +109,7 @@ std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>&
   return first && *first ? is_positive_polynomial_3(halves[1], error, number_of_halvings + 1) : first;
 }
 
-// Tells whether the Jacobian determinant of a hexahedron is positive all over it: of the coordinates as they are, by a filter in
+// Returns whether the Jacobian determinant of a hexahedron is positive all over it: of its own coordinates, by a filter in
 // double precision, and where this is not enough, in rational numbers.
 inline bool is_positive_hexahedron_3(const Hexahedron_points_3<double>& points)
 {

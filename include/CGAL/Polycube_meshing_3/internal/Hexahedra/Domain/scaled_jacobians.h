@@ -48,7 +48,7 @@ void for_each_corner(const Hexahedra& mesh, const Function& f)
     for_each_corner(cell, f);
 }
 
-// Tells whether a hexahedron is positive all over it, in exact arithmetic on the coordinates as they are.
+// Returns whether a hexahedron is positive all over it, in exact arithmetic on the coordinates as they are.
 inline bool is_positive_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
 {
   Hexahedron_points_3<double> points;
@@ -65,7 +65,7 @@ inline Hexahedron_points_3<double> points_of_hexahedron(const Matrix3Xd& positio
   return result;
 }
 
-// Tells whether a corner is neither flat nor inverted, by exact predicates on the coordinates as they are.
+// Returns whether a corner is neither flat nor inverted, by exact predicates on the coordinates as they are.
 inline bool is_positive_corner(const Hexahedra_3& mesh, const std::array<std::size_t, 4>& corner)
 {
   const auto point = [&](const std::size_t i) { return exact_point(mesh.points[corner[i]]); };

@@ -67,7 +67,7 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
   return result;
 }
 
-// Tells whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian where this is
+// Returns whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian if this is
 // bad, or the larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of
 // the other. Boundaries that are far apart, in edges, have a price.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
@@ -87,7 +87,7 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
   return least_of_a != least_of_b ? least_of_a > least_of_b : quality(a) > quality(b);
 }
 
-// Tells whether a mesh is valid, and no scaled Jacobian is below a bound.
+// Returns whether a mesh is valid, and no scaled Jacobian is below a bound.
 inline bool is_at_least(const Hexahedral_mesh_result& result, const double bound)
 { return result.has_valid_mesh && result.minimum_scaled_jacobian >= bound; }
 
@@ -108,10 +108,10 @@ struct Best_hexahedra_3
   }
 };
 
-// Distances of interfaces, relative to the edges of hexahedra: the largest one that is not told, a guess, and of rounding.
+// Distances of interfaces, relative to the edges of hexahedra: the largest one without a message, a guess, and that of rounding.
 constexpr double tolerance_of_interfaces = 0.1, rounding_of_interfaces = 1e-6;
 
-// Tells whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
+// Returns whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
 // interfaces are far from them, or no nearer than the grid is.
 inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const double distance_of_grid)
 {
@@ -132,7 +132,7 @@ inline double volume_error(const Hexahedral_mesh_result& result)
   return largest;
 }
 
-// Tells whether staircases are to be taken instead of hexahedra that were fitted to interfaces: if neither the worst hexahedra nor
+// Returns whether staircases replace hexahedra that were fitted to interfaces: if neither the worst hexahedra nor
 // the interfaces get worse, or if the fitted ones are bad, and staircases are better. Volumes of valid fitted ones are kept.
 inline bool is_better_as_staircases(const Hexahedral_mesh_result& staircases, const Best_hexahedra_3& fitted)
 {

@@ -21,7 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Tells for each set of octants around a point whether the boundary between them and the others is a disc there.
+// Returns for each set of octants around a point whether the boundary between them and the others is a disc there.
 class Octants_3
 {
 public:

@@ -65,7 +65,7 @@ struct Voxels_3
 class Columns_of_voxels_3
 {
 public:
-  static constexpr int samples = 3; // a guess: 27 points of a voxel tell which part is inside
+  static constexpr int samples = 3; // a guess: 27 points of a voxel decide which part is inside
 
   explicit Columns_of_voxels_3(const Voxels_3& voxels)
     : m_origin(voxels.origin), m_spacing(voxels.spacing / samples), m_size{ samples * voxels.size[0], samples * voxels.size[1] },

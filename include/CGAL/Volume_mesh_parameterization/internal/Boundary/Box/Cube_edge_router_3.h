@@ -49,7 +49,7 @@ inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, cons
   return std::vector<int>(path.begin(), path.end());
 }
 
-// Returns on which side of the cube a corner is along an axis a: bit a of its number tells.
+// Returns on which side of the cube a corner is along an axis a, which is bit a of its number.
 inline int side_of_corner(const int corner, const int axis) { return (corner >> axis & 1) ? 1 : -1; }
 
 inline std::array<int, 8> mirrored(std::array<int, 8> corners)
@@ -121,7 +121,7 @@ public:
   // Returns the vertices from `corner` to `other_corner()` of the i-th edge.
   const std::vector<int>& path(const std::size_t i) const { return m_paths[i]; }
 
-  // Tells whether two routers have found the same paths; in another order, these count as others.
+  // Returns whether two routers have found the same paths; in another order, these count as others.
   bool has_paths_of(const Cube_edge_router_3& other) const { return m_paths == other.m_paths; }
 
 private:

@@ -26,7 +26,7 @@ inline Orientation radial_orientation(const Eigen::Vector3d& a, const Eigen::Vec
   return CGAL::orientation(Boundary_point_3(0, 0, 0), point(a), point(b), point(c));
 }
 
-// Tells whether the central projection of the image onto a sphere is one to one. If all triangles are positive, the
+// Returns whether the central projection of the image onto a sphere is one to one. If all triangles are positive, the
 // projection covers the sphere everywhere equally often, and a count in one direction suffices.
 inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& images)
 {
@@ -102,7 +102,7 @@ private:
 
 // Map of a surface onto a surface around the origin, such that the image of each triangle is seen from inside.
 //
-// A `Domain` tells where the image of a vertex may move:
+// A `Domain` determines where the image of a vertex may move:
 //   Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const;   // columns may be zero
 //   Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& tangential_step) const;
 //   static constexpr double curvature;
@@ -129,7 +129,7 @@ public:
         break;
   }
 
-  // Tells whether all triangles around v are positive, as seen from the origin, with this image of v.
+  // Returns whether all triangles around v are positive, as seen from the origin, with this image of v.
   bool is_admissible(const int v, const Eigen::Vector3d& image) const
   {
     const std::vector<int>& ring = m_rings[v];

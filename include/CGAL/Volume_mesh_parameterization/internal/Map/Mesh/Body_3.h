@@ -192,7 +192,7 @@ struct Body_of_complex_3 : Body_3
 template <typename NamedParameters>
 constexpr bool has_conditions = !parameters::is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value;
 
-// Tells what the user wants of the points of a body. Without a target or an initial image, a point has coordinates that are not
+// Prescription of the user for the points of a body. Without a target or an initial image, a point has coordinates that are not
 // numbers.
 struct Prescription_3
 {
@@ -202,7 +202,7 @@ struct Prescription_3
   std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
   std::vector<Linear_constraint_3<std::size_t> > constraints;
 
-  void extend_to(std::size_t number_of_points); // new points are told nothing of
+  void extend_to(std::size_t number_of_points); // nothing is prescribed for new points
 };
 
 // Returns which points are vertices of cells, on the boundary or constrained, not free, and at their targets.

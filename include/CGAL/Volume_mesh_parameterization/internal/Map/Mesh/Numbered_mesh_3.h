@@ -164,7 +164,7 @@ Matrix_3 edge_matrix(const Positions& positions, const std::array<int, 4>& cell)
   return edges;
 }
 
-// Tells whether a cell is positively oriented, by exact predicates on the coordinates as they are.
+// Returns whether a cell is positively oriented, by exact predicates on the coordinates as they are.
 inline bool is_positive(const Matrix3Xd& positions, const std::array<int, 4>& cell)
 {
   const auto point = [&](const int i) { return exact_point(positions.col(cell[i])); };

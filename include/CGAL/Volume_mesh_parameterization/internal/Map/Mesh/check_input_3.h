@@ -23,7 +23,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Completes advice to refine by what compiles: constant complexes and arrays cannot be refined.
 constexpr const char* way_to_refine = "do_refine(true), for a mesh that is not constant";
 
-// Tells whether something is wrong with the input, with the data that make it concrete.
+// The fault of an input, with the data that make it concrete; OK if there is none.
 struct Input_check_3
 {
   Error_code status = OK;

@@ -44,7 +44,7 @@ std::size_t number_of_rows(const Range& range)
     return range.size();
 }
 
-// Returns the point or cell of index `i`, whose entries `operator[]` tells.
+// Returns the point or cell of index `i`, with its entries by `operator[]`.
 template <typename Range>
 decltype(auto) row(Range& range, const std::size_t i)
 {

@@ -18,7 +18,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Tells whether the edge between two facets that are oriented alike is sharp.
+// Returns whether the edge between two facets that are oriented alike is sharp.
 template <typename Facet, typename Position>
 bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
 {
@@ -34,7 +34,7 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
 // Returns the cosine of the turn up to which an edge of a curve of sharp edges goes on in the next one.
 inline double cosine_of_smooth_turn() { return std::sqrt(0.5); } // a guess; 45 degrees
 
-// Tells whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
+// Returns whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
 inline bool leads_along_axis(const Vector_3& p, const Vector_3& q)
 { return (p[0] != q[0]) + (p[1] != q[1]) + (p[2] != q[2]) == 1; }
 

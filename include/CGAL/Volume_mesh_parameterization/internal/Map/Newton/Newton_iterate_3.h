@@ -65,11 +65,11 @@ struct Newton_result_3
   std::string reason = {};        // for the status; empty if there is nothing to add
 };
 
-// Tells why an iteration has ended with a status, if there is something to add to it.
+// Returns why an iteration has ended with a status, if there is something to add to it.
 inline std::string reason_of_end(const Error_code status, const Newton_iterate_3& iterate)
 { return status == ERROR_LINEAR_SOLVER_FAILED ? describe_failure(iterate.direction) : ""; }
 
-// Tells a visitor of the step.
+// Returns the report of a step to a visitor.
 inline Parameterization_step step_of(const Newton_iterate_3& iterate, const Phase phase)
 {
   Parameterization_step step;

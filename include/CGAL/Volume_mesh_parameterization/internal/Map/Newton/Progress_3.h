@@ -20,8 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Tells the loops of a computation before each step whether they may continue, for the clock, the user and the number of
-// steps, and is told of it after it. Where several processes share a mesh, all ask and tell together, and are given one answer.
+// Decides before each step of the loops of a computation whether they may continue: the clock, the user and the number of steps
+// limit them. After the step, it gets a report. If several processes share a mesh, all ask together, and get one answer.
 class Progress_3
 {
 public:
@@ -67,7 +67,7 @@ public:
   Error_code status_of_end(const bool is_flip_free) const
   { return m_is_interrupted ? ERROR_INTERRUPTED : is_flip_free ? ERROR_NOT_CONVERGED : ERROR_NOT_FLIP_FREE; }
 
-  // Makes steps until `status()` tells one with which to end, or they may not continue. `step()` tells what it has done.
+  // Makes steps until `status()` returns one with which to end, or they may not continue. `step()` returns its report.
   template <typename Step, typename Status>
   Error_code make_steps(const bool is_flip_free, const Step& step, const Status& status)
   {

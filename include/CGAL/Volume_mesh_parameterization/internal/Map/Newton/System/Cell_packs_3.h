@@ -120,7 +120,7 @@ private:
   static int order(const Unknowns_3& unknowns, const int v)
   { return unknowns.contains(v) ? unknowns.row(v) : unknowns.size() + v; }
 
-  // Packs are filled up with the last cell, as what `padding()` tells.
+  // Packs are filled up with the last cell, which `padding()` describes.
   static int padding(const int c) { return -1 - c; }
   static bool is_padding(const int c) { return c < 0; }
   static int cell_of(const int c) { return is_padding(c) ? padding(c) : c; }

@@ -37,7 +37,7 @@ struct Newton_direction_3
         || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
   }
 
-  // Only then the slope tells what is left to gain.
+  // Only then the slope measures what is left to gain.
   bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
 
   // Has the solver failed for another reason than an indefinite matrix?
