@@ -18,6 +18,7 @@ Without a configuration, all of these, but for the sanitizers:
   cgal         the CGAL installed in the folder given by --cgal
   eigen        the Eigen installed in the folder given by --eigen, and that CGAL
   headers      each header compiled alone by g++ and clang++; no test is run
+  optimized    matrices of three columns by g++ and clang++, with -O2 and -O3 and the instructions of this machine
   libc++       the core, with clang++ and its library
   no_gmp       the core, with numbers of Boost in place of those of GMP
   arm64        the core, cross-compiled without GMP, and run by qemu
@@ -45,7 +46,7 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions library threads clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers libc++ no_gmp arm64 windows
+  configurations=(default assertions library threads clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers optimized libc++ no_gmp arm64 windows
     ${cgal:+cgal_core})
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -113,6 +114,21 @@ check_headers_with_cgal()
   done
 }
 
+# Other configurations optimize less, and so do not see what compilers make of products of small matrices.
+test_optimized()
+{
+  local test="$root/test/Volume_mesh_parameterization" compiler level
+  mkdir -p "$folder/optimized"
+  for compiler in g++ clang++; do
+    for level in -O2 -O3; do
+      "$compiler" -std=c++17 "$level" -march=native -DNDEBUG -frounding-math -I "$root/include" -I "$test" \
+        -isystem /usr/include/eigen3 "$test/internal/test_dynamic_matrix.cpp" "$test/catch_main.cpp" \
+        -o "$folder/optimized/test_dynamic_matrix" && "$folder/optimized/test_dynamic_matrix" || return 1
+    done
+  done
+  echo "100% tests passed, 0 tests failed out of 4"
+}
+
 # Several threads are a program of their own.
 test_threads()
 {
@@ -142,6 +158,7 @@ run()
     cgal) CMAKE_PREFIX_PATH="$cgal" build_and_test "$1" ;;
     eigen) CMAKE_PREFIX_PATH="$eigen:$cgal" build_and_test "$1" ;;
     headers) build_headers ;;
+    optimized) test_optimized ;;
     libc++) test_core "$1" "" clang++ -stdlib=libc++ ;;
     no_gmp) test_core "$1" "" g++ -DCGAL_DISABLE_GMP ;;
     arm64) test_core "$1" qemu-aarch64-static aarch64-linux-gnu-g++ -static -DCGAL_DISABLE_GMP ;;
