@@ -70,7 +70,7 @@ inline std::vector<char> vertices_of_interfaces(const CGAL::Volume_mesh_paramete
 }
 
 // Returns whether each vertex of a cell has a target, as in a copy of the mesh.
-inline bool are_all_told(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Points& targets)
+inline bool has_all_targets(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Points& targets)
 {
   return std::all_of(soup.cells.begin(), soup.cells.end(), [&](const auto& cell)
   { return std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) { return has_target(targets, v); }); });
@@ -111,7 +111,7 @@ inline Target_points target_points(const Source& source, Points points, const Op
   if(options.are_displacements)
     displace(soup.points, result.points);
   const Inside inside = named_inside(options.inside);
-  const bool are_interfaces_alone = inside == Inside::AUTO && are_all_told(soup, result.points);
+  const bool are_interfaces_alone = inside == Inside::AUTO && has_all_targets(soup, result.points);
   std::vector<char> is_met = vertices_to_meet(soup, result.points, are_interfaces_alone);
   const auto has_moved = [&]
   {

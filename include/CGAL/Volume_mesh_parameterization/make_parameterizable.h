@@ -65,8 +65,8 @@ std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParamet
 }
 
 template <typename NamedParameters, typename VertexOfPoint>
-std::size_t tell_insertions(const std::vector<Insertion_3>& insertions, const NamedParameters& np,
-                            const VertexOfPoint& vertex)
+std::size_t write_insertions(const std::vector<Insertion_3>& insertions, const NamedParameters& np,
+                             const VertexOfPoint& vertex)
 {
   using Vertex = decltype(vertex(0));
   auto out = parameter_or(np, internal_np::output_iterator, Emptyset_iterator());
@@ -89,7 +89,7 @@ std::size_t make_parameterizable_soup_3(Tetrahedron_soup_3& soup, const Coordina
   body.point_type = point_type;
   const std::vector<Insertion_3> insertions = make_parameterizable_3<std::size_t>(body, np, point);
   soup = std::move(body.soup);
-  return tell_insertions(insertions, np, point);
+  return write_insertions(insertions, np, point);
 }
 
 } // namespace internal
@@ -171,7 +171,7 @@ std::size_t make_parameterizable(C3t3& c3t3, const CGAL_NP_CLASS& np = parameter
   const std::vector<internal::Insertion_3> insertions = internal::make_parameterizable_3<Vertex_handle>(
     body, np, [&](const std::size_t v) { return body.vertices[v]; });
   internal::insert_vertices(c3t3, body, insertions);
-  return internal::tell_insertions(insertions, np, [&](const std::size_t v) { return body.vertices[v]; });
+  return internal::write_insertions(insertions, np, [&](const std::size_t v) { return body.vertices[v]; });
 }
 
 /*!
