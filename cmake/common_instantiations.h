@@ -43,8 +43,13 @@
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/make_mesh_3.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
+#include <Eigen/Dense>
+
 #include <array>
 #include <cstddef>
+#include <iostream>
 #include <string>
 #include <unordered_map>
 #include <vector>

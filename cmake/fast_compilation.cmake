@@ -19,13 +19,23 @@ if(TARGET CGAL::Volume_mesh_parameterization_engine AND TARGET CGAL::Data)
   file(CONFIGURE OUTPUT precompiled_headers.cpp CONTENT "")
   add_library(precompiled_headers OBJECT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_headers.cpp)
   target_link_libraries(precompiled_headers PRIVATE CGAL::Volume_mesh_parameterization_engine CGAL::Data)
-  target_precompile_headers(precompiled_headers PRIVATE
-    <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Labeled_mesh_domain_3.h>
-    <CGAL/Mesh_complex_3_in_triangulation_3.h> <CGAL/Mesh_triangulation_3.h> <CGAL/Surface_mesh.h>
-    <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h> <Eigen/Dense>
-    <boost/property_map/function_property_map.hpp> <iostream> <unordered_map>)
-  if(${PROJECT_NAME}_COMPILE_FAST)
+  if(NOT ${PROJECT_NAME}_COMPILE_FAST)
+    target_precompile_headers(precompiled_headers PRIVATE
+      <CGAL/Exact_predicates_inexact_constructions_kernel.h> <CGAL/Labeled_mesh_domain_3.h>
+      <CGAL/Mesh_complex_3_in_triangulation_3.h> <CGAL/Mesh_triangulation_3.h> <CGAL/Surface_mesh.h>
+      <CGAL/Tetrahedral_remeshing/Remeshing_triangulation_3.h> <Eigen/Dense>
+      <boost/property_map/function_property_map.hpp> <iostream> <unordered_map>)
+  elseif(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     target_precompile_headers(precompiled_headers PRIVATE cmake/common_instantiations.h)
+  else()
+    # Clang records each expansion of a macro, of which CGAL's headers have 18 million: each unit would read half a gigabyte.
+    # The headers are preprocessed before, which keeps the definitions of macros.
+    set_source_files_properties(cmake/common_instantiations.h PROPERTIES LANGUAGE CXX)
+    add_library(preprocessed_headers OBJECT cmake/common_instantiations.h)
+    target_link_libraries(preprocessed_headers PRIVATE CGAL::Volume_mesh_parameterization_engine CGAL::Data)
+    target_compile_options(preprocessed_headers PRIVATE -E -dD)
+    add_dependencies(precompiled_headers preprocessed_headers)
+    target_precompile_headers(precompiled_headers PRIVATE $<TARGET_OBJECTS:preprocessed_headers>)
   endif()
 endif()
 
@@ -43,5 +53,5 @@ if(${PROJECT_NAME}_COMPILE_FAST AND TARGET precompiled_headers AND CMAKE_CXX_COM
   set_source_files_properties(${functions} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
   add_library(precompiled_functions STATIC ${functions})
   set_target_properties(precompiled_functions PROPERTIES LINKER_LANGUAGE CXX)
-  target_link_options(precompiled_functions INTERFACE LINKER:--gc-sections)
+  target_link_options(precompiled_functions INTERFACE LINKER:--gc-sections,-O0)
 endif()
