@@ -71,7 +71,7 @@ TEST_CASE("limits of time are kept on a bumpy body")
     return (p - CGAL::ORIGIN).squared_length() - 1 - 0.4 * bumps;
   }, K::Sphere_3(CGAL::ORIGIN, 4));
   const C3t3 c3t3 = mesh_body(domain, CGAL::Mesh_criteria_3<Tr>(
-    params::facet_angle = 25, params::facet_size = 0.08, params::facet_distance = 0.02,
+    params::facet_angle = 25, params::facet_size = 0.16, params::facet_distance = 0.04,
     params::facet_topology = CGAL::MANIFOLD, params::cell_radius_edge_ratio = 3, params::cell_size = 0.2));
   std::unordered_map<Vertex_handle, Point_3> image;
   const auto target = boost::make_assoc_property_map(image);
@@ -79,7 +79,7 @@ TEST_CASE("limits of time are kept on a bumpy body")
   {
     CGAL::Timer timer;
     timer.start();
-    CHECK(parameterizer.parameterize(c3t3, target, params::maximum_running_time(0.01)) == VMP::ERROR_INTERRUPTED);
+    CHECK(parameterizer.parameterize(c3t3, target, params::maximum_running_time(0.002)) == VMP::ERROR_INTERRUPTED);
     CHECK(timer.time() < 5);
     CHECK(image.empty());
   };
