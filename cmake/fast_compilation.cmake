@@ -34,8 +34,11 @@ if(TARGET CGAL::Volume_mesh_parameterization_engine AND TARGET CGAL::Data)
     add_library(preprocessed_headers OBJECT cmake/common_instantiations.h)
     target_link_libraries(preprocessed_headers PRIVATE CGAL::Volume_mesh_parameterization_engine CGAL::Data)
     target_compile_options(preprocessed_headers PRIVATE -E -dD)
-    add_dependencies(precompiled_headers preprocessed_headers)
-    target_precompile_headers(precompiled_headers PRIVATE $<TARGET_OBJECTS:preprocessed_headers>)
+    set(header ${CMAKE_CURRENT_BINARY_DIR}/preprocessed_headers.h) # a file of a command, so that what includes it is made anew
+    add_custom_command(OUTPUT ${header} VERBATIM DEPENDS preprocessed_headers $<TARGET_OBJECTS:preprocessed_headers>
+      COMMAND ${CMAKE_COMMAND} -E copy $<TARGET_OBJECTS:preprocessed_headers> ${header})
+    target_sources(precompiled_headers PRIVATE ${header})
+    target_precompile_headers(precompiled_headers PRIVATE ${header})
   endif()
 endif()
 
