@@ -5,6 +5,7 @@ Usage: check_formats.py PARAMETERIZE_MESH_FILE MESH_LABELS [--gmsh] [--vtk]
 
 MESH_LABELS meshes a labeled image. The options tell what the program was built with. The programs gmsh, meshio and tetgen are run.
 """
+import re
 import shlex
 import subprocess
 import sys
@@ -239,6 +240,15 @@ def advice(sentence, before, name):
     return [command.split(" writes ")[0].split() for command in words.split(", and then ")]
 
 
+def commands_for_surface(sentence, name):
+    """The commands that a sentence advises for a surface. The library, which knows no names of files, quotes their beginnings."""
+    words = sentence.split("fills it: ")[1]
+    if "'" not in words:
+        return advice(sentence, "fills it: ", name)
+    *converters, mesher = [command.split() for command in re.findall("'([^']+)'", words)]
+    return [[*converter, name, "surface.mesh"] for converter in converters] + [[*mesher, "surface.mesh"]]
+
+
 def check_tetgen(driver, folder):
     """A surface is refused with the command of a mesher, whose mesh keeps its references."""
     points = numpy.array([[x, y, z] for x in (0., 1.) for y in (0., 1.) for z in (0., 1.)])
@@ -249,10 +259,11 @@ def check_tetgen(driver, folder):
     meshio.write(folder / "surface.mesh", meshio.Mesh(points, [("triangle", triangles)]))
     meshio.write(folder / "surface.vtu", meshio.Mesh(points, [("triangle", triangles)]))
     meshio.write(folder / "surface.obj", meshio.Mesh(points, [("triangle", triangles)]))
-    for name in ("surface.mesh", "surface.off", "surface.obj", "surface.vtu"):
+    meshio.write(folder / "surface.stl", meshio.Mesh(points, [("triangle", triangles)]))
+    for name in ("surface.mesh", "surface.off", "surface.obj", "surface.stl", "surface.vtu"):
         sentence = refused(driver, name, "--to", "ball", folder=folder)
-        assert "surface" in sentence and "a volume mesher fills" in sentence
-        for command in advice(sentence, "fills it: ", name):
+        assert "surface" in sentence and "volume mesher fills it" in sentence
+        for command in commands_for_surface(sentence, name):
             run(*command, folder=folder)
         run(driver, "surface.1.mesh", "--to", "ball", "--refine", "-o", "ball.mesh", folder=folder)
         assert triangles_of_references(folder / "ball.mesh") == triangles_of_references(folder / "surface.1.mesh")

@@ -66,12 +66,12 @@ inline std::string advice_for(const std::string& filename)
   const std::string file = shell_quoted(filename);
   const auto renamed = [&](const char* extension)
   { return shell_quoted(std::filesystem::path(path).replace_extension(extension).string()); };
-  if(extension_of(filename) == ".obj")
-    return "; this is a surface; a volume mesher fills it: meshio convert " + file + " " + renamed(".stl")
-      + ", and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
+  if(extension_of(filename) == ".obj" || extension_of(filename) == ".stl") // TetGen marks corners of STL that are no points
+    return "; this is a surface; a volume mesher fills it: meshio convert " + file + " " + renamed(".mesh")
+      + ", and then tetgen -pqg " + renamed(".mesh") + " writes " + renamed(".1.mesh");
   if(extension_of(filename) == ".vtp")
-    return "; this is a surface; a volume mesher fills it: save it as " + renamed(".stl")
-      + " in ParaView, and then tetgen -pqg " + renamed(".stl") + " writes " + renamed(".1.mesh");
+    return "; this is a surface; a volume mesher fills it: save it as an ASCII file " + renamed(".ply")
+      + " in ParaView, and then tetgen -pqg " + renamed(".ply") + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::SURFACE)
     return "; this is a surface; a volume mesher fills it: tetgen -pqg " + file + " writes " + renamed(".1.mesh");
   if(format_of(filename) == Mesh_format::GMSH) // meshio 5.0 fails where parts of a mesh are in no group

@@ -29,7 +29,7 @@ inline void require_tetrahedra(const std::size_t number_of_cells, const std::siz
   if(number_of_facets == 0)
     throw Input_error("the file contains no tetrahedron");
   throw Input_error("the mesh is a surface with " + counted(number_of_facets, "triangle", "triangles") + " and no tetrahedron. A "
-                    "volume mesher fills it: " + (converter.empty() ? "" : "convert your mesh to STL by '" + converter + "', and ")
+                    "volume mesher fills it: " + (converter.empty() ? "" : "convert it to *.mesh by '" + converter + "', and ")
                     + "pass it to 'tetgen -pqg', which writes a file *.1.mesh");
 }
 
