@@ -21,10 +21,10 @@ struct Options
   std::string output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
-  int number_of_threads = 1, number_of_iterations;
-  double energy_tolerance, maximum_angle_distortion, time_limit;
-  bool do_improve, do_merge_points, do_separate, are_displacements, do_slide, use_volume_weights;
-  bool minimize_maximum_angle_distortion, is_quiet;
+  int number_of_threads = 1, number_of_iterations = 0;
+  double energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
+  bool do_improve = false, do_merge_points = false, do_separate = false, are_displacements = false, do_slide = false;
+  bool use_volume_weights = false, minimize_maximum_angle_distortion = false, is_quiet = false;
 };
 
 // The options of a program, and the text around them in its help.
