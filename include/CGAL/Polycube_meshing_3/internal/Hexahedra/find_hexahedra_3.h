@@ -12,32 +12,12 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/compiled_engine.h>
-#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Map of a body to a domain whose boundary facets are orthogonal to the axes, and what is wanted of its hexahedra.
-struct Hexahedra_problem_3
-{
-  const Mapped_soup_3& soup;
-  double spacing;                 // of the grid in the domain
-  Linear_solver_3& solver;
-  bool is_parallel;               // may threads share the work?
-  double minimum_scaled_jacobian; // below which a hexahedron is poor
-  bool do_keep_interfaces;        // do hexahedra follow the interfaces between subdomains?
-};
-
-// Hexahedra of the body, if none of those found is inverted.
-struct Found_hexahedra_3
-{
-  Hexahedral_mesh_result result;
-  Hexahedron_soup_3 mesh;
-};
 
 // Finds hexahedra, with the layers that they need or with one along the whole boundary.
 CGAL_POLYCUBE_MESHING_3_INLINE

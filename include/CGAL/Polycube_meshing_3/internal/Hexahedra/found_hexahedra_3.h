@@ -13,10 +13,10 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/interface_distance_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/move_to_corners_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 
 #include <map>

@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Split_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
 
 #include <map>
