@@ -115,18 +115,17 @@ def judge(case, folder):
 
 
 def run_command(words, folder, time_limit):
-    """What the program prints, the resources that it has used, its own children included, and whether the limit of processor
-    time ended it. The system ends each of its children by this limit, too."""
+    """What the program prints, the resources that it has used, its own children included, and whether the system ended it after
+    this processor time. The system ends each of its children by this limit, too."""
     def limit():
         if time_limit:
             resource.setrlimit(resource.RLIMIT_CPU, (time_limit, time_limit + 1))
     with open(folder / "output.txt", "w+") as output:
         process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT, preexec_fn=limit)
         _, status_of_process, usage = os.wait4(process.pid, 0)
-        seconds = usage.ru_utime + usage.ru_stime  # the system counts the limit in ticks
-        killed = os.WIFSIGNALED(status_of_process) and os.WTERMSIG(status_of_process) == signal.SIGXCPU
+        is_ended = os.WIFSIGNALED(status_of_process) and os.WTERMSIG(status_of_process) == signal.SIGXCPU
         output.seek(0)
-        return output.read(), usage, bool(time_limit) and (killed or seconds > 0.9 * time_limit)
+        return output.read(), usage, is_ended
 
 
 def run(name, command, first_valid, case, time_limit, pool):
@@ -137,11 +136,12 @@ def run(name, command, first_valid, case, time_limit, pool):
         paths = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
                  "refined": folder / "refined.mesh", "report": folder / "report.json"}
         begin = time.monotonic()
-        output, usage, limit_reached = run_command([word.format(**paths) for word in shlex.split(command)], folder, time_limit)
+        output, usage, is_ended = run_command([word.format(**paths) for word in shlex.split(command)], folder, time_limit)
         elapsed, row["seconds"] = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
         row["megabytes"] = usage.ru_maxrss / 1000
         row.update(pool.submit(judge, case, folder).result())
-        if row["status"] == "no map" and limit_reached:
+        is_late = time_limit and row["seconds"] > 0.9 * time_limit  # as if a child was ended; the system counts in ticks
+        if row["status"] == "no map" and (is_ended or is_late):
             row["status"] = f"not within {time_limit} s"
         said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
         if said is not None:
