@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Vertex_insertion_3.h>
 #include <CGAL/Volume_mesh_parameterization/volume_parameterization_of_arrays.h>
 
@@ -61,8 +61,7 @@ predicates on the written coordinates check that no cell is inverted.
                    `C3t3::Triangulation::Geom_traits::Point_3` as value type}
     \cgalParamDefault{the images that `boundary_parameterizer` finds}
     \cgalParamExtra{A point with a coordinate that is not a number is a missing target. For a container, pass
-                    `Volume_mesh_parameterization::make_vertex_point_map()`, and not `boost::make_assoc_property_map()`, which
-                    inserts a point without values for each missing vertex. Vertices receive exactly the points given, rounded
+                    `Volume_mesh_parameterization::make_vertex_point_map()`. Vertices receive exactly the points given, rounded
                     to the number type of `uvw_map`, unless they slide or the boundary is missed.}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_parameterizer}
@@ -94,9 +93,10 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `Volume_mesh_parameterization::Vertex_condition_3` as value type}
     \cgalParamDefault{vertices of the boundary are at their targets, vertices inside are free}
-    \cgalParamExtra{Targets are those of `boundary_map`. A coordinate of a target that is not prescribed is not read. Refinement
-                    also splits edges, facets and cells inside whose vertices the conditions keep in the plane of a facet of the
-                    boundary.}
+    \cgalParamExtra{For a container, pass `Volume_mesh_parameterization::make_vertex_condition_map()`, with which a vertex
+                    without an entry is free. Targets are those of `boundary_map`. A coordinate of a target that is not prescribed
+                    is not read. Refinement also splits edges, facets and cells inside whose vertices the conditions keep in the
+                    plane of a facet of the boundary.}
     \cgalParamPrecondition{`vertex_is_constrained_map` and `do_slide_boundary` are not given; otherwise the program is not
                            compiled.}
   \cgalParamNEnd

@@ -4,7 +4,7 @@
 
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -29,6 +29,9 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -541,7 +544,9 @@ TEST_CASE("Patches that contradict each other are refused with a vertex, and so 
   using By_name = std::map<std::string, Patch>;
   const std::string contradiction
     = message_of(By_reference{ { 1, Patch::coordinate(2, 0) }, { 3, Patch::coordinate(2, 1) } });
-  CHECK(contradiction.find("the vertex at (0, 0, ") != std::string::npos);
+  CHECK(contradiction.find("patches 1 and 3 contradict each other at the vertex at (0, 0, ") != std::string::npos);
+  CHECK(message_of(By_reference{ { 1, Patch::in_plane(0, 1, 1, 0) }, { 3, Patch::in_plane(0, 1, 1 + 1e-10, 0) } })
+          .find("nearly parallel") != std::string::npos);
   CHECK(message_of(By_reference{ { 1, Patch::in_plane(0, 1, 1, 0) }, { 3, Patch::in_plane(0, 2, 2, 0) } }).empty());
   CHECK(message_of(By_reference{ { 7, Patch::in_place() } }).find("7") != std::string::npos);
   CHECK(message_of(By_name{ { "bottom", Patch::in_place() } }).empty());
@@ -559,7 +564,7 @@ TEST_CASE("Patches of a complex have the conditions of a soup")
   std::vector<Cube_complex<>::Cell_handle> cells;
   VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
   const auto of_soup = VMP::conditions_of_patches(soup, patches);
-  auto of_complex = VMP::conditions_of_patches(c3t3, patches);
+  const auto of_complex = VMP::conditions_of_patches(c3t3, patches);
   for(std::size_t v = 0; v < vertices.size(); ++v)
   {
     const auto found = of_complex.conditions.find(vertices[v]);
@@ -575,12 +580,55 @@ TEST_CASE("Patches of a complex have the conditions of a soup")
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, VMP::make_vertex_point_map(images),
     params::boundary_map(VMP::make_vertex_point_map(of_complex.targets))
-           .vertex_condition_map(boost::make_assoc_property_map(of_complex.conditions))
+           .vertex_condition_map(VMP::make_vertex_condition_map(std::as_const(of_complex.conditions)))
            .energy(VMP::Symmetric_Dirichlet_energy_3()));
   REQUIRE(result.status == VMP::OK);
   CHECK(result.energy == Approx(6));
   for(std::size_t v = 0; v < vertices.size(); ++v)
     CHECK(images.at(vertices[v]).z() == Approx(1.5 * soup.points[v][2]).margin(1e-9));
+}
+
+// The cube [0, 2]^3 as a complex. Its sides keep their places as constant containers say, in which the vertex inside is missing.
+TEST_CASE("Containers of the maps of vertices may be constant and lack vertices")
+{
+  Cube_complex<> complex(cube_mesh(2, 0));
+  using Vertex_handle = Cube_complex<>::Vertex_handle;
+  const auto& targets = std::as_const(complex.target);
+  REQUIRE(targets.size() == 26);
+  std::unordered_map<Vertex_handle, Condition> conditions;
+  for(const auto& entry : targets)
+    conditions.emplace(entry.first, Condition::at_target());
+  using Vertices = const std::unordered_set<Vertex_handle>;
+  Vertices none;
+  const auto np = params::boundary_map(VMP::make_vertex_point_map(targets)).energy(VMP::Symmetric_Dirichlet_energy_3())
+                  .initial_map(VMP::make_vertex_point_map(targets));
+  const auto images_with = [&](const auto& np)
+  {
+    complex.uvw.clear();
+    CHECK(CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map(), np).status == VMP::OK);
+    return complex.uvw;
+  };
+  const auto images = images_with(np.vertex_condition_map(VMP::make_vertex_condition_map(std::as_const(conditions))));
+  CHECK(images.size() == 27);
+  CHECK(images == images_with(np.vertex_is_constrained_map(CGAL::Boolean_property_map<Vertices>(none))));
+  CHECK(get(VMP::make_vertex_condition_map(std::as_const(conditions)), Vertex_handle()).kind() == Condition::free().kind());
+  put(VMP::make_vertex_condition_map(conditions), Vertex_handle(), Condition::at_target());
+  CHECK(conditions.size() == 27);
+}
+
+TEST_CASE("Normals may be as long and as short as numbers can be")
+{
+  constexpr double largest = (std::numeric_limits<double>::max)(), smallest = std::numeric_limits<double>::denorm_min();
+  for(const double length : { largest, smallest })
+  {
+    Problem problem = box(2);
+    problem.set(at_bottom, Condition::in_plane(length, length, 0),
+                [](const Vector3d& p) -> Vector3d { return p + Vector3d(1, 1, 0); });
+    REQUIRE(problem.run().status == VMP::OK);
+    for(std::size_t v = 0; v < problem.images.size(); ++v)
+      if(problem.conditions[v].kind() == Condition::IN_PLANE)
+        CHECK(problem.images[v][0] + problem.images[v][1] == Approx(problem.targets[v][0] + problem.targets[v][1]).epsilon(1e-14));
+  }
 }
 
 TEST_CASE("Random conditions give maps that meet them, or a sentence")

@@ -124,10 +124,86 @@ TEST_CASE("Conditions of vertices are read from lines, and a vertex of several l
   CHECK(targets[1] == std::array<double, 3>{ soup.points[1][0], 3, soup.points[1][2] });
   CHECK(targets[7] == std::array<double, 3>{ 4, 5, 6 });
 
-  CHECK(message_of("vertex 3 fixed\nvertex 0 x=2\nvertex 0 x=3\n", read).find("contradict") != std::string::npos);
+  CHECK(message_of("vertex 3 fixed\nvertex 0 x=2\nvertex 0 x=3\n", read).find(
+          ": lines 2 and 3 contradict each other at vertex 0 (counted from 0): no point meets all of them") != std::string::npos);
   CHECK(conditions[3].kind() == VMP::Vertex_condition_3::FREE);
   CHECK(message_of("vertex 8 fixed\n", read).find(": line 1: there is no vertex 8") != std::string::npos);
   CHECK(message_of("vertex 1 fixed\nfloor free\n", read).find(": line 2: no triangle") != std::string::npos);
+}
+
+TEST_CASE("Names of groups may be those of several, look like numbers, and have blanks in quotes")
+{
+  Soup soup = cube_soup(1);
+  soup.facets = { { 0, 1, 2 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 6, 7 } };
+  soup.facet_references = { 1, 2, 3, 4 };
+  soup.group_names = { { { 2, 2 }, "1" }, { { 2, 3 }, "top wall" }, { { 2, 4 }, "top wall" }, { { 3, 1 }, "floor" } };
+  const auto fixed_vertices = [&](const std::string& text)
+  {
+    std::vector<VMP::Vertex_condition_3> conditions;
+    Points targets(8, { nan, nan, nan });
+    const auto read = [&](const std::string& name) { VMP::IO::read_vertex_conditions(name, soup, conditions, targets); };
+    CHECK(message_of(text, read) == "");
+    std::vector<std::size_t> result;
+    for(std::size_t v = 0; v < conditions.size(); ++v)
+      if(conditions[v].kind() == VMP::Vertex_condition_3::AT_TARGET)
+        result.push_back(v);
+    return result;
+  };
+  CHECK(fixed_vertices("1 fixed\n") == std::vector<std::size_t>{ 0, 1, 2 });
+  CHECK(fixed_vertices("\"1\" fixed\n") == std::vector<std::size_t>{ 1, 2, 3 });
+  CHECK(fixed_vertices("'top wall' fixed # both\r\n") == std::vector<std::size_t>{ 4, 5, 6, 7 });
+  CHECK(VMP::conditions_of_patches(soup, { { std::string("top wall"), VMP::Patch_condition_3::in_place() } }).conditions[7].kind()
+        == VMP::Vertex_condition_3::AT_TARGET);
+
+  std::vector<VMP::Vertex_condition_3> conditions;
+  Points targets(8, { nan, nan, nan });
+  const auto read = [&](const std::string& name) { VMP::IO::read_vertex_conditions(name, soup, conditions, targets); };
+  CHECK(message_of("top wall fixed\n", read).find(": line 1: no triangle of the mesh has the reference or the name 'top'. "
+    "There are 1, '1', 'top wall' and 'top wall'; names with blanks need quotes") != std::string::npos);
+  CHECK(message_of("\nfloor fixed\n", read).find(": line 2: no triangle") != std::string::npos);
+  CHECK(message_of("'top wall fixed\n1 fixed'\n", read).find(": line 1: the quote before 'top wall fixed' is not closed")
+        != std::string::npos);
+}
+
+TEST_CASE("Planes of a vertex are met whatever their order, or refused with their lines")
+{
+  Soup soup = source_soup(cube_mesh(2, 0));
+  for(auto& p : soup.points)
+    p[0] += 1e9;
+  std::vector<VMP::Vertex_condition_3> conditions;
+  Points targets;
+  const auto read = [&](const std::string& name) { VMP::IO::read_vertex_conditions(name, soup, conditions, targets); };
+  const auto message = [&](const std::string& text)
+  {
+    conditions.clear();
+    targets.assign(soup.points.size(), { nan, nan, nan });
+    return message_of(text, read);
+  };
+  // relative to the body, whatever its place is
+  CHECK(message("vertex 0 x=1000000000\nvertex 0 x=1000000001.5").find("lines 1 and 2 contradict") != std::string::npos);
+  REQUIRE(soup.points[0][0] == 1e9 + 1);
+  CHECK(message("vertex 0 x=1000000001\nvertex 0 plane 2 0 0\nvertex 0 x=1.000000001e9") == "");
+  CHECK(message("vertex 0 plane 1.7e308 1.7e308 1.7e308\nvertex 1 plane 5e-324 5e-324 0\n") == "");
+  CHECK(conditions[0].direction() == std::array<double, 3>{ 1, 1, 1 });
+  CHECK(conditions[1].direction() == std::array<double, 3>{ 1, 1, 0 });
+
+  targets.clear();
+  std::vector<std::string> lines = { "vertex 0 plane 1 2 3\n", "vertex 0 plane 3 -1 0.1\n", "vertex 0 x=0.1\n" };
+  Points found;
+  do
+  {
+    CHECK(message(lines[0] + lines[1] + lines[2]) == "");
+    found.push_back(targets[0]);
+  }
+  while(std::next_permutation(lines.begin(), lines.end()));
+  CHECK(found == Points(6, found[0]));
+  CHECK(found[0][0] == 0.1);
+  CHECK(message("vertex 0 plane 1 0 0\nvertex 0 plane 1 1e-8 0\n") == "");
+  CHECK(conditions[0].direction() == std::array<double, 3>{ 0, 0, 1 });
+  CHECK(message("vertex 3 free\nvertex 0 plane 1 0 0\nvertex 0 plane 1 1e-10 0\n").find(
+          "lines 2 and 3 have nearly parallel planes") != std::string::npos);
+  CHECK(message("vertex 0 y=0\nvertex 0 x=2\nvertex 0 plane 1 1 0\nvertex 1 x=1").find("lines 1, 2 and 3 contradict")
+        != std::string::npos);
 }
 
 TEST_CASE("Sharp edges are those of an angle, or those that are marked, for example by a file")

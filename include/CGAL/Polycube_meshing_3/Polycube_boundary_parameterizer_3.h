@@ -172,8 +172,7 @@ public:
   ///
   /// \param c3t3 the complex
   /// \param labels the label of each boundary facet, as a facet of its cell in the complex. The labels are 0 for +x, 1 for -x, 2
-  ///        for +y, 3 for -y, 4 for +z, 5 for -z. In a `boost::make_assoc_property_map()`, a facet without label has the label
-  ///        0.
+  ///        for +y, 3 for -y, 4 for +z, 5 for -z. Each facet of the boundary needs one.
   /// \param target receives the images
   /// \param np optional \ref bgl_namedparameters "Named Parameters": `maximum_running_time` and `visitor`, as described in
   ///        `BoundaryParameterizer_3`

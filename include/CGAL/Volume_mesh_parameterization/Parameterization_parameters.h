@@ -81,6 +81,9 @@ public:
   /// constructs the condition of a free vertex, which needs no target.
   Vertex_condition_3() = default;
 
+  /// returns the condition of a free vertex.
+  static Vertex_condition_3 free() { return Vertex_condition_3(); }
+
   /// returns the condition of a vertex whose image is its target.
   static Vertex_condition_3 at_target() { return { AT_TARGET, {} }; }
 
@@ -101,9 +104,9 @@ public:
 private:
   Vertex_condition_3(const Kind kind, const std::array<double, 3>& direction) : m_kind(kind), m_direction(direction)
   {
-    const double sum = std::abs(direction[0]) + std::abs(direction[1]) + std::abs(direction[2]);
-    internal::require(kind == AT_TARGET || (sum > 0 && std::isfinite(sum)),
-                      "The direction of a condition must be finite and not zero.");
+    const bool is_finite = std::isfinite(direction[0]) && std::isfinite(direction[1]) && std::isfinite(direction[2]);
+    const bool is_zero = direction == std::array<double, 3>{};
+    internal::require(kind == AT_TARGET || (is_finite && !is_zero), "The direction of a condition must be finite and not zero.");
   }
 
   Kind m_kind = FREE;

@@ -15,11 +15,16 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Prescribed_position_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -57,9 +62,13 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  bool is_in_place() const { return m_is_in_place; }
-  const std::array<double, 3>& normal() const { return m_normal; }
-  double offset() const { return m_offset; }
+  void add_to(internal::Prescribed_position_3& position, const std::size_t source) const
+  {
+    if(m_is_in_place)
+      position.add_start(source);
+    else
+      position.add_plane(m_normal, m_offset, source);
+  }
 #endif
 
 private:
@@ -87,91 +96,64 @@ struct Conditions_and_targets_3
 
 namespace internal {
 
-// The positions that the planes of several patches leave to a vertex: a point, and a projector onto the directions around it.
-class Common_position_3
-{
-public:
-  explicit Common_position_3(const Eigen::Vector3d& point) : m_start(point), m_point(point) {}
-
-  void add(const Patch_condition_3& condition)
-  {
-    if(condition.is_in_place())
-      for(int i = 0; i < 3; ++i)
-        add_plane(Eigen::Vector3d::Unit(i), m_start[i]);
-    else
-    {
-      const Eigen::Vector3d n = Eigen::Vector3d(condition.normal().data());
-      add_plane(unit_vector_3(n), condition.offset() / length_3(n));
-    }
-  }
-
-  // Throws if the plane has no point in common with the others.
-  void add_plane(const Eigen::Vector3d& n, const double offset)
-  {
-    constexpr double rounding = 1e-9; // of angles and, relative to the coordinates, of distances
-    const Eigen::Vector3d free_part = m_projector * n;
-    const double distance = offset - n.dot(m_point);
-    if(free_part.norm() > rounding)
-    {
-      m_point += free_part * (distance / free_part.dot(n));
-      const Eigen::Vector3d d = unit_vector_3(free_part);
-      m_projector = ++m_rank == 3 ? Eigen::Matrix3d(Eigen::Matrix3d::Zero()) : Eigen::Matrix3d(m_projector - d * d.transpose());
-      for(int i = 0; i < 3; ++i)
-        if(std::abs(n[i]) == 1)
-          m_point[i] = n[i] * offset; // to the bit
-    }
-    else if(std::abs(distance) > rounding * (std::abs(offset) + m_point.norm()))
-      throw Input_error(sentence("The conditions of the patches of the vertex at ", describe(m_start), " contradict each other, "
-                                 "because no point meets all of them."));
-  }
-
-  const Eigen::Vector3d& start() const { return m_start; }
-  const Eigen::Vector3d& point() const { return m_point; }
-
-  Vertex_condition_3 condition() const
-  {
-    const Eigen::Matrix3d Q = Eigen::Matrix3d::Identity() - m_projector;
-    const Eigen::Matrix3d& M = m_rank == 1 ? Q : m_projector; // of the normal of a plane, or of the direction of a line
-    int k;
-    M.colwise().norm().maxCoeff(&k);
-    const Eigen::Vector3d d = M.col(k);
-    return m_rank == 0 ? Vertex_condition_3() : m_rank == 1 ? Vertex_condition_3::in_plane(d[0], d[1], d[2])
-         : m_rank == 2 ? Vertex_condition_3::on_line(d[0], d[1], d[2]) : Vertex_condition_3::at_target();
-  }
-
-private:
-  Eigen::Vector3d m_start, m_point;
-  Eigen::Matrix3d m_projector = Eigen::Matrix3d::Identity();
-  int m_rank = 0; // of the planes
-};
-
-// Finds the positions of the vertices of patches. `for_each_facet(f)` calls `f(patch, vertices)` for each facet of a patch.
+// Finds what the vertices of patches may do. `for_each_facet(f)` calls `f(patch, vertices)` for each facet of a patch.
 template <typename Vertex, typename Patch, typename ForEachFacet, typename PointOf>
-std::unordered_map<Vertex, Common_position_3> positions_of_patches(const std::map<Patch, Patch_condition_3>& conditions,
-                                                             const ForEachFacet& for_each_facet, const PointOf& point)
+std::map<Vertex, Prescribed_position_3::Solution> solutions_of_patches(const std::map<Patch, Patch_condition_3>& conditions,
+                                                                       const double size, const ForEachFacet& for_each_facet,
+                                                                       const PointOf& point)
 {
-  std::map<Vertex, std::map<Patch, const Patch_condition_3*> > patches; // of each vertex
-  std::map<Patch, bool> is_found;
+  std::map<Vertex, std::set<std::size_t> > patches_of_vertices; // patches by their numbers in the conditions
+  std::vector<bool> is_found(conditions.size(), false);
   for_each_facet([&](const Patch& patch, const auto& vertices)
   {
     const auto found = conditions.find(patch);
     if(found == conditions.end())
       return;
-    is_found[patch] = true;
+    const std::size_t number = static_cast<std::size_t>(std::distance(conditions.begin(), found));
+    is_found[number] = true;
     for(const Vertex& v : vertices)
-      patches[v].emplace(patch, &found->second);
+      patches_of_vertices[v].insert(number);
   });
-  for(const auto& [patch, condition] : conditions)
-    if(!is_found[patch])
-      throw Input_error(sentence("No facet is of the patch ", patch, ", which has a condition."));
-  std::unordered_map<Vertex, Common_position_3> result;
-  for(const auto& [v, conditions_of_vertex] : patches)
+  const auto patch = [&](const std::size_t number) -> const auto&
+  { return *std::next(conditions.begin(), static_cast<std::ptrdiff_t>(number)); };
+  for(std::size_t number = 0; number < conditions.size(); ++number)
+    if(!is_found[number])
+      throw Input_error(sentence("No facet is of the patch ", patch(number).first, ", which has a condition."));
+
+  std::map<Vertex, Prescribed_position_3::Solution> result;
+  for(const auto& [v, numbers] : patches_of_vertices)
   {
-    Common_position_3& position = result.emplace(v, Common_position_3(point(v))).first->second;
-    for(const auto& [patch, condition] : conditions_of_vertex)
-      position.add(*condition);
+    Prescribed_position_3 position(point(v), size);
+    for(const std::size_t number : numbers)
+      patch(number).second.add_to(position, number);
+    const Prescribed_position_3::Solution solution = position.solution();
+    if(!solution.fault.empty())
+      throw Input_error(sentence("The conditions of the patches ",
+        listed(solution.sources, [&](const std::size_t number) { return sentence(patch(number).first); }), " ", solution.fault,
+        " at the vertex at ", describe(to_vector(point(v))), ": ", solution.reason, "."));
+    result.emplace(v, solution);
   }
   return result;
+}
+
+// Returns the references of the groups of facets with a name: several groups may have it.
+inline std::set<int> references_of_facets(const Tetrahedron_soup_3& soup, const std::string_view name)
+{
+  std::set<int> result;
+  for(const auto& [dimension_and_reference, name_of_group] : soup.group_names)
+    if(dimension_and_reference.first == 2 && name_of_group == name)
+      result.insert(dimension_and_reference.second);
+  return result;
+}
+
+// Returns the diagonal of the bounding box of the cells.
+inline double diagonal_of_cells(const Tetrahedron_soup_3& soup)
+{
+  Box_3 box;
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
+    for(const std::size_t v : cell)
+      box.extend(to_vector(soup.points[v]));
+  return box.is_empty() ? 0 : length_3(box.diagonal());
 }
 
 } // namespace internal
@@ -187,10 +169,11 @@ all. Vertices of no such patch are free.
 \param c3t3 the complex
 \param conditions the condition of each patch, by its index
 
-\return the conditions, to be passed by `boost::make_assoc_property_map()`, and the targets, by `make_vertex_point_map()`
+\return the conditions, to be passed by `make_vertex_condition_map()`, and the targets, by `make_vertex_point_map()`
 
-Throws `Input_error` if a vertex cannot meet the conditions of all its patches, with its coordinates, or if no facet is of a
-patch. The time is O(n log n) for n facets.
+Throws `Input_error` if no facet is of a patch, or if a vertex cannot meet the conditions of all its patches. Planes must meet
+within rounding, relative to the diagonal of the complex, and must not be nearly parallel, with an angle below 1e-9 radians. The
+time is O(n log n) for n facets.
 */
 template <typename C3t3, typename = typename C3t3::Triangulation>
 auto conditions_of_patches(const C3t3& c3t3, const std::map<typename C3t3::Surface_patch_index, Patch_condition_3>& conditions)
@@ -210,11 +193,16 @@ auto conditions_of_patches(const C3t3& c3t3, const std::map<typename C3t3::Surfa
     }
   };
   const auto point = [&](const Vertex_handle v)
-  { return internal::to_vector(internal::point_of_vertex(c3t3.triangulation(), v)); };
-  for(const auto& [v, position] : internal::positions_of_patches<Vertex_handle>(conditions, for_each_facet, point))
+  { return internal::coordinates(internal::point_of_vertex(c3t3.triangulation(), v)); };
+  internal::Box_3 box;
+  for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
+    for(int i = 0; i < 4; ++i)
+      box.extend(internal::to_vector(point(it->vertex(i))));
+  for(const auto& [v, solution] : internal::solutions_of_patches<Vertex_handle>(conditions, internal::length_3(box.diagonal()),
+                                                                                for_each_facet, point))
   {
-    result.conditions[v] = position.condition();
-    result.targets.emplace(v, Point_3(position.point()[0], position.point()[1], position.point()[2]));
+    result.conditions[v] = solution.condition;
+    result.targets.emplace(v, Point_3(solution.target[0], solution.target[1], solution.target[2]));
   }
   return result;
 }
@@ -236,11 +224,12 @@ inline auto conditions_of_patches(const Tetrahedron_soup_3& soup, const std::map
     for(std::size_t i = 0; i < soup.facets.size(); ++i)
       f(soup.facet_references[i], soup.facets[i]);
   };
-  const auto point = [&](const std::size_t v) { return internal::to_vector(soup.points[v]); };
-  for(const auto& [v, position] : internal::positions_of_patches<std::size_t>(conditions, for_each_facet, point))
+  const auto point = [&](const std::size_t v) { return soup.points[v]; };
+  for(const auto& [v, solution] : internal::solutions_of_patches<std::size_t>(conditions, internal::diagonal_of_cells(soup),
+                                                                              for_each_facet, point))
   {
-    result.conditions[v] = position.condition();
-    result.targets[v] = internal::coordinates(position.point());
+    result.conditions[v] = solution.condition;
+    result.targets[v] = solution.target;
   }
   return result;
 }
@@ -248,18 +237,19 @@ inline auto conditions_of_patches(const Tetrahedron_soup_3& soup, const std::map
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
 
-does the same for groups of facets, by the names that a soup has for them. Throws `Input_error` if there is no group with a name.
+does the same for groups of facets, by the names that a soup has for them. All groups with the name have the condition. Throws
+`Input_error` if there is no group with a name.
 */
 inline auto conditions_of_patches(const Tetrahedron_soup_3& soup, const std::map<std::string, Patch_condition_3>& conditions)
 {
   std::map<int, Patch_condition_3> of_references;
-  for(const auto& condition : conditions)
+  for(const auto& [name, condition] : conditions)
   {
-    const auto group = std::find_if(soup.group_names.begin(), soup.group_names.end(), [&](const auto& entry)
-    { return entry.first.first == 2 && entry.second == condition.first; });
-    if(group == soup.group_names.end())
-      throw Input_error("There is no group of facets with the name '" + condition.first + "'.");
-    of_references.emplace(group->first.second, condition.second);
+    const std::set<int> references = internal::references_of_facets(soup, name);
+    if(references.empty())
+      throw Input_error("There is no group of facets with the name '" + name + "'.");
+    for(const int reference : references)
+      of_references.emplace(reference, condition);
   }
   return conditions_of_patches(soup, of_references);
 }

@@ -16,57 +16,86 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 
 #include <optional>
-#include <set>
 
 namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
-// A line of a file of conditions, and the vertices it is about.
+// A line of a file of conditions, and the vertices it is about. `vertices_of(i)` returns the vertices with an index, none if there
+// is no such index.
 class Line_of_conditions
 {
 public:
-  Line_of_conditions(Text_scanner line, const Tetrahedron_soup_3& soup, const Budget& budget)
+  template <typename VerticesOf>
+  Line_of_conditions(Text_scanner line, const Tetrahedron_soup_3& soup, const VerticesOf& vertices_of, const Budget& budget)
+    : m_number(line.line())
   {
-    read_vertices(line, soup);
+    read_vertices(line, soup, vertices_of);
     read_condition(line, budget);
   }
 
   const std::set<std::size_t>& vertices() const { return m_vertices; }
 
-  // Adds what the line asks for to the place of a vertex.
-  void add_to(Common_position_3& position) const
+  // Adds what the line asks for to what is prescribed to a vertex.
+  void add_to(Prescribed_position_3& position) const
   {
-    for(int i = 0; i < 3 && m_kind == "fixed"; ++i)
-      position.add_plane(Eigen::Vector3d::Unit(i), position.start()[i]);
+    if(m_kind == "fixed")
+      position.add_start(m_number);
     if(m_kind == "plane")
-      position.add_plane(m_normal, m_offset ? *m_offset : m_normal.dot(position.start()));
+      position.add_plane(m_normal, m_offset, m_number);
   }
 
 private:
-  void read_vertices(Text_scanner& line, const Tetrahedron_soup_3& soup)
+  template <typename VerticesOf>
+  void read_vertices(Text_scanner& line, const Tetrahedron_soup_3& soup, const VerticesOf& vertices_of)
   {
-    const std::string key(line.next_word());
-    if(key == "vertex")
+    const bool is_quoted = line.is_at_quote();
+    const std::string key(is_quoted ? line.next_quoted() : line.next_word());
+    if(key == "vertex" && !is_quoted)
     {
-      const std::size_t v = line.next_number<std::size_t>("the index of a vertex");
-      if(v >= soup.points.size())
-        line.fail("there is no vertex " + std::to_string(v) + " (counted from 0)");
-      m_vertices.insert(v);
+      const std::size_t index = line.next_number<std::size_t>("the index of a vertex");
+      for(const std::size_t v : vertices_of(index))
+        m_vertices.insert(v);
+      if(m_vertices.empty())
+        line.fail("there is no vertex " + std::to_string(index) + " (counted from 0)");
       return;
     }
-    std::optional<int> reference;
-    for(const auto& [dimension_and_reference, name] : soup.group_names)
-      if(dimension_and_reference.first == 2 && name == key)
-        reference = dimension_and_reference.second;
-    int number;
-    if(const auto end = key.data() + key.size(); !reference && std::from_chars(key.data(), end, number).ptr == end)
-      reference = number;
-    for(std::size_t f = 0; f < soup.facets.size() && reference; ++f)
-      if(soup.facet_references[f] == *reference)
-        m_vertices.insert(soup.facets[f].begin(), soup.facets[f].end());
+    const auto take = [&](const std::set<int>& references)
+    {
+      for(std::size_t f = 0; f < soup.facets.size(); ++f)
+        if(references.count(soup.facet_references[f]) > 0)
+          m_vertices.insert(soup.facets[f].begin(), soup.facets[f].end());
+    };
+    int reference;
+    if(const auto end = key.data() + key.size(); !is_quoted && std::from_chars(key.data(), end, reference).ptr == end)
+      take({ reference });
     if(m_vertices.empty())
-      line.fail("no triangle of the mesh has the reference or the name " + Text_scanner::quote(key));
+      take(references_of_facets(soup, key));
+    if(m_vertices.empty())
+      line.fail("no triangle of the mesh has the reference or the name " + Text_scanner::quote(key) + ". "
+                + names_of_facets(soup));
+  }
+
+  // Lists what a line may begin with.
+  static std::string names_of_facets(const Tetrahedron_soup_3& soup)
+  {
+    constexpr std::size_t longest = 20;
+    std::vector<std::string> names;
+    bool has_blanks = false;
+    for(const int reference : std::set<int>(soup.facet_references.begin(), soup.facet_references.end()))
+    {
+      const auto group = soup.group_names.find({ 2, reference });
+      names.push_back(group == soup.group_names.end() ? std::to_string(reference) : Text_scanner::quote(group->second));
+      has_blanks = has_blanks || names.back().find(' ') != std::string::npos;
+    }
+    if(names.empty())
+      return "It has no triangles with references; use 'vertex' and an index";
+    const std::size_t number_of_others = names.size() - (std::min)(names.size(), longest);
+    names.resize(names.size() - number_of_others);
+    if(number_of_others > 0)
+      names.push_back(std::to_string(number_of_others) + " others");
+    const std::string list = listed(names, [](const std::string& name) { return name; });
+    return "There are " + list + (has_blanks ? "; names with blanks need quotes" : "");
   }
 
   void read_condition(Text_scanner& line, const Budget& budget)
@@ -75,26 +104,26 @@ private:
     const bool is_coordinate = m_kind.size() > 2 && m_kind[1] == '=' && m_kind[0] >= 'x' && m_kind[0] <= 'z';
     if(is_coordinate)
     {
-      m_normal = Eigen::Vector3d::Unit(m_kind[0] - 'x');
+      m_normal[m_kind[0] - 'x'] = 1;
       m_offset = Text_scanner(std::string_view(m_kind).substr(2), budget, line.line()).next_number<double>("a coordinate");
       m_kind = "plane";
     }
     else if(m_kind == "plane")
     {
-      for(int i = 0; i < 3; ++i)
-        m_normal[i] = line.next_number<double>("a coordinate of the normal");
-      if(m_normal.isZero(0))
+      for(double& x : m_normal)
+        x = line.next_number<double>("a coordinate of the normal");
+      if(m_normal == std::array<double, 3>{})
         line.fail("the normal of a plane is zero");
-      m_normal = unit_vector_3(m_normal);
     }
     else if(m_kind != "fixed" && m_kind != "free")
       line.fail(Text_scanner::quote(m_kind) + " is not a condition: fixed, free, plane with a normal, or x=1");
     line.expect_end("the condition");
   }
 
+  std::size_t m_number;
   std::set<std::size_t> m_vertices;
   std::string m_kind;
-  Eigen::Vector3d m_normal = Eigen::Vector3d::Zero();
+  std::array<double, 3> m_normal = {};
   std::optional<double> m_offset; // of the plane; through the target if there is none
 };
 
@@ -105,23 +134,28 @@ namespace IO {
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// reads the conditions of vertices of a mesh from a file of lines. A line begins with the reference or the name of marked facets,
-/// or with `vertex` and an index that starts at 0. The condition follows: `fixed`, `free`, `plane` with the three coordinates of a
-/// normal, or `x=1`, `y=1`, `z=1` with any number. A vertex of several lines has all of their conditions. The rest of a line
-/// behind `#` is skipped.
+/// or with `vertex` and an index that starts at 0. A name may stand in quotes, and must if it has blanks, or if it is also a
+/// reference of facets. If several groups have a name, the line is about all of them. The condition follows: `fixed`, `free`,
+/// `plane` with the three coordinates of a normal, or `x=1`, `y=1`, `z=1` with any number. A vertex of several lines has all of
+/// their conditions; their order does not matter. A coordinate is met to the bit. The rest of a line behind `#` is skipped.
 ///
 /// \param filename the name of the file
 /// \param soup the mesh
+/// \param vertices_of_index a function that returns the range of the vertices of the mesh for an index in the file, such as the
+///        copies of a vertex that was separated. The range is empty if there are none
 /// \param conditions gets the condition of each vertex of a line; other elements stay, and new ones are those of free vertices
-/// \param targets gets a point that meets the conditions, for each vertex of a line. The search starts from the previous target
-///        or, if this is not a number, from the point of the mesh. It has an element for each vertex.
+/// \param targets gets a point that meets the conditions, for each vertex of a line. It is the nearest one to the previous target
+///        or, if this is not a number, to the point of the mesh. It has an element for each vertex.
 /// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
 ///
 /// \return `false` if the time is over or the visitor ends the reading; nothing has changed then.
 ///
-/// \exception Input_error names the file and the wrong line, or the vertex with contradictory conditions. Nothing has changed
-///            then.
-template <typename NamedParameters = parameters::Default_named_parameters>
-bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_3& soup,
+/// \exception Input_error names the file and the wrong line, or lines that contradict each other. Planes must meet within
+///            rounding, relative to the diagonal of the mesh, and must not be nearly parallel, with an angle below 1e-9 radians.
+///            Nothing has changed then.
+template <typename VerticesOfIndex, typename NamedParameters = parameters::Default_named_parameters,
+          typename = decltype(std::declval<const VerticesOfIndex&>()(std::size_t()))>
+bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_3& soup, const VerticesOfIndex& vertices_of_index,
                             std::vector<Vertex_condition_3>& conditions, std::vector<std::array<double, 3> >& targets,
                             const NamedParameters& np = parameters::default_values())
 {
@@ -129,24 +163,43 @@ bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_
   return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
   {
     const std::string text = internal::read_file(filename, budget);
+    const double size = internal::diagonal_of_cells(soup);
     internal::Text_scanner scanner(text, budget);
-    std::map<std::size_t, internal::Common_position_3> positions;
+    std::map<std::size_t, internal::Prescribed_position_3> positions;
     while(!scanner.rest().empty())
     {
-      const internal::Line_of_conditions line(scanner.next_line(), soup, budget);
+      const internal::Line_of_conditions line(scanner.next_line(), soup, vertices_of_index, budget);
       for(const std::size_t v : line.vertices())
-      {
-        const Eigen::Vector3d point = internal::to_vector(std::isnan(targets[v][0]) ? soup.points[v] : targets[v]);
-        line.add_to(positions.emplace(v, internal::Common_position_3(point)).first->second);
-      }
+        line.add_to(positions.try_emplace(v, std::isnan(targets[v][0]) ? soup.points[v] : targets[v], size).first->second);
     }
-    conditions.resize(soup.points.size());
+    std::map<std::size_t, internal::Prescribed_position_3::Solution> solutions;
     for(const auto& [v, position] : positions)
     {
-      conditions[v] = position.condition();
-      targets[v] = internal::coordinates(position.point());
+      const auto& solution = solutions.emplace(v, position.solution()).first->second;
+      if(!solution.fault.empty())
+        throw Input_error(internal::sentence("lines ", internal::listed(solution.sources, [](const std::size_t line)
+          { return std::to_string(line); }), " ", solution.fault, " at vertex ", v, " (counted from 0): ", solution.reason));
+    }
+    conditions.resize(soup.points.size());
+    for(const auto& [v, solution] : solutions)
+    {
+      conditions[v] = solution.condition;
+      targets[v] = solution.target;
     }
   });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// does the same where each index in the file is that of the vertex.
+template <typename NamedParameters = parameters::Default_named_parameters>
+bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_3& soup,
+                            std::vector<Vertex_condition_3>& conditions, std::vector<std::array<double, 3> >& targets,
+                            const NamedParameters& np = parameters::default_values())
+{
+  const auto vertices_of_index = [&](const std::size_t i)
+  { return i < soup.points.size() ? std::vector<std::size_t>{ i } : std::vector<std::size_t>(); };
+  return read_vertex_conditions(filename, soup, vertices_of_index, conditions, targets, np);
 }
 
 } // namespace IO

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Vertex_point_map.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
@@ -163,7 +163,7 @@ struct Parameterizer_of_complex_3
 {
   using Images = std::unordered_map<typename C3t3::Vertex_handle, typename C3t3::Triangulation::Geom_traits::Point_3>;
   static constexpr bool can_be_called
-    = is_boundary_parameterizer<Parameterizer, const C3t3&, Vertex_point_map<Images> >;
+    = is_boundary_parameterizer<Parameterizer, const C3t3&, Vertex_map<Images> >;
 
   Parameterizer parameterizer;
   const C3t3& c3t3;

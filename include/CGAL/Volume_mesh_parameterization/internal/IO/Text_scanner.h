@@ -155,6 +155,24 @@ public:
     return m_text.substr(begin, m_position - begin);
   }
 
+  // Does the next word begin with a quote?
+  bool is_at_quote()
+  {
+    const std::string_view text = rest();
+    return !text.empty() && (text[0] == '\'' || text[0] == '"');
+  }
+
+  // the text between the quote at which the next word begins and the next such quote of the text
+  std::string_view next_quoted()
+  {
+    const std::string_view text = rest();
+    const std::size_t size = text.find(text[0], 1);
+    if(size == text.npos)
+      fail("the quote before " + quote(text.substr(1)) + " is not closed");
+    m_position += size + 1;
+    return text.substr(1, size - 1);
+  }
+
   // the text from the next word on
   std::string_view rest()
   {

@@ -72,10 +72,16 @@ public:
     const double squares = squaredNorm();
     return squares > 0 ? *this / std::sqrt(squares) : *this;
   }
+  // Also normalizes vectors whose length, or half of whose length, is out of the range of numbers.
   Vector_3 stableNormalized() const
   {
-    const double largest = cwiseAbs().maxCoeff(), squares = (*this / largest).squaredNorm();
-    return squares > 0 ? *this / (std::sqrt(squares) * largest) : *this;
+    const double largest_of_all = cwiseAbs().maxCoeff();
+    if(!(largest_of_all > 0) || std::isinf(largest_of_all))
+      return *this;
+    const int exponent = std::ilogb(largest_of_all);
+    const Vector_3 v = unaryExpr([&](const double x) { return std::scalbn(x, -exponent); });
+    const double largest = v.cwiseAbs().maxCoeff();
+    return v / (std::sqrt((v / largest).squaredNorm()) * largest);
   }
 
   bool hasNaN() const { return std::isnan(x()) || std::isnan(y()) || std::isnan(z()); }

@@ -37,6 +37,17 @@ template <typename Number>
 std::string counted(const Number number, const char* const singular, const char* const plural)
 { return sentence(number, " ", number == 1 ? singular : plural); }
 
+// Returns the names of some things with commas and "and".
+template <typename Range, typename NameOf>
+std::string listed(const Range& range, const NameOf& name)
+{
+  std::string result;
+  std::size_t number_left = range.size();
+  for(const auto& element : range)
+    result += name(element) + (--number_left == 0 ? "" : number_left == 1 ? " and " : ", ");
+  return result;
+}
+
 inline std::string describe(const Eigen::Vector3d& point)
 { return sentence("(", point[0], ", ", point[1], ", ", point[2], ")"); }
 
