@@ -41,6 +41,19 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
   return {};
 }
 
+// Where a part of the boundary is free, prescribed points may be so far from the origin that rounding makes all cells flat.
+inline Input_check_3 check_distance_from_origin(const Numbered_mesh_3& mesh)
+{
+  if(!mesh.alignment)
+    return {};
+  const double coordinate = moved(*mesh.alignment, mesh.source).cwiseAbs().maxCoeff();
+  const double size = mesh.alignment->scale * length_3(bounding_box(*mesh.communicator, mesh.source).diagonal());
+  if(!(size > 0 && size <= std::numeric_limits<double>::epsilon() * coordinate))
+    return {};
+  return failed_check(ERROR_SIZE_OUT_OF_RANGE, "The prescribed points are at coordinates of up to ", coordinate,
+                      ", where rounding is larger than the image of the body.");
+}
+
 inline Input_check_3 check_sizes(const Numbered_mesh_3& mesh)
 {
   const Matrix3Xd initial = mesh.initial.unaryExpr([](const double x) { return std::isnan(x) ? 0. : x; });
@@ -183,8 +196,9 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbe
 {
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const auto check : { check_coordinates, check_sizes, check_source_cells, check_source_determinants,
-                           check_target_volume, check_prescribed_facets, check_prescribed_cells, check_planes })
+  for(const auto check : { check_coordinates, check_distance_from_origin, check_sizes, check_source_cells,
+                           check_source_determinants, check_target_volume, check_prescribed_facets, check_prescribed_cells,
+                           check_planes })
   {
     const Input_check_3 result = check(mesh);
     const auto [code, message] = mesh.communicator->first_failure(result.status, result.message);
