@@ -138,6 +138,8 @@ bool set_targets(Points& targets, const NamedParameters& np, const std::string& 
   return read_within_limits<internal_np::output_iterator_t>(np, filename, [&](const Budget& budget)
   {
     Read_targets result = read(budget);
+    if(std::all_of(result.points.begin(), result.points.end(), [](const auto& p) { return std::isnan(p[0]); }))
+      throw Input_error("there is no target of a vertex");
     targets = std::move(result.points);
     auto out = parameter_or(np, internal_np::output_iterator, Emptyset_iterator());
     if(!result.note.empty())

@@ -105,6 +105,18 @@ inline Columns_of_targets columns_of_header(const std::vector<std::string>& head
   throw Input_error("line 1: there are no columns 'Points:0', 'Points:1' and 'Points:2', or 'x', 'y' and 'z'");
 }
 
+// Reads the number that is all of a cell.
+template <typename Number>
+Number number_of_cell(const std::vector<std::string>& cells, const std::size_t column, const char* const what,
+                      const std::size_t line, const Budget& budget)
+{
+  const std::string cell = column < cells.size() ? cells[column] : "";
+  const std::string what_where = what + (" (column " + std::to_string(column + 1) + ")");
+  if(cell.find_first_of("# \t") != cell.npos)
+    Text_scanner::fail(line, Text_scanner::quote(cell) + " is not " + what_where);
+  return Text_scanner(cell, budget, line).next_number<Number>(what_where.c_str());
+}
+
 // Reads a table. Without a line of names, its columns are the index of a vertex and three coordinates, or the coordinates alone.
 inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view text, const std::size_t number_of_vertices,
                                                           const Budget& budget)
@@ -115,6 +127,9 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
   const bool has_names = header[0].find_first_of("+-.0123456789") != 0;
   const Columns_of_targets columns = has_names ? columns_of_header(header)
     : header.size() == 3 ? Columns_of_targets{ Columns_of_targets::none, { 0, 1, 2 } } : Columns_of_targets{ 0, { 1, 2, 3 } };
+  if(!has_names && header.size() > 4 && !header[4].empty())
+    Text_scanner::fail(1, "there are " + std::to_string(header.size()) + " columns. Without a line of names, there must be an "
+                          "index and three coordinates, or the coordinates alone");
   std::vector<Target_of_vertex> targets;
   std::size_t number = 0;
   for(std::size_t begin = 0, end; begin < text.size(); begin = end + 1)
@@ -124,19 +139,14 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
     const std::vector<std::string> cells = cells_of_line(text.substr(begin, end - begin), separator);
     if((++number == 1 && has_names) || (cells.size() == 1 && cells[0].empty()))
       continue;
-    const auto cell = [&](const std::size_t column) -> std::string
-    { return column < cells.size() ? cells[column] : ""; };
+    for(std::size_t column = header.size(); column < cells.size(); ++column)
+      if(!cells[column].empty())
+        Text_scanner::fail(number, Text_scanner::quote(cells[column]) + " is in column " + std::to_string(column + 1)
+                                   + ", but the first line has " + std::to_string(header.size()) + " columns");
     const auto coordinate = [&](const std::size_t i)
-    {
-      const std::string text_of_coordinate = cell(columns.coordinates[i]);
-      return Text_scanner(text_of_coordinate, budget, number).next_number<double>("a finite coordinate");
-    };
-    std::size_t v = targets.size();
-    if(columns.index != Columns_of_targets::none)
-    {
-      const std::string index = cell(columns.index);
-      v = Text_scanner(index, budget, number).next_number<std::size_t>("the index of a vertex");
-    }
+    { return number_of_cell<double>(cells, columns.coordinates[i], "a finite coordinate", number, budget); };
+    const std::size_t v = columns.index == Columns_of_targets::none ? targets.size()
+      : number_of_cell<std::size_t>(cells, columns.index, "the index of a vertex", number, budget);
     if(v >= number_of_vertices)
       Text_scanner::fail(number, "vertex " + std::to_string(v) + " does not exist, the mesh has "
                                  + std::to_string(number_of_vertices) + " vertices, counted from 0");
