@@ -35,12 +35,13 @@ inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
   if(!std::filesystem::is_regular_file(filename))
     throw Input_error("Gmsh reads regular files only");
   // Gmsh takes other files with such a name for scripts, and runs them
-  if(std::filesystem::path(filename).extension().string().find(".msh") == 0 && std::ifstream(filename).peek() != '$')
+  const bool is_MSH = std::filesystem::path(filename).extension().string().find(".msh") == 0;
+  if(is_MSH && std::ifstream(filename).peek() != '$')
     throw Input_error("this is not a mesh of Gmsh");
   internal::with_Gmsh([&]
   {
     gmsh::merge(filename);
-    soup = internal::Gmsh_reader().read();
+    soup = internal::Gmsh_reader().read(is_MSH ? internal::names_of_groups(filename) : internal::Names_of_groups());
   });
 }
 

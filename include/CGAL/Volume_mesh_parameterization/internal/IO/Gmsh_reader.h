@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <sstream>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -56,11 +57,34 @@ auto with_Gmsh(const Function& f)
   }
 }
 
+using Names_of_groups = std::map<std::pair<int, int>, std::string>; // by dimension and reference
+
+// Returns the names of the groups in a file. In a model of Gmsh, only one group of a dimension can have a name.
+inline Names_of_groups names_of_groups(const std::string& filename)
+{
+  std::ifstream is(filename);
+  const auto begins_with = [](const std::string& line, const char* const keyword) { return line.rfind(keyword, 0) == 0; };
+  std::string line;
+  while(std::getline(is, line) && !begins_with(line, "$PhysicalNames"))
+    if(begins_with(line, "$Entities") || begins_with(line, "$Nodes"))
+      return {}; // the names come before these
+  Names_of_groups result;
+  while(std::getline(is, line) && !begins_with(line, "$End"))
+  {
+    const std::size_t begin = line.find('"'), end = line.rfind('"');
+    int dimension, reference;
+    if(std::istringstream(line) >> dimension >> reference && begin < end)
+      result[{ dimension, reference }] = line.substr(begin + 1, end - begin - 1);
+  }
+  return result;
+}
+
 // Makes a soup of the model that Gmsh has read.
 class Gmsh_reader
 {
 public:
-  Tetrahedron_soup_3 read()
+  // The names are those of groups for which the model has none.
+  Tetrahedron_soup_3 read(const Names_of_groups& names = {})
   {
     read_points();
     std::array<bool, 4> has_groups = {};
@@ -71,6 +95,8 @@ public:
       has_groups[dimension] = true;
       std::string name;
       gmsh::model::getPhysicalName(dimension, tag, name);
+      if(const auto in_file = names.find({ dimension, tag }); name.empty() && in_file != names.end())
+        name = in_file->second;
       if(!name.empty())
         m_soup.group_names[{ dimension, tag }] = name;
     }
